@@ -1,0 +1,72 @@
+"""The errors a user can meet, as one tree; each class carries its exit code.
+
+An :class:`InputError` holds one or more :class:`Problem` records. A problem names the file, the key, the
+value, what was expected and what to do, because the reader is an instructor and not a programmer.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One mistake in the input: where it is, what it says, what was expected, what to do."""
+
+    message: str
+    file: str = ""
+    key: str = ""
+    value: str = ""
+    remedy: str = ""
+
+    def __str__(self) -> str:
+        where = ": ".join(part for part in (self.file, self.key) if part)
+        head = f"{where}: {self.message}" if where else self.message
+        if self.value:
+            head += f" (got {self.value})"
+        return head + (f"\n    {self.remedy}" if self.remedy else "")
+
+    def located(self, file: str) -> Problem:
+        """The same problem with the file named, if none was."""
+        return self if self.file else Problem(self.message, file, self.key, self.value, self.remedy)
+
+
+class VariantgenError(Exception):
+    """Base of every error this package raises on purpose."""
+
+    exit_code = 1
+
+
+class CheckFailed(VariantgenError):
+    """A check was run to the end and found something wrong (exit code 1)."""
+
+
+class InputError(VariantgenError):
+    """The input is wrong (exit code 2); holds every problem found, not just the first."""
+
+    exit_code = 2
+
+    def __init__(self, problems: Problem | Iterable[Problem]) -> None:
+        self.problems = (problems,) if isinstance(problems, Problem) else tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))
+
+    def located(self, file: str) -> InputError:
+        """The same error with the file named in every problem that named none."""
+        return InputError(problem.located(file) for problem in self.problems)
+
+
+class ToolMissing(VariantgenError):
+    """An optional tool or package is needed and not installed (exit code 3)."""
+
+    exit_code = 3
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """A remedy that names the known words closest to a mistyped one."""
+    names = sorted(known)
+    close = difflib.get_close_matches(word, names, n=3, cutoff=0.5)
+    if close:
+        return "did you mean " + " or ".join(close) + "?"
+    return "known: " + ", ".join(names) if names else "nothing is known here"

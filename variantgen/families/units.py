@@ -1,0 +1,90 @@
+"""Units that may stand in a family file and on a sheet, with exact decimal factors to the SI."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from decimal import Decimal
+
+from variantgen.errors import InputError, Problem, nearest
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit: name, dimension (exponents of length and time), factor to SI, what it measures.
+
+    ``turn`` marks units that carry an extra factor pi/180 or pi/30, which no decimal number can hold.
+    """
+
+    name: str
+    dimension: tuple[int, int]
+    factor: Decimal
+    measures: str
+    turn: float = 1.0
+
+    def to_si(self, value: Decimal) -> float:
+        """A printed value in SI, rounded once (twice for degrees and rpm)."""
+        return float(value * self.factor) * self.turn
+
+    def from_si(self, value: float) -> float:
+        """An SI value in this unit."""
+        return value / self.turn / float(self.factor)
+
+
+def _table() -> dict[str, Unit]:
+    one = Decimal(1)
+    lengths = {"m": one, "dm": Decimal("0.1"), "cm": Decimal("0.01"), "mm": Decimal("0.001")}
+    units = [Unit(name, (1, 0), factor, "length") for name, factor in lengths.items()]
+    units += [Unit(f"{name}/s", (1, -1), factor, "velocity") for name, factor in lengths.items()]
+    units += [Unit(f"{name}/s^2", (1, -2), factor, "acceleration") for name, factor in lengths.items()]
+    units += [
+        Unit("rad", (0, 0), one, "angle"),
+        Unit("deg", (0, 0), one, "angle", math.pi / 180),
+        Unit("1", (0, 0), one, "number"),
+        Unit("rad/s", (0, -1), one, "angular velocity"),
+        Unit("rpm", (0, -1), one, "angular velocity", math.pi / 30),
+        Unit("rad/s^2", (0, -2), one, "angular acceleration"),
+        Unit("s", (0, 1), one, "time"),
+    ]
+    return {unit.name: unit for unit in units}
+
+
+UNITS = _table()
+_NUMBER_WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z][A-Za-z0-9/^-]*)?\s*")
+
+
+def unit(name: str, key: str = "unit") -> Unit:
+    """The unit of that name; InputError with the nearest names if there is none."""
+    if name not in UNITS:
+        raise InputError(Problem("unknown unit", key=key, value=name, remedy=nearest(name, UNITS)))
+    return UNITS[name]
+
+
+def parse_value(text: str, default: Unit, key: str) -> Decimal:
+    """A number, with or without a unit, as a value in the unit ``default``.
+
+    ``"30"`` and ``"0.3 m"`` with default cm both give 30. Raises InputError for anything else and for a unit of
+    another dimension.
+    """
+    match = _NUMBER_WITH_UNIT.fullmatch(text)
+    if match is None:
+        raise InputError(
+            Problem("expected a number", key=key, value=text, remedy=f'write it like "30" or "30 {default.name}"')
+        )
+    value, name = Decimal(match[1]), match[2]
+    if name is None or name == default.name:
+        return value
+    given = unit(name, key)
+    if given.measures != default.measures:
+        raise InputError(
+            Problem(
+                f"the unit {name} measures {given.measures}, {default.measures} is due",
+                key=key,
+                value=text,
+                remedy=f"use {default.name} or another unit of {default.measures}",
+            )
+        )
+    if given.turn == default.turn:
+        return value * given.factor / default.factor
+    return Decimal(repr(round(default.from_si(given.to_si(value)), 12)))

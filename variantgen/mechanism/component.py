@@ -1,0 +1,115 @@
+"""What constructions, joints and drivers have in common: typed fields that a family file can fill.
+
+A component is a frozen dataclass in a module of its own; the module's name is its kind. The annotations of its
+fields say what a family file may write there, so that reading, checking and documenting need no second table.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from dataclasses import MISSING, fields, is_dataclass
+from functools import cache
+from types import ModuleType
+from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
+
+from variantgen.mechanism.arithmetic import Real
+
+
+class Ref(str):
+    """Annotation of a field that names a ``point`` or a ``body``."""
+
+
+class Dim(str):
+    """Annotation of a numeric field: its dimension, a key of :data:`DIMENSIONS`."""
+
+
+class Words(tuple[tuple[str, float], ...]):
+    """Annotation of a numeric field that may also be written as one of a few words."""
+
+
+# Exponents of length and time. A plane angle counts as a number, as in the SI.
+DIMENSIONS: dict[str, tuple[int, int]] = {
+    "length": (1, 0),
+    "angle": (0, 0),
+    "number": (0, 0),
+    "angular velocity": (0, -1),
+    "angular acceleration": (0, -2),
+    "velocity": (1, -1),
+    "acceleration": (1, -2),
+}
+
+PointName: TypeAlias = Annotated[str, Ref("point")]
+BodyName: TypeAlias = Annotated[str, Ref("body")]
+Length: TypeAlias = Annotated[Real, Dim("length")]
+Angle: TypeAlias = Annotated[Real, Dim("angle")]
+Ratio: TypeAlias = Annotated[Real, Dim("number")]
+AngularVelocity: TypeAlias = Annotated[Real, Dim("angular velocity")]
+AngularAcceleration: TypeAlias = Annotated[Real, Dim("angular acceleration")]
+Velocity: TypeAlias = Annotated[Real, Dim("velocity")]
+Acceleration: TypeAlias = Annotated[Real, Dim("acceleration")]
+Side: TypeAlias = Annotated[Real, Dim("number"), Words((("left", 1.0), ("right", -1.0)))]
+Sense: TypeAlias = Annotated[Real, Dim("number"), Words((("ahead", 1.0), ("behind", -1.0)))]
+
+
+class FieldSpec:
+    """One field of a component: name, what it refers to or its dimension, words, and whether it is needed."""
+
+    def __init__(self, name: str, hint: Any, required: bool) -> None:
+        marks = [mark for leaf in _leaves(hint) for mark in getattr(leaf, "__metadata__", ())]
+        self.name = name
+        self.required = required
+        self.ref = next((str(mark) for mark in marks if isinstance(mark, Ref)), "")
+        self.dimension = next((str(mark) for mark in marks if isinstance(mark, Dim)), "")
+        self.words = dict(next((mark for mark in marks if isinstance(mark, Words)), ()))
+        self.many = get_origin(hint) is tuple
+        self.flag = hint is bool
+
+    @property
+    def expects(self) -> str:
+        """What a family file may write here, in words."""
+        if self.flag:
+            return "true or false"
+        if self.ref:
+            return f"a list of two {self.ref}s" if self.many else f"the name of a {self.ref}"
+        words = " or ".join(f'"{word}"' for word in self.words)
+        return words or f"a number or an expression ({self.dimension})"
+
+
+def _leaves(hint: Any) -> list[Any]:
+    if get_origin(hint) is Annotated:
+        return [hint]
+    return [leaf for part in get_args(hint) for leaf in _leaves(part)]
+
+
+@cache
+def field_specs(component: type) -> tuple[FieldSpec, ...]:
+    """The fields of a component class, in order, with their meaning read from the annotations."""
+    hints = get_type_hints(component, include_extras=True)
+    return tuple(
+        FieldSpec(f.name, hints[f.name], f.default is MISSING and f.default_factory is MISSING)
+        for f in fields(component)
+    )
+
+
+@cache
+def discover(package: str) -> dict[str, type]:
+    """Component classes of a package, by kind (= module name), in alphabetical order.
+
+    Every public module of the package defines exactly one public dataclass; there is no list to edit.
+    """
+    home: ModuleType = importlib.import_module(package)
+    found: dict[str, type] = {}
+    for info in sorted(pkgutil.iter_modules(home.__path__), key=lambda info: info.name):
+        if info.name.startswith("_"):
+            continue
+        module = importlib.import_module(f"{package}.{info.name}")
+        own = [
+            item
+            for name, item in vars(module).items()
+            if is_dataclass(item) and isinstance(item, type) and not name.startswith("_") and item.__module__ == module.__name__
+        ]
+        if len(own) != 1:
+            raise TypeError(f"{module.__name__} must define exactly one public dataclass, not {len(own)}")
+        found[info.name] = own[0]
+    return found

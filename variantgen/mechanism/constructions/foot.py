@@ -1,0 +1,32 @@
+"""The foot of the perpendicular from a point to a straight line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from variantgen.mechanism.arithmetic import Complex, Flags, along, unit, unit_towards
+from variantgen.mechanism.component import Angle, PointName
+from variantgen.mechanism.outcome import Outcome
+
+
+@dataclass(frozen=True)
+class Foot:
+    """``z = z_through + (u . (z_of - z_through)) u`` for the line through a point along ``angle`` or ``towards``."""
+
+    of: PointName
+    through: PointName
+    angle: Angle = 0.0
+    towards: PointName | None = None
+    failure: ClassVar[Outcome] = Outcome.DEGENERATE
+
+    def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
+        """Position (m) and whether the line exists."""
+        start = at[self.through]
+        apart: Flags = True
+        if self.towards is None:
+            ray = unit(self.angle)
+        else:
+            ray, apart = unit_towards(start, at[self.towards])
+        return start + along(ray, at[self.of] - start) * ray, apart

@@ -1,0 +1,47 @@
+"""A point on a straight line at a given distance from a point: places a slider."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Flags, across, along, unit, unit_towards
+from variantgen.mechanism.component import Angle, Length, PointName, Sense
+from variantgen.mechanism.outcome import Outcome
+
+
+@dataclass(frozen=True)
+class LineCircle:
+    """The point of a line at ``distance`` from ``centre``.
+
+    The line passes through ``through`` in the direction ``angle`` (rad) or, where ``towards`` names a point, through
+    both points. ``branch`` takes the crossing that lies ahead (+1) or behind (-1) of the foot of the perpendicular::
+
+        z = z_foot + branch * sqrt((r - h)(r + h)) u,   h = distance of the centre from the line
+    """
+
+    through: PointName
+    centre: PointName
+    distance: Length
+    angle: Angle = 0.0
+    towards: PointName | None = None
+    branch: Sense = 1.0
+    failure: ClassVar[Outcome] = Outcome.NOT_ASSEMBLED
+
+    def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
+        """Position (m) and whether the line meets the circle."""
+        start = at[self.through]
+        apart: Flags = True
+        if self.towards is None:
+            ray = unit(self.angle)
+        else:
+            ray, apart = unit_towards(start, at[self.towards])
+        offset = at[self.centre] - start
+        height = np.abs(across(ray, offset))
+        room = (self.distance - height) * (self.distance + height)
+        meets = apart & (room >= 0)
+        reach = along(ray, offset) + self.branch * np.sqrt(np.where(meets, room, 0.0))
+        return start + reach * ray, meets

@@ -1,0 +1,47 @@
+"""The crossing of two straight lines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import EPS, Complex, Flags, across, unit, unit_towards
+from variantgen.mechanism.component import Angle, PointName
+from variantgen.mechanism.outcome import Outcome
+
+
+@dataclass(frozen=True)
+class LineLine:
+    """The crossing of the line through ``first`` and the line through ``second``.
+
+    Each line has the direction of its angle (rad) or passes through a second point (``first_towards``,
+    ``second_towards``). With unit vectors u, w and the step s between the points: ``z = z_first + (s x w)/(u x w) u``.
+    """
+
+    first: PointName
+    second: PointName
+    first_angle: Angle = 0.0
+    second_angle: Angle = 0.0
+    first_towards: PointName | None = None
+    second_towards: PointName | None = None
+    failure: ClassVar[Outcome] = Outcome.DEGENERATE
+
+    def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
+        """Position (m) and whether the lines cross."""
+        u, u_exists = _direction(at, self.first, self.first_angle, self.first_towards)
+        w, w_exists = _direction(at, self.second, self.second_angle, self.second_towards)
+        sine = across(u, w)
+        crosses = u_exists & w_exists & (np.abs(sine) > 16 * EPS)
+        reach = across(at[self.second] - at[self.first], w) / np.where(crosses, sine, 1.0)
+        return at[self.first] + reach * u, crosses
+
+
+def _direction(
+    at: Mapping[str, Complex], start: str, angle: Angle, towards: str | None
+) -> tuple[Complex, Flags]:
+    if towards is None:
+        return unit(angle), True
+    return unit_towards(at[start], at[towards])

@@ -1,0 +1,35 @@
+"""Fixed pivot: a point that does not move."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.component import PointName
+from variantgen.mechanism.rows import Joint, Placement, Shape, Speeds, VectorRow
+
+
+@dataclass(frozen=True)
+class Pivot(Joint):
+    """``z_P = const``, ``v_P = 0``, ``a_P = 0``."""
+
+    point: PointName
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """One vector row for the point, without bodies."""
+        return (Shape(points=(self.point,), lead=self.point),)
+
+    def rows(self, at: Placement) -> tuple[VectorRow, ...]:
+        """``v_P = 0``."""
+        return (VectorRow(self.point),)
+
+    def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
+        """Nothing: the point stays."""
+        return (0.0,)
+
+    def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
+        """Both components of the displacement (m)."""
+        shift = moved.z[self.point] - start.z[self.point]
+        return np.real(shift), np.imag(shift)

@@ -1,0 +1,114 @@
+"""Small linear systems, vectorised over the batch: the blocks of the velocity and acceleration equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Flags, Real, settle
+
+# Below this scaled determinant a double has no digits left for the accelerations (they lose its square).
+SINGULAR = 1e-9
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """One equation: coefficient by unknown, and the size of each before cancellation (for scaling)."""
+
+    coefficients: dict[int, Real]
+    sizes: dict[int, Real]
+
+
+@dataclass(frozen=True)
+class Sine:
+    """Scaled determinant of a block in [0, 1], and whether it is far enough from zero to divide by."""
+
+    value: Real
+    regular: Flags
+
+
+def solve_block(
+    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+) -> tuple[dict[int, Real], Sine]:
+    """Solve a block of any size; ``sides`` are right-hand sides with the sizes of their terms."""
+    if len(unknowns) == 1:
+        return _solve_one(equations[0], unknowns[0], sides[0])
+    if len(unknowns) == 2:
+        return _solve_two(equations, unknowns, sides)
+    return _solve_many(equations, unknowns, sides)
+
+
+def _sine(determinant: Real, scale: Real) -> Sine:
+    present = np.asarray(scale) > 0
+    value = np.where(present, np.abs(determinant) / np.where(present, scale, 1.0), 0.0)
+    return Sine(np.minimum(value, 1.0), value > SINGULAR)
+
+
+def _solve_one(equation: Assembly, unknown: int, side: tuple[Real, Real]) -> tuple[dict[int, Real], Sine]:
+    a = equation.coefficients[unknown]
+    sine = _sine(a, equation.sizes[unknown])
+    # Adding 0.0 turns a negative zero into zero.
+    return {unknown: settle(*side) / np.where(sine.regular, a, 1.0) + 0.0}, sine
+
+
+def _solve_two(
+    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+) -> tuple[dict[int, Real], Sine]:
+    """Cramer's rule; numerators that are nothing but rounding become exact zeros."""
+    first, second = equations
+    j, k = unknowns
+    a, b = first.coefficients.get(j, 0.0), first.coefficients.get(k, 0.0)
+    c, d = second.coefficients.get(j, 0.0), second.coefficients.get(k, 0.0)
+    sine = _sine(a * d - b * c, _scale(equations, unknowns))
+    determinant = np.where(sine.regular, a * d - b * c, 1.0)
+    (p, p_size), (q, q_size) = sides
+    x = settle(p * d - q * b, p_size * np.abs(d) + q_size * np.abs(b)) / determinant
+    y = settle(q * a - p * c, q_size * np.abs(a) + p_size * np.abs(c)) / determinant
+    return {j: x + 0.0, k: y + 0.0}, sine
+
+
+def _scale(equations: Sequence[Assembly], unknowns: Sequence[int]) -> Real:
+    """Product of the column sizes and of the row sizes that remain after the columns are scaled to one."""
+    columns = [_largest([e.sizes.get(u, 0.0) for e in equations]) for u in unknowns]
+    result: Real = np.multiply.reduce([np.asarray(column) for column in columns])
+    for equation in equations:
+        relative = [
+            equation.sizes[u] / np.where(column > 0, column, 1.0)
+            for u, column in zip(unknowns, columns, strict=True)
+            if u in equation.sizes
+        ]
+        result = result * _largest(relative)
+    return result
+
+
+def _largest(values: Sequence[Real]) -> Real:
+    result: Real = values[0]
+    for value in values[1:]:
+        result = np.maximum(result, value)
+    return result
+
+
+def _solve_many(
+    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+) -> tuple[dict[int, Real], Sine]:
+    """LU of the scaled matrix, for groups of links that no dyad opens."""
+    entries = [[np.asarray(e.coefficients.get(u, 0.0)) for u in unknowns] for e in equations]
+    sizes = [[np.asarray(e.sizes.get(u, 0.0)) for u in unknowns] for e in equations]
+    right = [np.asarray(side) for side, _ in sides]
+    shape = np.broadcast_shapes(*(x.shape for row in entries for x in row), *(x.shape for x in right))
+    matrix, size = (
+        np.moveaxis(np.array([[np.broadcast_to(x, shape) for x in row] for row in table]), (0, 1), (-2, -1))
+        for table in (entries, sizes)
+    )
+    column = np.max(size, axis=-2, keepdims=True)
+    matrix, size = matrix / column, size / column
+    row = np.max(size, axis=-1, keepdims=True)
+    matrix = matrix / row
+    smallest = np.linalg.svd(matrix, compute_uv=False)[..., -1]
+    regular = smallest > SINGULAR
+    safe = np.where(regular[..., None, None], matrix, np.eye(len(unknowns)))
+    b = np.stack([np.broadcast_to(x, shape) for x in right], axis=-1)[..., None] / row
+    x = np.linalg.solve(safe, b)[..., 0] / column[..., 0, :]
+    return {u: x[..., i] for i, u in enumerate(unknowns)}, Sine(np.minimum(smallest, 1.0), regular)

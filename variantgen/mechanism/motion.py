@@ -1,0 +1,96 @@
+"""The solved motion of a batch of variants at the instant of the problem."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.scene import Scene
+
+Field = NDArray[np.float64]
+ComplexField = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Positions, velocities and accelerations of points and bodies; every array has shape (N,).
+
+    ``z`` (m), ``v`` (m/s), ``a`` (m/s^2) by point; ``omega`` (rad/s), ``epsilon`` (rad/s^2) by body, positive
+    counter-clockwise. Orders that were not asked for are empty mappings. ``outcome`` holds an
+    :class:`~variantgen.mechanism.outcome.Outcome` per variant. ``transmission`` is the smallest scaled determinant
+    of the blocks (1 is best, 0 a dead point): for a dyad of two links the sine of the angle between them, for a
+    slider the cosine of the angle between rod and guide.
+    """
+
+    scene: Scene
+    outcome: NDArray[np.int8]
+    transmission: Field
+    z: Mapping[str, ComplexField]
+    v: Mapping[str, ComplexField]
+    a: Mapping[str, ComplexField]
+    omega: Mapping[str, Field]
+    epsilon: Mapping[str, Field]
+
+    @property
+    def size(self) -> int:
+        """Number of variants N."""
+        return int(self.outcome.size)
+
+    @property
+    def solved(self) -> NDArray[np.bool_]:
+        """Which variants have a meaning, shape (N,)."""
+        return self.outcome == 0
+
+    @property
+    def frame(self) -> Frame:
+        """How the scene lies on paper."""
+        return self.scene.frame
+
+    def length_scale(self) -> Field:
+        """Largest distance of a point from the centre of all points (m), shape (N,)."""
+        places = np.array(list(self.z.values()))
+        result: Field = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        return result
+
+    def take(self, index: NDArray[Any]) -> Motion:
+        """The variants chosen by an index or a mask."""
+
+        def cut(table: Mapping[str, Any]) -> dict[str, Any]:
+            return {name: values[index] for name, values in table.items()}
+
+        return replace(
+            self,
+            scene=take_scene(self.scene, index, self.size),
+            outcome=self.outcome[index],
+            transmission=self.transmission[index],
+            z=cut(self.z),
+            v=cut(self.v),
+            a=cut(self.a),
+            omega=cut(self.omega),
+            epsilon=cut(self.epsilon),
+        )
+
+
+def take_scene(scene: Scene, index: NDArray[Any], size: int) -> Scene:
+    """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
+
+    def cut(item: Any) -> Any:
+        changes = {
+            name: value[index]
+            for name, value in vars(item).items()
+            if isinstance(value, np.ndarray) and value.shape == (size,)
+        }
+        return replace(item, **changes) if changes else item
+
+    return Scene(
+        {name: cut(item) for name, item in scene.points.items()},
+        scene.bodies,
+        tuple(cut(item) for item in scene.joints),
+        tuple(cut(item) for item in scene.drivers),
+        cut(scene.frame),
+    )

@@ -1,0 +1,47 @@
+"""Relative motion of a point with respect to a moving body that it is not part of (sleeve, slot)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.mechanism.motion import ComplexField, Motion
+from variantgen.mechanism.scene import Scene, references
+
+
+@dataclass(frozen=True)
+class Relative:
+    """Motion of a point relative to a body, shape (N,) each: ``a = a_transport + relative + coriolis``.
+
+    ``velocity`` ``v_rel = v - v_transport`` (m/s); ``acceleration`` ``a_rel`` (m/s^2); ``coriolis``
+    ``2 i omega v_rel`` (m/s^2): the relative velocity turned by a right angle with the rotation of the carrier
+    (rule of Zhukovsky). The last two are None when accelerations were not computed.
+    """
+
+    body: str
+    velocity: ComplexField
+    acceleration: ComplexField | None
+    coriolis: ComplexField | None
+
+
+def sliding_points(scene: Scene) -> dict[str, str]:
+    """Points that slide along a moving body, with the body: the joints that couple a point to a body not its own."""
+    found: dict[str, str] = {}
+    for joint in scene.joints:
+        points, bodies = references(joint, "point"), references(joint, "body")
+        line = [p for p in points[1:] if bodies and p in scene.bodies[bodies[0]]]
+        if len(line) == 2 and points[0] not in scene.bodies[bodies[0]]:
+            found[points[0]] = bodies[0]
+    return found
+
+
+def relative_motion(motion: Motion, point: str, body: str) -> Relative:
+    """Relative, transport and Coriolis parts of the motion of a point with respect to a body."""
+    pole = motion.scene.bodies[body][0]
+    d = motion.z[point] - motion.z[pole]
+    omega = motion.omega[body]
+    velocity = motion.v[point] - (motion.v[pole] + 1j * omega * d)
+    if not motion.a:
+        return Relative(body, velocity, None, None)
+    coriolis = 2j * omega * velocity
+    transport = motion.a[pole] + (1j * motion.epsilon[body] - omega**2) * d
+    return Relative(body, velocity, motion.a[point] - transport - coriolis, coriolis)

@@ -1,0 +1,124 @@
+"""The form in which joints and drivers state their constraints at the levels of position, velocity, acceleration.
+
+Every constraint is linear in the velocities: a :class:`ScalarRow` is one real equation, a :class:`VectorRow` gives
+the velocity of one point by the angular velocities of bodies. At the level of accelerations the same coefficients
+stand before the accelerations, and a term quadratic in the velocities is added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Protocol, TypeAlias
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Real, unit
+
+
+@dataclass(frozen=True)
+class Frame:
+    """How a scene is laid on the paper: a reflection in the x axis (``sense`` -1), then a rotation (``turn``).
+
+    Constructions work in the scene's own frame; everything after that works on paper. ``turn`` is a unit complex
+    number, both may be arrays over the batch.
+    """
+
+    turn: Complex = 1.0
+    sense: Real = 1.0
+
+    def place(self, z: Complex) -> Complex:
+        """A point or vector of the scene, on paper."""
+        result: Complex = self.turn * (np.real(z) + 1j * self.sense * np.imag(z))
+        return result
+
+    def direction(self, angle: Real) -> Complex:
+        """Unit vector on paper of a direction given in the scene's own frame (rad)."""
+        return self.place(unit(angle))
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A configuration: positions of points (m) and, in verification, rotations of bodies since the start (rad)."""
+
+    z: Mapping[str, Complex]
+    frame: Frame = Frame()
+    turned: Mapping[str, Real] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Speeds:
+    """Velocities of points (m/s) and angular velocities of bodies (rad/s) that are already known."""
+
+    v: Mapping[str, Complex]
+    omega: Mapping[str, Real]
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Which points and bodies a row couples; ``lead`` names the point whose velocity a vector row gives."""
+
+    points: tuple[str, ...] = ()
+    bodies: tuple[str, ...] = ()
+    lead: str | None = None
+
+
+@dataclass(frozen=True)
+class ScalarRow:
+    """``sum Re(conj(c_P) v_P) + sum k_b omega_b = rate`` with ``points`` c_P and ``bodies`` k_b."""
+
+    points: Mapping[str, Complex]
+    bodies: Mapping[str, Real] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class VectorRow:
+    """``v_point = sum c_b omega_b`` with ``bodies`` c_b; at the level of accelerations plus the quadratic term."""
+
+    point: str
+    bodies: Mapping[str, Complex] = field(default_factory=dict)
+
+
+Row: TypeAlias = ScalarRow | VectorRow
+
+
+class Constraint(Protocol):
+    """What the solver and the verification need to know of a joint or a driver, and all they know."""
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """The structure of the rows, without numbers."""
+        ...
+
+    def rows(self, at: Placement) -> tuple[Row, ...]:
+        """The rows with their coefficients, in the order of ``shapes``."""
+        ...
+
+    def rates(self, order: int) -> tuple[Real, ...]:
+        """Right-hand side per row: prescribed velocity (order 1) or acceleration (order 2); zero for joints."""
+        ...
+
+    def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
+        """Per row, what the velocities add at the level of accelerations.
+
+        Real and on the left-hand side for a scalar row, complex and on the right-hand side for a vector row.
+        """
+        ...
+
+    def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
+        """What is left of the constraint at the level of positions, ``time`` seconds after the start (m or rad).
+
+        Written without the rows, so that the two can be checked against each other.
+        """
+        ...
+
+
+class Joint:
+    """Common part of the joints: nothing is prescribed, so all rates are zero."""
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """The structure of the rows (each joint says)."""
+        return ()
+
+    def rates(self, order: int) -> tuple[Real, ...]:
+        """Zero for each row: a joint does not prescribe motion."""
+        return tuple(0.0 for _ in self.shapes())

@@ -1,0 +1,92 @@
+"""A scene: the mechanism of a problem as points, bodies, joints and drivers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, Protocol
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.mechanism.arithmetic import Complex, Flags
+from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.outcome import Outcome
+from variantgen.mechanism.rows import Constraint, Frame
+
+
+class Construction(Protocol):
+    """A way to place a point (see :mod:`variantgen.mechanism.constructions`)."""
+
+    @property
+    def failure(self) -> Outcome:
+        """The outcome of a variant for which the point does not exist."""
+        ...
+
+    def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
+        """Position (m) and whether it exists."""
+        ...
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Points by construction, rigid bodies as tuples of their points, joints, drivers, and the frame on paper.
+
+    Numbers inside may be scalars or arrays over the batch (one entry per variant). A point that belongs to several
+    bodies is a hinge of them.
+    """
+
+    points: Mapping[str, Construction]
+    bodies: Mapping[str, tuple[str, ...]]
+    joints: tuple[Constraint, ...] = ()
+    drivers: tuple[Constraint, ...] = ()
+    frame: Frame = Frame()
+
+    def __post_init__(self) -> None:
+        problems = list(_reference_problems(self))
+        if problems:
+            raise InputError(problems)
+
+    @property
+    def constraints(self) -> tuple[Constraint, ...]:
+        """Joints, then drivers."""
+        return self.joints + self.drivers
+
+
+def references(component: Any, kind: str) -> tuple[str, ...]:
+    """Names of the given kind (``point`` or ``body``) that a component refers to."""
+    names: list[str] = []
+    for spec in field_specs(type(component)):
+        value = getattr(component, spec.name)
+        if spec.ref == kind and value is not None:
+            names.extend(value if spec.many else (value,))
+    return tuple(names)
+
+
+def label(component: Any) -> str:
+    """How messages call a joint or driver: its kind and what it acts on, ``guide of B``."""
+    named = [getattr(component, f.name) for f in fields(component)]
+    first = next(name for name in named if isinstance(name, str))
+    kind = type(component).__name__
+    words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in kind).strip()
+    return f"{words} of {first}"
+
+
+def _reference_problems(scene: Scene) -> list[Problem]:
+    found: list[Problem] = []
+    for body, members in scene.bodies.items():
+        key = f"bodies.{body}"
+        if len(set(members)) < 2:
+            found.append(
+                Problem("a body needs at least two different points", key=key, value=", ".join(members) or "none")
+            )
+        found += [_unknown("point", name, key, scene.points) for name in members if name not in scene.points]
+    owners: list[tuple[str, Any]] = [(f"points.{name}", item) for name, item in scene.points.items()]
+    owners += [(f"joints.{label(item)}", item) for item in scene.joints]
+    owners += [(f"drivers.{label(item)}", item) for item in scene.drivers]
+    for key, item in owners:
+        for kind, known in (("point", scene.points), ("body", scene.bodies)):
+            found += [_unknown(kind, name, key, known) for name in references(item, kind) if name not in known]
+    return found
+
+
+def _unknown(kind: str, name: str, key: str, known: Mapping[str, Any]) -> Problem:
+    return Problem(f"unknown {kind}", key=key, value=name, remedy=nearest(name, known))

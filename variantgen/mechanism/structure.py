@@ -1,0 +1,309 @@
+"""The structure of a scene: in which order points are placed, and which equations determine which unknowns.
+
+Hinge velocities are eliminated first. Starting from pivots, driven points and contacts, the velocity of each point
+is written through the angular velocities on the way to it (its pole, the pole of the pole, ...). What remains are
+the closing equations in the angular velocities of the bodies (and in the slides of points that no body reaches).
+Their block-triangular form (maximum matching, then strongly connected components) is the order of the textbook
+solution: each block is a group of links that must be treated together, mostly of size 1 or 2.
+
+Everything here depends on names only, so one :class:`Plan` serves every batch of a family.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.errors import InputError, Problem
+from variantgen.mechanism.blocks import triangular_blocks
+from variantgen.mechanism.rows import Shape
+from variantgen.mechanism.scene import Scene, label, references
+
+
+@dataclass(frozen=True)
+class Lead:
+    """The velocity of ``point`` is given by a vector row: constraint and row numbers."""
+
+    point: str
+    constraint: int
+    row: int
+
+
+@dataclass(frozen=True)
+class Slide:
+    """``point`` moves along the line that a scalar row leaves to it; ``unknown`` is its speed there."""
+
+    point: str
+    constraint: int
+    row: int
+    unknown: int
+
+
+@dataclass(frozen=True)
+class Loose:
+    """``point`` is reached by nothing; both components of its velocity are unknowns."""
+
+    point: str
+    x: int
+    y: int
+
+
+@dataclass(frozen=True)
+class Carry:
+    """``point`` is a point of ``body``, with ``pole`` as the pole: ``v = v_pole + i omega (z - z_pole)``."""
+
+    point: str
+    body: str
+    pole: str
+
+
+Step = Lead | Slide | Loose | Carry
+
+
+@dataclass(frozen=True)
+class RowEquation:
+    """A scalar row of a constraint."""
+
+    constraint: int
+    row: int
+
+
+@dataclass(frozen=True)
+class Closure:
+    """A second expression (``step``) for a point that is already reached; ``part`` 0 is its x, 1 its y component."""
+
+    step: Lead | Carry
+    part: int
+
+
+Equation = RowEquation | Closure
+
+
+@dataclass(frozen=True)
+class Block:
+    """Equations and unknowns (numbers) that are solved together."""
+
+    equations: tuple[int, ...]
+    unknowns: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Order of placing, of reaching and of solving; ``omega`` gives the unknown of each body."""
+
+    placing: tuple[str, ...]
+    steps: tuple[Step, ...]
+    unknowns: tuple[str, ...]
+    omega: dict[str, int]
+    equations: tuple[Equation, ...]
+    blocks: tuple[Block, ...]
+
+
+def analyse(scene: Scene) -> Plan:
+    """The plan of a scene.
+
+    Raises InputError when points are defined in a circle, and when the scene is under- or over-determined; then the
+    message names what is free and which joints contradict or repeat each other.
+    """
+    placing = _placing_order(scene)
+    reach = _Reach(scene)
+    reach.run()
+    depends = _dependencies(scene, reach)
+    blocks, free, surplus = triangular_blocks(depends, len(reach.unknowns))
+    if free or surplus:
+        raise InputError(_indeterminate(scene, reach, free, surplus))
+    return Plan(
+        placing,
+        tuple(reach.steps),
+        tuple(reach.unknowns),
+        reach.omega,
+        tuple(reach.equations),
+        tuple(Block(*block) for block in blocks),
+    )
+
+
+def _placing_order(scene: Scene) -> tuple[str, ...]:
+    """Points in an order in which each is constructed from earlier ones."""
+    order: list[str] = []
+    waiting = list(scene.points)
+    while waiting:
+        ready = [name for name in waiting if all(p in order for p in references(scene.points[name], "point"))]
+        if not ready:
+            chain = " -> ".join(waiting)
+            raise InputError(
+                Problem(
+                    "points are defined through each other in a circle",
+                    key="points",
+                    value=chain,
+                    remedy="give one of them by coordinates or from a point outside the circle",
+                )
+            )
+        order += ready
+        waiting = [name for name in waiting if name not in ready]
+    return tuple(order)
+
+
+class _Reach:
+    """Works out through which poles each material point is reached; collects steps, unknowns and equations."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.shapes: list[tuple[int, int, Shape]] = [
+            (c, r, shape)
+            for c, constraint in enumerate(scene.constraints)
+            for r, shape in enumerate(constraint.shapes())
+        ]
+        self.steps: list[Step] = []
+        self.equations: list[Equation] = []
+        self.unknowns: list[str] = [f"omega of {body}" for body in scene.bodies]
+        self.omega = {body: i for i, body in enumerate(scene.bodies)}
+        self.reached: dict[str, None] = {}
+        self._open_bodies = list(scene.bodies)
+        self._open_leads = [(c, r, s) for c, r, s in self.shapes if s.lead is not None]
+        self._consumed: set[tuple[int, int]] = set()
+
+    def run(self) -> None:
+        """Reach every material point, nearest to the drivers first."""
+        self._lead(fixed=True)
+        for point in self._driven_points():
+            self._slide(point)
+        while self._carry(known=True) or self._lead(fixed=False) or self._carry(known=False) or self._seed():
+            pass
+        self.equations += [
+            RowEquation(c, r) for c, r, s in self.shapes if s.lead is None and (c, r) not in self._consumed
+        ]
+
+    def _single(self, point: str) -> list[tuple[int, int]]:
+        """Scalar rows on this point alone."""
+        return [
+            (c, r)
+            for c, r, s in self.shapes
+            if s.lead is None and s.points == (point,) and not s.bodies and (c, r) not in self._consumed
+        ]
+
+    def _driven_points(self) -> list[str]:
+        first_driver = len(self.scene.joints)
+        return [
+            s.points[0]
+            for c, _, s in self.shapes
+            if c >= first_driver and len(s.points) == 1 and not s.bodies and s.points[0] not in self.reached
+        ]
+
+    def _slide(self, point: str) -> bool:
+        """Let a point slide along its guide (not along a driver's row, which gives a magnitude)."""
+        guides = [(c, r) for c, r in self._single(point) if c < len(self.scene.joints)]
+        if point in self.reached or not guides:
+            return False
+        self._consumed.add(guides[0])
+        self.unknowns.append(f"slide of {point}")
+        self._take(Slide(point, *guides[0], len(self.unknowns) - 1))
+        return True
+
+    def _take(self, step: Step) -> None:
+        if step.point not in self.reached:
+            self.reached[step.point] = None
+            self.steps.append(step)
+        elif isinstance(step, Lead | Carry):
+            self.equations += [Closure(step, 0), Closure(step, 1)]
+
+    def _lead(self, fixed: bool) -> bool:
+        for item in self._open_leads:
+            c, r, shape = item
+            ready = all(p in self.reached for p in shape.points if p != shape.lead)
+            if ready and (not fixed or not shape.bodies) and shape.lead is not None:
+                self._open_leads.remove(item)
+                self._take(Lead(shape.lead, c, r))
+                return self._lead(fixed) or True
+        return False
+
+    def _carry(self, known: bool) -> bool:
+        for body in self._open_bodies:
+            members = self.scene.bodies[body]
+            pole = next((p for p in self.reached if p in members), None)
+            if pole is None or (known and not self._rotation_known(body)):
+                continue
+            self._open_bodies.remove(body)
+            for point in members:
+                if point != pole:
+                    self._take(Carry(point, body, pole))
+            return True
+        return False
+
+    def _rotation_known(self, body: str) -> bool:
+        return any(s.lead is None and not s.points and s.bodies == (body,) for _, _, s in self.shapes)
+
+    def _seed(self) -> bool:
+        """Nothing can be reached any more: start from another point, one with a guide if there is one."""
+        waiting = [p for body in self._open_bodies for p in self.scene.bodies[body]]
+        waiting += [p for _, _, s in self.shapes for p in s.points]
+        waiting = [p for p in dict.fromkeys(waiting) if p not in self.reached]
+        if not waiting:
+            return False
+        if not any(self._slide(point) for point in waiting):
+            point = waiting[0]
+            self.unknowns += [f"velocity of {point} along x", f"velocity of {point} along y"]
+            self._take(Loose(point, len(self.unknowns) - 2, len(self.unknowns) - 1))
+        return True
+
+
+def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
+    """Unknowns in each equation."""
+    forms: dict[str, set[int]] = {}
+
+    def through(step: Step) -> set[int]:
+        match step:
+            case Lead(_, c, r):
+                shape = scene.constraints[c].shapes()[r]
+                own = {reach.omega[b] for b in shape.bodies}
+                return own.union(*(forms[p] for p in shape.points if p != shape.lead))
+            case Slide(_, _, _, unknown):
+                return {unknown}
+            case Loose(_, x, y):
+                return {x, y}
+            case Carry(_, body, pole):
+                return forms[pole] | {reach.omega[body]}
+
+    for step in reach.steps:
+        forms[step.point] = through(step)
+    found = []
+    for equation in reach.equations:
+        if isinstance(equation, Closure):
+            found.append(forms[equation.step.point] | through(equation.step))
+        else:
+            shape = scene.constraints[equation.constraint].shapes()[equation.row]
+            found.append({reach.omega[b] for b in shape.bodies}.union(*(forms[p] for p in shape.points)))
+    return found
+
+
+def equation_name(scene: Scene, equation: Equation) -> str:
+    """How messages call an equation."""
+    if isinstance(equation, RowEquation):
+        return label(scene.constraints[equation.constraint])
+    step = equation.step
+    if isinstance(step, Lead):
+        return label(scene.constraints[step.constraint])
+    return f"hinge {step.point} of {step.body}"
+
+
+def _indeterminate(scene: Scene, reach: _Reach, free: set[int], surplus: set[int]) -> list[Problem]:
+    problems = []
+    if free:
+        names = ", ".join(reach.unknowns[i] for i in sorted(free))
+        problems.append(
+            Problem(
+                "the motion is not determined: more unknowns than equations",
+                key="scene",
+                value=names,
+                remedy="add a driver or a joint that fixes one of these",
+            )
+        )
+    if surplus:
+        names = ", ".join(dict.fromkeys(equation_name(scene, reach.equations[i]) for i in sorted(surplus)))
+        problems.append(
+            Problem(
+                "joints or drivers repeat or contradict each other: more equations than unknowns",
+                key="scene",
+                value=names,
+                remedy="remove one of these",
+            )
+        )
+    return problems

@@ -1,0 +1,232 @@
+"""Independent check of a solved motion: Newton on the joint residuals, moved in time, differentiated numerically.
+
+Nothing of the solver is used: no construction, no velocity row, no block. The unknowns are the displacements and
+rotations of the rigid bodies since the instant of the problem; the equations are that shared points stay together
+and that the residuals of joints and drivers vanish. The chain is closed again at times ``+-h, +-2h, +-3h`` and the
+positions are differentiated by central differences of order six. Only the length of the step h takes a hint from the
+solution (its fastest rotation), because it decides the accuracy of the check, not its result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.mechanism.motion import ComplexField, Field, Motion
+from variantgen.mechanism.rows import Placement
+from variantgen.mechanism.scene import references
+
+# Truncation grows as (h / R)^6 with R the way to the nearest dead point (about 0.3 rad in screened variants),
+# rounding of the second derivative as eps / h^2; 0.004 rad balances them near 1e-10.
+_STEP = 0.004
+_OFFSETS = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
+_FIRST = np.array([-1.0, 9.0, -45.0, 45.0, -9.0, 1.0]) / 60.0
+_SECOND = np.array([2.0, -27.0, 270.0, 270.0, -27.0, 2.0]) / 180.0
+_ITERATIONS = 25
+_JACOBIAN_STEP = 1e-6
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Recomputed:
+    """Velocities and accelerations by the independent way, and the difference from the solver's.
+
+    ``velocity_error`` and ``acceleration_error``, shape (N,): the largest deviation of any point or body (rotations
+    times the length of the mechanism), relative to the largest velocity or acceleration of the mechanism.
+    """
+
+    v: Mapping[str, ComplexField]
+    a: Mapping[str, ComplexField]
+    omega: Mapping[str, Field]
+    epsilon: Mapping[str, Field]
+    velocity_error: Field
+    acceleration_error: Field
+
+
+def recompute(motion: Motion) -> Recomputed:
+    """Velocities and accelerations of a solved motion again, independently; all arrays of shape (N,)."""
+    chain = _Chain(motion)
+    h = _time_step(motion, chain.length)
+    inverse = np.linalg.inv(chain.jacobian())
+    places: dict[str, list[ComplexField]] = {name: [] for name in chain.material}
+    turns: dict[str, list[Field]] = {body: [] for body in motion.scene.bodies}
+    q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))
+    times = _OFFSETS[:, None] * h
+    for _ in range(_ITERATIONS):
+        change = np.einsum("nij,knj->kni", inverse, chain.residual(q, times))
+        q = q - change
+        if np.max(np.abs(change)) < 1e-15:
+            break
+    at = chain.placement(q)
+    places = {name: at.z[name] - motion.z[name] for name in chain.material}
+    turns = {body: np.asarray(at.turned[body]) for body in motion.scene.bodies}
+
+    def derivative(table: Mapping[str, NDArray[np.generic]], weights: Vector, order: int) -> dict[str, NDArray[np.generic]]:
+        return {name: np.tensordot(weights, values, axes=1) / h**order for name, values in table.items()}
+
+    v, a = derivative(places, _FIRST, 1), derivative(places, _SECOND, 2)
+    omega, epsilon = derivative(turns, _FIRST, 1), derivative(turns, _SECOND, 2)
+    return Recomputed(
+        v,
+        a,
+        omega,
+        epsilon,
+        _deviation(motion.v, v, motion.omega, omega, chain.length),
+        _deviation(motion.a, a, motion.epsilon, epsilon, chain.length),
+    )
+
+
+def _deviation(
+    points: Mapping[str, ComplexField],
+    points_again: Mapping[str, ComplexField],
+    bodies: Mapping[str, Field],
+    bodies_again: Mapping[str, Field],
+    length: Field,
+) -> Field:
+    if not points:
+        return np.zeros_like(length)
+    scale = np.max([np.abs(points[p]) for p in points] + [np.abs(bodies[b]) * length for b in bodies], axis=0)
+    worst = np.max(
+        [np.abs(points[p] - points_again[p]) for p in points]
+        + [np.abs(bodies[b] - bodies_again[b]) * length for b in bodies],
+        axis=0,
+    )
+    result: Field = worst / np.where(scale > 0, scale, 1.0)
+    return result
+
+
+def _time_step(motion: Motion, length: Field) -> Field:
+    """Time in which the fastest part turns by the step angle or moves by the like part of the mechanism's size."""
+    rates = [np.abs(x) for x in motion.omega.values()] + [np.abs(v) / length for v in motion.v.values()]
+    roots = [np.sqrt(np.abs(x)) for x in motion.epsilon.values()]
+    fastest = np.max(rates + roots, axis=0)
+    result: Field = _STEP / np.where(fastest > 0, fastest, 1.0)
+    return result
+
+
+class _Chain:
+    """The closing equations of a scene in displacements and rotations of its bodies."""
+
+    def __init__(self, motion: Motion) -> None:
+        scene = motion.scene
+        self.motion = motion
+        self.start = Placement(motion.z, scene.frame)
+        self.length = motion.length_scale()
+        self.home: dict[str, str] = {}
+        self.hinges: list[tuple[str, str]] = []
+        for body, members in scene.bodies.items():
+            for point in members:
+                if point in self.home:
+                    self.hinges.append((point, body))
+                else:
+                    self.home[point] = body
+        named = {point for c in scene.constraints for shape in c.shapes() for point in shape.points}
+        self.single = [point for point in scene.points if point in named and point not in self.home]
+        self.material = [*self.home, *self.single]
+        self.unknowns = 3 * len(scene.bodies) + 2 * len(self.single)
+        self.lengths = self._length_rows()
+
+    def _length_rows(self) -> NDArray[np.bool_]:
+        """Which residuals are lengths (to be divided by the size of the mechanism) and not angles."""
+        flags = [True, True] * len(self.hinges)
+        for c in self.motion.scene.constraints:
+            for shape in c.shapes():
+                flags += [True] * (2 if shape.lead else 1) if shape.points else [False]
+        return np.array(flags)
+
+    def _moved(self, q: Vector, body: str, point: str) -> ComplexField:
+        """A point as carried by a body: ``z0 + shift + (exp(i turn) - 1) (z - z0)`` about the body's first point."""
+        z, bodies = self.motion.z, list(self.motion.scene.bodies)
+        i = 3 * bodies.index(body)
+        arm = z[point] - z[self.motion.scene.bodies[body][0]]
+        half = np.sin(0.5 * q[..., i + 2])
+        swing = 2j * half * np.exp(0.5j * q[..., i + 2])
+        result: ComplexField = z[point] + (q[..., i] + 1j * q[..., i + 1]) * self.length + swing * arm
+        return result
+
+    def placement(self, q: Vector) -> Placement:
+        """Positions and rotations for displacements q, shape (..., N, unknowns)."""
+        bodies = list(self.motion.scene.bodies)
+        z: dict[str, ComplexField] = dict(self.motion.z)
+        for point, body in self.home.items():
+            z[point] = self._moved(q, body, point)
+        for k, point in enumerate(self.single):
+            i = 3 * len(bodies) + 2 * k
+            z[point] = self.motion.z[point] + (q[..., i] + 1j * q[..., i + 1]) * self.length
+        turned = {body: q[..., 3 * i + 2] for i, body in enumerate(bodies)}
+        return Placement(z, self.start.frame, turned)
+
+    def residual(self, q: Vector, time: Vector) -> Vector:
+        """All residuals, lengths in units of the mechanism's size, shape (..., N, equations)."""
+        at = self.placement(q)
+        parts: list[NDArray[np.generic]] = []
+        for point, body in self.hinges:
+            gap = self._moved(q, body, point) - at.z[point]
+            parts += [np.real(gap), np.imag(gap)]
+        for constraint in self.motion.scene.constraints:
+            parts += [np.asarray(r) for r in constraint.residual(at, self.start, time)]
+        stacked = np.stack([np.broadcast_to(part, time.shape) for part in parts], axis=-1)
+        scale = np.where(self.lengths, self.length[:, None], 1.0)
+        result: Vector = stacked / scale
+        return result
+
+    def jacobian(self) -> Vector:
+        """Derivative of the residuals by central differences, shape (N, equations, unknowns)."""
+        count, size = self.unknowns, self.motion.size
+        steps = np.eye(count)[:, None, :] * _JACOBIAN_STEP * np.ones((1, size, 1))
+        still = np.zeros((count, size))
+        slopes = (self.residual(steps, still) - self.residual(-steps, still)) / (2 * _JACOBIAN_STEP)
+        return np.moveaxis(slopes, 0, -1)
+
+
+def invariants(motion: Motion) -> Field:
+    """Largest violation of the theorems that a student would use for a check, relative, shape (N,).
+
+    Equal projections of the velocities of two points of a body on the line through them; velocities perpendicular to
+    the rays from the velocity centre; the velocity of a sliding point relative to its carrier along the carrier; the
+    Coriolis acceleration perpendicular to the relative velocity, turned with the carrier, of size 2 omega v_rel.
+    """
+    from variantgen.mechanism.arithmetic import across, along
+    from variantgen.mechanism.centres import velocity_centre
+    from variantgen.mechanism.relative import relative_motion, sliding_points
+
+    speed = np.max([np.abs(v) for v in motion.v.values()], axis=0)
+    defects: list[Field] = [np.zeros(motion.size)]
+    for body, members in motion.scene.bodies.items():
+        centre = velocity_centre(motion, body)
+        for point in members:
+            ray = motion.z[point] - centre.z
+            cosine = along(ray, motion.v[point]) / np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
+            turned = across(ray, motion.v[point]) - motion.omega[body] * np.abs(ray) ** 2
+            size = np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
+            # A far centre is the difference of nearly equal numbers: its error grows with the distance.
+            far = 1.0 + np.abs(ray) / motion.length_scale()
+            defects += [np.where(centre.finite, np.abs(x) / far, 0.0) for x in (cosine, turned / size)]
+            for other in members[: members.index(point)]:
+                line = motion.z[point] - motion.z[other]
+                defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / np.abs(line))
+    for point, body in sliding_points(motion.scene).items():
+        relative = relative_motion(motion, point, body)
+        ray = _carrier_line(motion, point)
+        defects.append(np.abs(across(ray, relative.velocity)))
+        if relative.acceleration is not None and relative.coriolis is not None:
+            turn = relative.coriolis - 2j * motion.omega[body] * relative.velocity
+            acceleration = np.max([np.abs(a) for a in motion.a.values()], axis=0)
+            scale = speed / np.where(acceleration > 0, acceleration, 1.0)
+            defects += [np.abs(turn) * scale, np.abs(across(ray, relative.acceleration)) * scale]
+    worst = np.max(defects, axis=0)
+    result: Field = worst / np.where(speed > 0, speed, 1.0)
+    return result
+
+
+def _carrier_line(motion: Motion, point: str) -> ComplexField:
+    """Unit vector of the line on which a point slides."""
+    joint = next(j for j in motion.scene.joints if references(j, "point")[:1] == (point,) and references(j, "body"))
+    start, end = references(joint, "point")[1:3]
+    line = motion.z[end] - motion.z[start]
+    result: ComplexField = line / np.abs(line)
+    return result
