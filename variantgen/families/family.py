@@ -1,0 +1,233 @@
+"""A family: a parametrised problem, ready to be drawn and solved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.expressions import Expression
+from variantgen.families.units import Unit
+from variantgen.mechanism.arithmetic import Real
+from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.structure import Plan, analyse
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A drawn parameter: its grid of printed values, and the same in SI.
+
+    A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``).
+    """
+
+    name: str
+    unit: Unit | None
+    printed: tuple[Decimal, ...]
+    words: tuple[str, ...] = ()
+    symbol: str = ""
+
+    @cached_property
+    def si(self) -> NDArray[np.float64]:
+        """The grid in SI, shape (G,): what is printed is what is solved."""
+        if self.unit is None:
+            return np.array([float(value) for value in self.printed])
+        return np.array([self.unit.to_si(value) for value in self.printed])
+
+    @property
+    def given(self) -> bool:
+        """Whether its value is printed (a choice is seen in the figure)."""
+        return self.unit is not None
+
+    @property
+    def is_rate(self) -> bool:
+        """Whether it is a velocity, acceleration or their angular kin, whose sign the figure shows."""
+        return self.unit is not None and self.unit.dimension[1] != 0
+
+    @property
+    def of_second_order(self) -> bool:
+        """Whether only accelerations depend on it."""
+        return self.unit is not None and self.unit.dimension[1] == -2
+
+
+@dataclass(frozen=True)
+class Template:
+    """A construction, joint or driver whose numbers are expressions."""
+
+    component: type
+    fields: Mapping[str, Any]
+
+    def build(self, values: Mapping[str, Real]) -> Any:
+        """The component with numbers in SI."""
+        made = {
+            name: item.value(values) if isinstance(item, Expression) else item for name, item in self.fields.items()
+        }
+        return self.component(**made)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """``left < right`` (strict) or ``left <= right``, as written in ``text``."""
+
+    text: str
+    left: Expression
+    right: Expression
+    strict: bool
+
+    def holds(self, values: Mapping[str, Real]) -> Any:
+        """Whether it holds, per variant."""
+        left, right = self.left.value(values), self.right.value(values)
+        return np.less(left, right) if self.strict else np.less_equal(left, right)
+
+
+@dataclass(frozen=True)
+class Screens:
+    """What a variant must meet. Angles in rad, the others relative to the size or rates of the mechanism.
+
+    ``transmission``: distance from dead points (see Motion.transmission); ``spacing``: smallest distance of two
+    hinges, and half of it of a hinge from a foreign link; ``aspect``: largest ratio of the sides of the figure;
+    ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
+    ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
+    change of the data.
+    """
+
+    transmission: float = float(np.radians(30))
+    spacing: float = 0.11
+    aspect: float = 4.0
+    trivial: float = 0.04
+    sensitivity: float = 10.0
+    inside: tuple[tuple[str, str, str], ...] = ()
+    require: tuple[Comparison, ...] = ()
+
+
+@dataclass(frozen=True)
+class AngleMark:
+    """An angle to be drawn: at a point, from a ray to a ray; a ray leads to a point or in a direction."""
+
+    name: str
+    at: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
+class LengthMark:
+    """A length to be drawn as a dimension line between two points (``across`` a direction, if it is given)."""
+
+    name: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
+class DiscMark:
+    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value."""
+
+    centre: str
+    radius: Expression
+    name: str = ""
+    body: str = ""
+
+
+@dataclass(frozen=True)
+class FigureHints:
+    """What the drawing cannot know from the scene: angles, lengths and discs with their names."""
+
+    angles: tuple[AngleMark, ...] = ()
+    lengths: tuple[LengthMark, ...] = ()
+    discs: tuple[DiscMark, ...] = ()
+    hidden: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Pose:
+    """How a scene may be laid on paper: reflected, turned by quarter turns."""
+
+    mirror: bool = True
+    quarter_turns: tuple[int, ...] = (0,)
+
+    def frames(self) -> list[tuple[int, int]]:
+        """All (sense, quarter turns) pairs."""
+        return [(sense, turn) for sense in ((1, -1) if self.mirror else (1,)) for turn in self.quarter_turns]
+
+
+def frame(sense: Any, quarter_turns: Any) -> Frame:
+    """The frame of a pose; exact at all quarter turns. Scalars or arrays."""
+    turns = np.array([1.0, 1.0j, -1.0, -1.0j])[np.asarray(quarter_turns) % 4]
+    return Frame(turns, np.asarray(sense, dtype=float))
+
+
+@dataclass(frozen=True)
+class Form:
+    """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs."""
+
+    name: str
+    parameters: Mapping[str, Parameter]
+    derived: Mapping[str, Expression]
+    points: Mapping[str, Template]
+    bodies: Mapping[str, tuple[str, ...]]
+    joints: tuple[Template, ...]
+    drivers: tuple[Template, ...]
+    ask: tuple[str, ...]
+    screens: Screens = Screens()
+    pose: Pose = Pose()
+    figure: FigureHints = FigureHints()
+    symbols: Mapping[str, str] = field(default_factory=dict)
+
+    def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
+        """Parameters in SI together with the derived quantities."""
+        found = dict(parameters)
+        for name, expression in self.derived.items():
+            found[name] = expression.value(found)
+        return found
+
+    def scene(self, values: Mapping[str, Real], on_paper: Frame | None = None) -> Scene:
+        """The scene for SI values of parameters and derived quantities."""
+        return Scene(
+            {name: template.build(values) for name, template in self.points.items()},
+            self.bodies,
+            tuple(template.build(values) for template in self.joints),
+            tuple(template.build(values) for template in self.drivers),
+            on_paper or Frame(),
+        )
+
+    @cached_property
+    def sample(self) -> Scene:
+        """The scene with the middle of every grid: for questions about names only."""
+        middle = {name: float(p.si[len(p.si) // 2]) for name, p in self.parameters.items()}
+        return self.scene(self.values(middle))
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The structure of the scene; the same for all variants."""
+        return analyse(self.sample)
+
+    @property
+    def grid_size(self) -> int:
+        """Number of points of the parameter grid (poses not counted)."""
+        size = 1
+        for parameter in self.parameters.values():
+            size *= len(parameter.printed)
+        return size
+
+
+@dataclass(frozen=True)
+class Family:
+    """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are."""
+
+    name: str
+    titles: Mapping[str, str]
+    length_unit: str
+    forms: Mapping[str, Form]
+    folder: Path | None = None
+    source: str = ""
+
+    def title(self, language: str) -> str:
+        """The title in a language, or in English, or the name."""
+        return self.titles.get(language) or self.titles.get("en") or self.name

@@ -1,0 +1,124 @@
+"""Reading of the tables ``[screens]``, ``[pose]`` and ``[figure]`` of a family."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.expressions import Expression
+from variantgen.families.family import AngleMark, Comparison, DiscMark, FigureHints, LengthMark, Pose, Screens
+from variantgen.tables import Table
+
+ExpressionReader = Callable[..., Expression]
+_COMPARISON = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)")
+DIRECTIONS = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
+
+
+def read_screens(table: Table, expression: ExpressionReader) -> Screens:
+    """The screens; numbers that are not given keep their defaults."""
+    screens = Screens()
+    numbers: dict[str, float] = {}
+    for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
+        if key in table.data:
+            value = float(table.take(key, (int, Decimal), 0, "a number"))
+            if not 0 < value < 1000:
+                table.problem("expected a number above 0", key, value)
+                continue
+            numbers[key] = math.radians(value) if key == "transmission" else value
+    inside = []
+    for i, item in enumerate(table.take("inside", list, [], "a list of [point, end, end]")):
+        if not isinstance(item, list) or len(item) != 3 or any(not isinstance(n, str) for n in item):
+            table.problem("expected three names of points: [point, end, end]", f"inside[{i + 1}]", item)
+        else:
+            inside.append((item[0], item[1], item[2]))
+    require = []
+    for i, text in enumerate(table.strings("require")):
+        with table.collecting(f"require[{i + 1}]"):
+            require.append(_comparison(text, expression))
+    table.finish()
+    return replace(screens, inside=tuple(inside), require=tuple(require), **numbers)
+
+
+def _comparison(text: str, expression: ExpressionReader) -> Comparison:
+    match = _COMPARISON.fullmatch(text)
+    if match is None:
+        raise InputError(Problem("expected a comparison", value=text, remedy='write it like "OA < AB"'))
+    left, right = expression(match[1]), expression(match[3])
+    # A difference has a dimension only if both sides have the same.
+    expression(f"({match[1]}) - ({match[3]})")
+    if match[2].startswith(">"):
+        left, right = right, left
+    return Comparison(text, left, right, "=" not in match[2])
+
+
+def read_pose(table: Table) -> Pose:
+    """How the scene may be laid on paper."""
+    mirror = table.take("mirror", bool, True)
+    turns: Any = table.take("quarter_turns", list, [0], "a list of whole numbers 0 to 3")
+    if not turns or any(isinstance(t, bool) or not isinstance(t, int) or not 0 <= t <= 3 for t in turns):
+        table.problem("expected a list of whole numbers 0 to 3", "quarter_turns", turns)
+        turns = [0]
+    table.finish()
+    return Pose(mirror, tuple(dict.fromkeys(turns)))
+
+
+def read_figure(
+    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], expression: ExpressionReader
+) -> FigureHints:
+    """The marks that the drawing needs."""
+    angles = [_angle(item, points) for item in table.tables("angles")]
+    lengths = [_length(item, points) for item in table.tables("lengths")]
+    discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
+    hidden = table.strings("hidden")
+    for name in hidden:
+        _known(table, "hidden", name, points)
+    table.finish()
+    return FigureHints(tuple(angles), tuple(lengths), tuple(discs), hidden)
+
+
+def _known(table: Table, key: str, name: str, known: set[str]) -> str:
+    if name not in known:
+        table.problem("unknown point", key, name, nearest(name, known))
+    return name
+
+
+def _angle(table: Table, points: set[str]) -> AngleMark:
+    rays = points | set(DIRECTIONS)
+    mark = AngleMark(
+        table.need("name", str, ""),
+        _known(table, "at", table.need("at", str, ""), points),
+        _known(table, "from", table.need("from", str, ""), rays),
+        _known(table, "to", table.need("to", str, ""), rays),
+    )
+    table.finish()
+    return mark
+
+
+def _length(table: Table, points: set[str]) -> LengthMark:
+    mark = LengthMark(
+        table.need("name", str, ""),
+        _known(table, "from", table.need("from", str, ""), points),
+        _known(table, "to", table.need("to", str, ""), points),
+    )
+    table.finish()
+    return mark
+
+
+def _disc(
+    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], expression: ExpressionReader
+) -> DiscMark | None:
+    centre = _known(table, "centre", table.need("centre", str, ""), points)
+    name = table.take("name", str, "")
+    body = table.take("body", str, "")
+    if body and body not in bodies:
+        table.problem("unknown body", "body", body, nearest(body, bodies))
+    found = None
+    with table.collecting("radius"):
+        found = DiscMark(centre, expression(table.need("radius", str, "0"), "length"), name, body)
+    table.finish()
+    return found

@@ -1,0 +1,82 @@
+"""Reading of the ``[parameters]`` table: grids of printed values."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from typing import Any
+
+from variantgen.errors import Problem, nearest
+from variantgen.families.family import Parameter
+from variantgen.families.units import UNITS, unit
+from variantgen.tables import Table
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
+_MAX_GRID = 10_000
+
+
+def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
+    """One parameter; None (and a problem noted) if it is wrong.
+
+    ``{ unit, from, to, step }``, ``{ unit, values = [...] }`` or ``{ choices = { word = number, ... } }``.
+    """
+    if not _NAME.fullmatch(name):
+        parent.problem("a name is a letter followed by letters, digits, underscores", name, name)
+        return None
+    before = len(parent.problems)
+    table = Table(value, parent.key(name), parent.problems)
+    symbol = table.take("symbol", str, name)
+    parameter = _choices(table, name) if "choices" in table.data else _grid(table, name, symbol)
+    table.finish()
+    return parameter if len(parent.problems) == before else None
+
+
+def _choices(table: Table, name: str) -> Parameter:
+    choices = table.take("choices", dict, {}, 'a table like { left = 1, right = -1 }')
+    wrong = [word for word, number in choices.items() if isinstance(number, bool) or not isinstance(number, int | Decimal)]
+    if wrong or not choices:
+        table.problem("expected a number for each word", "choices", choices)
+        choices = {"": 0}
+    return Parameter(name, None, tuple(Decimal(n) for n in choices.values()), tuple(choices), name)
+
+
+def _grid(table: Table, name: str, symbol: str) -> Parameter:
+    unit_name = table.need("unit", str, "1", "a unit: " + ", ".join(UNITS))
+    with table.collecting("unit"):
+        unit(unit_name)
+    values = _listed(table) if "values" in table.data else _stepped(table)
+    measured = UNITS.get(unit_name, UNITS["1"])
+    return Parameter(name, measured, values, (), symbol)
+
+
+def _listed(table: Table) -> tuple[Decimal, ...]:
+    values = table.take("values", list, [], "a list of numbers")
+    wrong = [v for v in values if isinstance(v, bool) or not isinstance(v, int | Decimal) or not Decimal(v).is_finite()]
+    if wrong or not values:
+        table.problem("expected a list of numbers", "values", values)
+        return (Decimal(1),)
+    return tuple(dict.fromkeys(Decimal(v) for v in values))
+
+
+def _stepped(table: Table) -> tuple[Decimal, ...]:
+    numbers = {}
+    for key in ("from", "to", "step"):
+        value = Decimal(table.need(key, (int, Decimal), 1))
+        if not value.is_finite():
+            table.problem("expected a finite number", key, str(value))
+            value = Decimal(1)
+        numbers[key] = value
+    low, high, step = numbers["from"], numbers["to"], numbers["step"]
+    if step <= 0 or high < low:
+        table.problem("an empty range", "", f"from {low} to {high} step {step}", "from must not exceed to, step is above 0")
+        return (low,)
+    count = int((high - low) / step) + 1
+    if count > _MAX_GRID:
+        table.problem(f"more than {_MAX_GRID} values", "step", str(step), "take a larger step")
+        return (low,)
+    return tuple(low + i * step for i in range(count))
+
+
+def unknown_name(name: str, known: list[str], text: str) -> Problem:
+    """The problem of an expression that uses a name that is no parameter."""
+    return Problem("unknown name in an expression", value=f"{name} in {text}", remedy=nearest(name, known))

@@ -1,0 +1,124 @@
+"""Reading TOML files and their tables with messages for the author: file, key, value, expectation, remedy."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from decimal import Decimal
+from pathlib import Path
+from typing import Any, TypeVar
+
+from variantgen.errors import InputError, Problem, nearest
+
+T = TypeVar("T")
+_MAX_BYTES = 1_000_000
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The content of a TOML file, numbers with a decimal point as Decimal. Raises InputError."""
+    try:
+        if path.stat().st_size > _MAX_BYTES:
+            raise InputError(Problem("the file is larger than 1 MB", file=str(path), remedy="is it the right file?"))
+        return tomllib.loads(path.read_bytes().decode("utf-8-sig"), parse_float=Decimal)
+    except OSError as error:
+        raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
+    except UnicodeDecodeError:
+        raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError, ArithmeticError) as error:
+        raise InputError(
+            Problem(f"is not valid TOML: {error}", file=str(path), remedy="compare it with a file of the catalogue")
+        ) from None
+
+
+class Table:
+    """A TOML table that is read key by key; mistakes are collected, unknown keys are reported at the end."""
+
+    def __init__(self, data: Any, path: str, problems: list[Problem]) -> None:
+        self.problems = problems
+        self.path = path
+        self.data: dict[str, Any] = data if isinstance(data, dict) else {}
+        self._seen: set[str] = set()
+        if not isinstance(data, dict):
+            self.problem("expected a table", "", data)
+
+    def key(self, name: str) -> str:
+        """The full name of a key, for messages."""
+        return f"{self.path}.{name}" if self.path and name else self.path or name
+
+    def problem(self, message: str, name: str, value: Any = "", remedy: str = "") -> None:
+        """Note a mistake in this table."""
+        self.problems.append(Problem(message, key=self.key(name), value=_short(value), remedy=remedy))
+
+    @contextmanager
+    def collecting(self, name: str) -> Iterator[None]:
+        """Collect the problems of an InputError raised inside, under this key."""
+        try:
+            yield
+        except InputError as error:
+            self.problems += [
+                Problem(p.message, p.file, p.key if p.key.startswith(self.key(name)) else self.key(name), p.value, p.remedy)
+                for p in error.problems
+            ]
+
+    def take(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
+        """A value of the given type, or the default when the key is absent or wrong (which is noted)."""
+        self._seen.add(name)
+        value = self.data.get(name, default)
+        right = isinstance(value, kind) and not (isinstance(value, bool) and kind is not bool)
+        if name in self.data and not right:
+            self.problem(f"expected {expected or _kind_name(kind)}", name, value)
+            return default
+        return value
+
+    def need(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
+        """Like :meth:`take`, and noted when absent."""
+        if name not in self.data:
+            self.problem(f"missing, expected {expected or _kind_name(kind)}", name)
+            return default
+        return self.take(name, kind, default, expected)
+
+    def strings(self, name: str, default: tuple[str, ...] = ()) -> tuple[str, ...]:
+        """A list of strings."""
+        value = self.take(name, list, list(default), "a list of strings")
+        if any(not isinstance(item, str) for item in value):
+            self.problem("expected a list of strings", name, value)
+            return default
+        return tuple(value)
+
+    def table(self, name: str) -> Table:
+        """A table inside (empty when absent)."""
+        return Table(self.take(name, dict, {}, "a table"), self.key(name), self.problems)
+
+    def tables(self, name: str) -> list[Table]:
+        """A list of tables inside (empty when absent)."""
+        items = self.take(name, list, [], "a list of tables")
+        return [Table(item, f"{self.key(name)}[{i + 1}]", self.problems) for i, item in enumerate(items)]
+
+    def each(self, read: Callable[[str, Any], T | None]) -> dict[str, T]:
+        """Apply a reader to every key; what it returns as None is left out (it has noted why)."""
+        found = {}
+        for name, value in self.data.items():
+            self._seen.add(name)
+            item = read(name, value)
+            if item is not None:
+                found[name] = item
+        return found
+
+    def finish(self) -> None:
+        """Note the keys that nobody asked for."""
+        for name in self.data:
+            if name not in self._seen:
+                self.problem("unknown key", name, remedy=nearest(name, self._seen))
+
+
+def _kind_name(kind: Any) -> str:
+    kinds = kind if isinstance(kind, tuple) else (kind,)
+    words = {str: "a string", int: "a whole number", bool: "true or false", list: "a list", dict: "a table"}
+    words[Decimal] = "a number"
+    return " or ".join(dict.fromkeys(words.get(k, k.__name__) for k in kinds))
+
+
+def _short(value: Any) -> str:
+    text = value if isinstance(value, str) else repr(value) if value != "" else ""
+    return text if len(text) <= 60 else text[:57] + "..."
