@@ -73,6 +73,7 @@ class Table:
 
     def need(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
         """Like :meth:`take`, and noted when absent."""
+        self._seen.add(name)
         if name not in self.data:
             self.problem(f"missing, expected {expected or _kind_name(kind)}", name)
             return default

@@ -1,0 +1,1 @@
+"""From a seed to screened, distinct variants of a family."""

@@ -1,0 +1,146 @@
+"""Screens: the conditions that a variant must meet, evaluated on a batch.
+
+Each returns a flag per variant. They are grouped by what they need: parameters, positions, motion, and the motion
+for slightly changed parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.relative import sliding_points
+from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.solve import solve
+from variantgen.mechanism.verify import invariants, recompute
+
+Passed = NDArray[np.bool_]
+Values = Mapping[str, NDArray[np.float64]]
+
+# A variant reaches paper only if the two computations agree this well (relative to the fastest point).
+VERIFIED = 1e-7
+_MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
+
+
+def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed]:
+    """Comparisons that the family requires of its parameters."""
+    return {
+        f"require {item.text}": np.broadcast_to(np.asarray(item.holds(values)), (size,))
+        for item in form.screens.require
+    }
+
+
+def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Passed]:
+    """Assembles, hinges apart, hinges off foreign links, sane aspect, joints inside their links."""
+    shown = [name for name in motion.z if name not in form.figure.hidden]
+    z = np.array([motion.z[name] for name in shown])
+    low, high = _box(form, motion, values, z)
+    size = np.maximum(np.real(high - low), np.imag(high - low))
+    safe = np.where(size > 0, size, 1.0)
+    gaps = np.abs(z[:, None] - z[None, :]) / safe
+    first, second = np.triu_indices(len(shown), 1)
+    spacing = form.screens.spacing
+    found = {
+        "assembles": motion.solved,
+        "hinges apart": np.min(gaps[first, second], axis=0, initial=np.inf) >= spacing,
+        "hinges off other links": _clearance(form, motion, shown) / safe >= 0.5 * spacing,
+        "aspect": np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect >= size,
+    }
+    for point, start, end in form.screens.inside:
+        line = motion.z[end] - motion.z[start]
+        square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
+        part = along(line, motion.z[point] - motion.z[start]) / square
+        found[f"{point} inside {start}{end}"] = (part > _MARGIN) & (part < 1 - _MARGIN)
+    return found
+
+
+def _box(
+    form: Form, motion: Motion, values: Values, z: NDArray[np.complex128]
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Lower left and upper right corner of everything that will be drawn."""
+    corners = [z]
+    for disc in form.figure.discs:
+        reach = np.asarray(disc.radius.value(values)) * (1 + 1j)
+        corners += [(motion.z[disc.centre] + reach)[None], (motion.z[disc.centre] - reach)[None]]
+    every = np.concatenate(corners)
+    low = np.min(every.real, axis=0) + 1j * np.min(every.imag, axis=0)
+    return low, np.max(every.real, axis=0) + 1j * np.max(every.imag, axis=0)
+
+
+def links(form: Form) -> list[tuple[str, str, str]]:
+    """Bodies drawn as bars, with the two ends (their first two points)."""
+    discs = {disc.body for disc in form.figure.discs}
+    return [(body, points[0], points[1]) for body, points in form.bodies.items() if body not in discs]
+
+
+def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.float64]:
+    """Smallest distance of a point from a bar that it does not belong to and does not slide on (m)."""
+    slides = sliding_points(motion.scene)
+    smallest = np.full(motion.size, np.inf)
+    for body, start, end in links(form):
+        line = motion.z[end] - motion.z[start]
+        square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
+        for point in shown:
+            if point in form.bodies[body] or slides.get(point) == body:
+                continue
+            step = motion.z[point] - motion.z[start]
+            part = np.clip(along(line, step) / square, 0.0, 1.0)
+            smallest = np.minimum(smallest, np.abs(step - part * line))
+    return smallest
+
+
+def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:
+    """Away from dead points; answers neither trivial nor out of proportion to the rest of the motion."""
+    found = {"away from dead points": motion.solved & (motion.transmission >= np.sin(form.screens.transmission))}
+    for quantity in asked:
+        size = np.abs(quantity.value(motion))
+        found[f"{quantity.name} not trivial"] = size >= form.screens.trivial * _scale(motion, quantity)
+    return found
+
+
+def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:
+    """The largest quantity of the same kind in the mechanism."""
+    if quantity.kind == "omega":
+        table = [np.abs(x) for x in motion.omega.values()]
+    elif quantity.kind == "epsilon":
+        table = [np.abs(x) for x in motion.epsilon.values()] + [x * x for x in motion.omega.values()]
+    else:
+        table = [np.abs(x) for x in (motion.v if quantity.order == 1 else motion.a).values()]
+    return np.max(table, axis=0)
+
+
+def sensitivity(
+    form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
+) -> NDArray[np.float64]:
+    """Relative change of the answers per relative change of the printed data, shape (N,), the largest of the answers.
+
+    ``sqrt(sum_p (d ln q / d ln p)^2)`` over the printed parameters p (an angle counts with d phi in rad), by forward
+    differences of 1e-6; the quantities q of a variant that a rounded hand calculation would miss have large values.
+    """
+    order = max(q.order for q in asked)
+    base = [quantity.value(motion) for quantity in asked]
+    total = [np.zeros(motion.size) for _ in asked]
+    for name, parameter in form.parameters.items():
+        if not parameter.given:
+            continue
+        pure = parameter.unit is not None and parameter.unit.dimension == (0, 0)
+        step = 1e-6 * (np.ones(motion.size) if pure else parameters[name])
+        moved = form.values({**parameters, name: parameters[name] + step})
+        other = solve(form.scene(moved, on_paper), order, form.plan)
+        for i, quantity in enumerate(asked):
+            size = np.where(base[i] == 0, np.inf, np.abs(base[i]))
+            total[i] += ((quantity.value(other) - base[i]) / size / 1e-6) ** 2
+    return np.sqrt(np.max(total, axis=0))
+
+
+def verification(motion: Motion, order: int) -> Passed:
+    """Whether the independent computation and the invariants agree with the solver, per variant."""
+    again = recompute(motion)
+    agrees = (again.velocity_error <= VERIFIED) & (invariants(motion) <= VERIFIED)
+    return agrees & (again.acceleration_error <= VERIFIED) if order == 2 else agrees

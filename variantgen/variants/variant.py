@@ -1,0 +1,59 @@
+"""A variant: a family with its parameters drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.family import Family, Form, frame
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.solve import solve
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One drawn variant: printed values of its parameters, and how the scene lies on paper.
+
+    ``printed`` holds the value of each parameter as it is printed (for a choice the number behind the word).
+    ``sense`` -1 is a reflection, ``turns`` counts quarter turns, ``attempt`` how many draws it took.
+    """
+
+    family: Family
+    form: Form
+    printed: dict[str, Decimal]
+    sense: int = 1
+    turns: int = 0
+    attempt: int = 1
+
+    @property
+    def identity(self) -> tuple[str, str, tuple[tuple[str, str], ...]]:
+        """What makes two variants the same problem: family, form, parameters (not the pose on paper)."""
+        return self.family.name, self.form.name, tuple(sorted((k, str(v)) for k, v in self.printed.items()))
+
+    def word(self, parameter: str) -> str:
+        """The word of a choice parameter."""
+        found = self.form.parameters[parameter]
+        return found.words[found.printed.index(self.printed[parameter])]
+
+    def si(self, parameter: str) -> float:
+        """The value of a parameter in SI."""
+        measured = self.form.parameters[parameter].unit
+        value = self.printed[parameter]
+        return measured.to_si(value) if measured else float(value)
+
+
+def columns(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
+    """SI values of the parameters of variants of one form, shape (N,) each."""
+    return {name: np.array([v.si(name) for v in variants]) for name in variants[0].form.parameters}
+
+
+def solve_variants(variants: Sequence[Variant], order: int) -> Motion:
+    """The motion of variants that share one form, as one batch in their order."""
+    form = variants[0].form
+    values = form.values(columns(variants))
+    on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
+    return solve(form.scene(values, on_paper), order, form.plan)
