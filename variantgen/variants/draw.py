@@ -55,32 +55,52 @@ def draw(family: Family, ask: Sequence[str] | None, keys: Sequence[tuple[object,
 
     ``ask`` names the asked quantities (None: those of each form). Raises InputError when the ranges leave nothing.
     """
-    return Drawing(family, ask, tally).first(keys)
+    return Drawing(family, ask, tally).after(keys, [0] * len(keys))
 
 
-def draw_distinct(
-    family: Family, ask: Sequence[str] | None, keys: Sequence[tuple[object, ...]], priority: Sequence[bytes], tally: Tally | None = None
-) -> tuple[list[Variant], list[int]]:
-    """One variant per key, no two the same; also the positions of those that had to draw again.
+@dataclass(frozen=True)
+class Entry:
+    """A wish for one variant: from which drawing, by which key, and its rank where two would get the same."""
 
-    Where two keys would get the same variant, the one with the smaller ``priority`` keeps it and the other takes the
-    next of its own valid draws. The result does not depend on the order of the keys (it is the stable matching of
-    deferred acceptance).
+    drawing: Drawing
+    key: tuple[object, ...]
+    priority: bytes
+
+
+def draw_distinct(entries: Sequence[Entry]) -> tuple[list[Variant], list[int]]:
+    """One variant per entry, no two the same; also the positions of those that had to draw again.
+
+    Where two entries would get the same variant, the one with the smaller ``priority`` keeps it and the other takes
+    the next of its own valid draws. The result does not depend on the order of the entries (it is the stable
+    matching of deferred acceptance).
     """
-    drawing = Drawing(family, ask, tally)
-    found = drawing.first(keys)
+    found = _drawn(entries, [0] * len(entries))
     again: set[int] = set()
     while True:
         holders: dict[object, int] = {}
         losers = []
-        for i in sorted(range(len(keys)), key=lambda i: priority[i]):
+        for i in sorted(range(len(entries)), key=lambda i: entries[i].priority):
             if holders.setdefault(found[i].identity, i) != i:
                 losers.append(i)
         if not losers:
             return found, sorted(again)
         again.update(losers)
-        for i, variant in zip(losers, drawing.next_after([found[i] for i in losers], [keys[i] for i in losers]), strict=True):
+        replaced = _drawn([entries[i] for i in losers], [found[i].attempt for i in losers])
+        for i, variant in zip(losers, replaced, strict=True):
             found[i] = variant
+
+
+def _drawn(entries: Sequence[Entry], done: Sequence[int]) -> list[Variant]:
+    """The next valid draw of each entry; entries of one drawing are screened as one batch."""
+    groups: dict[int, list[int]] = {}
+    for i, entry in enumerate(entries):
+        groups.setdefault(id(entry.drawing), []).append(i)
+    found: dict[int, Variant] = {}
+    for members in groups.values():
+        drawing = entries[members[0]].drawing
+        drawn = drawing.after([entries[i].key for i in members], [done[i] for i in members])
+        found.update(zip(members, drawn, strict=True))
+    return [found[i] for i in range(len(entries))]
 
 
 class Drawing:
@@ -94,15 +114,8 @@ class Drawing:
         }
         self.tally = tally or Tally()
 
-    def first(self, keys: Sequence[tuple[object, ...]]) -> list[Variant]:
-        """The first valid draw of each key."""
-        return self._after(keys, [0] * len(keys))
-
-    def next_after(self, variants: Sequence[Variant], keys: Sequence[tuple[object, ...]]) -> list[Variant]:
-        """The next valid draw of each key after the given ones."""
-        return self._after(keys, [variant.attempt for variant in variants])
-
-    def _after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
+    def after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
+        """The first valid draw of each key after the attempts ``done`` that it has used."""
         streams = [Stream(*key, self.family.name) for key in keys]
         chosen = [int(index_below(stream.words(1), len(self.forms))[0]) for stream in streams]
         found: dict[int, Variant] = {}

@@ -1,0 +1,135 @@
+"""The exam file: title, language, problems with families and restrictions, page options."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.family import Family
+from variantgen.families.load import load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.families.restrict import restrict
+from variantgen.tables import Table, read_toml
+from variantgen.wording.language import languages, load_language
+
+SCHEMA = 1
+
+
+@dataclass(frozen=True)
+class Task:
+    """One problem of the exam: the families it is drawn from (one per student), asked quantities, points."""
+
+    number: int
+    families: tuple[Family, ...]
+    ask: tuple[str, ...] | None
+    points: int | None
+
+
+@dataclass(frozen=True)
+class Exam:
+    """A checked exam file. ``tolerance`` is relative; ``duplex`` starts every student on an odd page."""
+
+    title: str
+    course: str
+    language: str
+    tasks: tuple[Task, ...]
+    seed: str = "0"
+    tolerance: float = 0.01
+    duplex: bool = True
+
+
+def read_exam(path: Path) -> Exam:
+    """Read and check an exam file. Raises InputError with every problem found."""
+    problems: list[Problem] = []
+    top = Table(read_toml(path), "", problems)
+    version = top.take("schema", int, SCHEMA)
+    if version != SCHEMA:
+        top.problem(f"expected schema {SCHEMA}", "schema", version, "the file is for another version of the program")
+    title = top.need("title", str, "")
+    course = top.take("course", str, "")
+    language = top.need("language", str, "en", " or ".join(f'"{name}"' for name in languages()))
+    with top.collecting("language"):
+        load_language(language)
+    seed = top.take("seed", (int, str), 0, "a whole number or a word")
+    tolerance = float(top.take("tolerance", (int, Decimal), Decimal("0.01"), "a number between 0 and 0.2"))
+    if not 0 < tolerance < 0.2:
+        top.problem("expected a number between 0 and 0.2", "tolerance", tolerance)
+    page = top.table("page")
+    duplex = page.take("duplex", bool, True)
+    page.finish()
+    tables = top.tables("problem")
+    tasks = [_task(table, number) for number, table in enumerate(tables, start=1)]
+    if not tables:
+        top.problem("an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."')
+    top.finish()
+    if problems:
+        raise InputError(problem.located(str(path)) for problem in problems)
+    return Exam(title, course, language, tuple(t for t in tasks if t), str(seed), tolerance, duplex)
+
+
+def _task(table: Table, number: int) -> Task | None:
+    before = len(table.problems)
+    names = table.strings("families")
+    if "family" in table.data:
+        if names:
+            table.problem("both family and families are given", "families", ", ".join(names), "keep one of them")
+        names = (table.take("family", str, ""),)
+    elif not names:
+        table.problem("missing, expected the name of a family", "family")
+    forms = table.data.get("form", [])
+    table.take("form", (str, list), "", "a form of the family or a list of forms")
+    forms = (forms,) if isinstance(forms, str) else tuple(str(form) for form in forms)
+    fixed = table.take("set", dict, {}, "a table of parameters")
+    ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
+    ask = table.strings("ask") if "ask" in table.data else None
+    points = table.take("points", int, 0)
+    if not 0 <= points <= 1000:
+        table.problem("expected a number of points from 0 to 1000", "points", points)
+    table.finish()
+    families = []
+    for name in names:
+        with _under(table):
+            family = restrict(load_family(name), fixed, ranges, forms)
+            _check_ask(family, ask)
+            families.append(family)
+    if len(table.problems) > before:
+        return None
+    return Task(number, tuple(families), ask, points or None)
+
+
+def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
+    if ask is None:
+        return
+    problems: list[Problem] = []
+    if not ask or len(set(ask)) < len(ask):
+        problems.append(Problem("expected different quantities, at least one", key="ask", value=", ".join(ask)))
+    for form in family.forms.values():
+        for i, text in enumerate(ask):
+            try:
+                parse_quantity(text, form.sample, f"ask[{i + 1}]")
+            except InputError as error:
+                problems += error.problems
+    if problems:
+        raise InputError(dict.fromkeys(problems))
+
+
+class _under:
+    """Collect problems of an InputError with their own keys put under the table's."""
+
+    def __init__(self, table: Table) -> None:
+        self.table = table
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> bool:
+        if not isinstance(error, InputError):
+            return False
+        self.table.problems += [
+            Problem(p.message, p.file, p.key if p.file else self.table.key(p.key), p.value, p.remedy)
+            for p in error.problems
+        ]
+        return True

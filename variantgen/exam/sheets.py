@@ -1,0 +1,132 @@
+"""From an exam and a roster to sheets: which variant each student has, and its answers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.roster import Student
+from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.units import Unit
+from variantgen.mechanism.motion import Field, Motion
+from variantgen.variants.draw import Drawing, Entry, draw_distinct
+from variantgen.variants.seeding import digest
+from variantgen.variants.variant import Variant, solve_variants
+
+_CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
+_DIGITS = 10  # significant digits kept, so that a last-bit difference between machines changes no byte
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An answer in its printed unit, with the absolute tolerance in the same unit."""
+
+    quantity: Quantity
+    unit: Unit
+    value: float
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class Item:
+    """One problem of one student."""
+
+    task: Task
+    variant: Variant
+    answers: tuple[Answer, ...]
+
+    @property
+    def asked(self) -> list[Quantity]:
+        """The asked quantities in order."""
+        return [answer.quantity for answer in self.answers]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """All problems of one student; ``code`` names the variant on paper."""
+
+    student: Student
+    code: str
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The sheets in the order of the roster, and the ids of students who had to draw again to be distinct."""
+
+    sheets: tuple[Sheet, ...]
+    redrawn: tuple[str, ...]
+
+
+def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
+    """Draw, solve and verify everything. Raises InputError when the ranges of a problem leave no valid variant."""
+    entries: list[Entry] = []
+    owners: list[tuple[int, Task]] = []
+    for task in exam.tasks:
+        drawings = [Drawing(family, task.ask) for family in task.families]
+        for i, student in enumerate(students):
+            drawing = drawings[_pool_choice(seed, student, task)]
+            key = (seed, student.id, task.number)
+            entries.append(Entry(drawing, key, digest("priority", *key)))
+            owners.append((i, task))
+    variants, again = draw_distinct(entries)
+    answers = answer_variants(variants, [task.ask for _, task in owners], exam.tolerance)
+    items: list[list[Item]] = [[] for _ in students]
+    for (i, task), variant, found in zip(owners, variants, answers, strict=True):
+        items[i].append(Item(task, variant, found))
+    sheets = tuple(
+        Sheet(student, variant_code(seed, student), tuple(own)) for student, own in zip(students, items, strict=True)
+    )
+    redrawn = tuple(dict.fromkeys(students[owners[k][0]].id for k in again))
+    return Assembly(sheets, redrawn)
+
+
+def _pool_choice(seed: str, student: Student, task: Task) -> int:
+    number = int.from_bytes(digest("pool", seed, student.id, task.number), "big")
+    return number % len(task.families)
+
+
+def variant_code(seed: str, student: Student) -> str:
+    """A short code like ``7Q4-K2M`` for the sheet of a student."""
+    number = int.from_bytes(digest("code", seed, student.id), "big")
+    letters = []
+    for _ in range(6):
+        number, k = divmod(number, len(_CODE_LETTERS))
+        letters.append(_CODE_LETTERS[k])
+    return "".join(letters[:3]) + "-" + "".join(letters[3:])
+
+
+def solve_all(variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], positions_only: bool = False) -> list[tuple[Motion, int]]:
+    """For each variant the batch motion it was solved in and its place there; variants of one form share a batch."""
+    groups: dict[tuple[int, int], list[int]] = {}
+    for i, variant in enumerate(variants):
+        order = 0 if positions_only else max(q.order for q in asked[i])
+        groups.setdefault((id(variant.form), order), []).append(i)
+    found: dict[int, tuple[Motion, int]] = {}
+    for (_, order), members in groups.items():
+        motion = solve_variants([variants[i] for i in members], order)
+        found.update((i, (motion, place)) for place, i in enumerate(members))
+    return [found[i] for i in range(len(variants))]
+
+
+def answer_variants(
+    variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: float
+) -> list[tuple[Answer, ...]]:
+    """The answers of variants in printed units, with absolute tolerances."""
+    asked = [
+        [parse_quantity(text, variant.form.sample) for text in (ask or variant.form.ask)]
+        for variant, ask in zip(variants, asks, strict=True)
+    ]
+    values: dict[tuple[int, Quantity], Field] = {}
+    found = []
+    for variant, quantities, (motion, place) in zip(variants, asked, solve_all(variants, asked), strict=True):
+        answers = []
+        for quantity in quantities:
+            if (id(motion), quantity) not in values:
+                values[id(motion), quantity] = quantity.value(motion)
+            unit = quantity.unit(variant.family.length_unit)
+            value = float(f"{unit.from_si(float(values[id(motion), quantity][place])):.{_DIGITS - 1}e}")
+            answers.append(Answer(quantity, unit, value, float(f"{tolerance * abs(value):.3g}")))
+        found.append(tuple(answers))
+    return found

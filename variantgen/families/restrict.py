@@ -1,0 +1,108 @@
+"""Narrowing of a family: fixed parameters, smaller ranges, chosen forms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.family import Family, Form, Parameter
+from variantgen.families.units import parse_value
+
+
+def restrict(
+    family: Family,
+    fixed: Mapping[str, Any] | None = None,
+    ranges: Mapping[str, Any] | None = None,
+    forms: Sequence[str] = (),
+) -> Family:
+    """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
+
+    Fixed values need not lie on the grid. Raises InputError naming the key, the value and what is possible.
+    """
+    fixed, ranges = fixed or {}, ranges or {}
+    problems: list[Problem] = []
+    for name in forms:
+        if name not in family.forms:
+            problems.append(Problem("unknown form", key="form", value=name, remedy=nearest(name, family.forms)))
+    chosen = {name: form for name, form in family.forms.items() if not forms or name in forms}
+    known = {name for form in chosen.values() for name in form.parameters}
+    for key, table in (("set", fixed), ("range", ranges)):
+        for name in table:
+            if name not in known:
+                problems.append(
+                    Problem("unknown parameter", key=f"{key}.{name}", value=name, remedy=nearest(name, known))
+                )
+    for name in fixed.keys() & ranges.keys():
+        problems.append(
+            Problem("is both fixed and given a range", key=f"set.{name}", value=str(fixed[name]), remedy="remove one")
+        )
+    if problems:
+        raise InputError(problems)
+    narrowed: dict[str, Form] = {}
+    for form_name, form in chosen.items():
+        parameters = {}
+        for name, parameter in form.parameters.items():
+            try:
+                parameters[name] = _narrow(parameter, fixed, ranges)
+            except InputError as error:
+                problems += error.problems
+        narrowed[form_name] = replace(form, parameters=parameters)
+    if problems:
+        raise InputError(dict.fromkeys(problems))
+    return replace(family, forms=narrowed)
+
+
+def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str, Any]) -> Parameter:
+    name = parameter.name
+    if name in fixed:
+        if parameter.unit is None:
+            return _choose(parameter, [fixed[name]], f"set.{name}")
+        return replace(parameter, printed=(_value(parameter, fixed[name], f"set.{name}"),))
+    if name not in ranges:
+        return parameter
+    key, limits = f"range.{name}", ranges[name]
+    if parameter.unit is None:
+        return _choose(parameter, limits if isinstance(limits, list) else [limits], key)
+    if not isinstance(limits, list) or len(limits) != 2:
+        raise InputError(Problem("expected [lowest, highest]", key=key, value=str(limits), remedy=_possible(parameter)))
+    low, high = (_value(parameter, limit, key) for limit in limits)
+    kept = tuple(value for value in parameter.printed if low <= value <= high)
+    if not kept:
+        raise InputError(
+            Problem(
+                "no value of the family's grid lies in this range",
+                key=key,
+                value=f"[{limits[0]}, {limits[1]}]",
+                remedy=_possible(parameter),
+            )
+        )
+    return replace(parameter, printed=kept)
+
+
+def _choose(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
+    for word in words:
+        if word not in parameter.words:
+            raise InputError(Problem("unknown word", key=key, value=str(word), remedy=nearest(str(word), parameter.words)))
+    kept = [i for i, word in enumerate(parameter.words) if word in words]
+    return replace(
+        parameter,
+        printed=tuple(parameter.printed[i] for i in kept),
+        words=tuple(parameter.words[i] for i in kept),
+    )
+
+
+def _value(parameter: Parameter, value: Any, key: str) -> Decimal:
+    assert parameter.unit is not None
+    if isinstance(value, str):
+        return parse_value(value, parameter.unit, key)
+    if isinstance(value, bool) or not isinstance(value, int | Decimal | float) or not Decimal(value).is_finite():
+        raise InputError(Problem("expected a number", key=key, value=str(value), remedy=_possible(parameter)))
+    return Decimal(str(value)) if isinstance(value, float) else Decimal(value)
+
+
+def _possible(parameter: Parameter) -> str:
+    assert parameter.unit is not None
+    return f"the family draws from {min(parameter.printed)} to {max(parameter.printed)} {parameter.unit.name}"

@@ -1,0 +1,100 @@
+"""The figure of a statement: the mechanism to scale in its position, with everything given and nothing else."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+from functools import cache
+from types import ModuleType
+
+from variantgen.families.quantities import Quantity
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
+from variantgen.figure.labels import around
+from variantgen.figure.marks import draw_angle, draw_length, draw_radius
+from variantgen.figure.sketch import HINGE, Sketch
+from variantgen.mechanism.motion import Motion, take_scene
+from variantgen.variants.screening import links
+from variantgen.variants.variant import Variant
+from variantgen.wording.language import Language
+from variantgen.wording.statement import given_names, shown_points
+
+_BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
+_DOT = 0.65
+
+
+@cache
+def _symbol_module(stem: str) -> ModuleType:
+    return importlib.import_module(f"variantgen.figure.symbols.{stem}")
+
+
+def statement_figure(
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language
+) -> Drawing:
+    """The drawing of one variant; ``index`` is its place in the batch ``motion`` (positions are enough)."""
+    form = variant.form
+    shown = shown_points(variant, asked)
+    values = form.values({name: variant.si(name) for name in form.parameters})
+    z = {name: complex(motion.z[name][index]) for name in motion.z}
+    radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
+    scale = _scale([z[name] for name in shown], [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True)])
+    sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
+    scene = take_scene(motion.scene, index, motion.size)
+    board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
+    for disc, radius in zip(form.figure.discs, radii, strict=True):
+        sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
+    _draw_links(board)
+    given = set(given_names(variant, asked))
+    for angle in form.figure.angles:
+        if angle.name in given:
+            draw_angle(board, angle)
+    for item in (*board.scene.joints, *board.scene.drivers):
+        _symbol_module(type(item).__module__.rsplit(".", 1)[-1]).draw(board, item)
+    for length in form.figure.lengths:
+        if length.name in given:
+            draw_length(board, length)
+    for disc, radius in zip(form.figure.discs, radii, strict=True):
+        if disc.name in given:
+            draw_radius(board, disc, radius * scale)
+    _draw_points(board, shown)
+    return sketch.finish({name: sketch.at[name] for name in shown})
+
+
+def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) -> float:
+    """Figure units per metre, so that the mechanism fills its box in one direction."""
+    corners = [*places, *(c + r * d for c, r in discs for d in (1 + 1j, -1 - 1j))]
+    width = max(c.real for c in corners) - min(c.real for c in corners)
+    height = max(c.imag for c in corners) - min(c.imag for c in corners)
+    return min(_BOX.real / width if width else 1e9, _BOX.imag / height if height else 1e9)
+
+
+def _draw_links(board: Board) -> None:
+    sketch = board.sketch
+    for body, start, end in links(board.form):
+        a, b = sketch.at[start], sketch.at[end]
+        sketch.path((a, b), Layer.LINK)
+        sketch.occupy(start, b - a)
+        sketch.occupy(end, a - b)
+        for point in board.form.bodies[body][2:]:
+            for far in (a, b):
+                sketch.occupy(point, far - sketch.at[point])
+
+
+def _draw_points(board: Board, shown: Sequence[str]) -> None:
+    """Hinges between links, dots on bodies, and the names."""
+    sketch = board.sketch
+    for point in shown:
+        owners = [body for body, members in board.form.bodies.items() if point in members]
+        on_disc = all(any(d.body == body for d in board.form.figure.discs) for body in owners)
+        if point not in board.clear:
+            if len(owners) > 1 or (on_disc and any(d.centre == point for d in board.form.figure.discs)):
+                sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
+                board.sized(point, HINGE)
+            elif not _is_free_end(board, point):
+                sketch.circle(sketch.at[point], _DOT, Layer.HINGE, fill="ink")
+                board.sized(point, _DOT)
+        sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
+
+
+def _is_free_end(board: Board, point: str) -> bool:
+    return any(point in (start, end) for _, start, end in links(board.form))

@@ -1,0 +1,92 @@
+"""The drawing language: paths, arcs and labels in figure units, rendered natively by each output.
+
+One figure unit u is a hundredth of the width of the figure; x to the right, y up.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from enum import IntEnum
+
+from variantgen.wording.formula import Formula
+
+WIDTH = 100.0
+BOLD, MEDIUM, THIN = 0.75, 0.45, 0.3  # line weights, u
+LETTER = 4.3  # size of the lettering, u
+
+
+class Layer(IntEnum):
+    """Drawing order, back to front."""
+
+    GROUND = 0
+    THREAD = 1
+    DISC = 2
+    LINK = 3
+    SLIDER = 4
+    HINGE = 5
+    MARK = 6
+    VECTOR = 7
+    LABEL = 8
+
+
+@dataclass(frozen=True)
+class Path:
+    """A polyline; ``fill`` is '' (none), 'paper', 'ink' or 'shade', ``dash`` '' or 'dashed' or 'dashdot'."""
+
+    points: tuple[complex, ...]
+    layer: Layer
+    weight: float = BOLD
+    closed: bool = False
+    fill: str = ""
+    dash: str = ""
+
+
+@dataclass(frozen=True)
+class Arc:
+    """An arc of a circle, counter-clockwise from ``start`` over ``sweep`` (rad); a full turn is a circle."""
+
+    centre: complex
+    radius: float
+    layer: Layer
+    weight: float = BOLD
+    start: float = 0.0
+    sweep: float = math.tau
+    fill: str = ""
+    dash: str = ""
+
+    def at(self, part: float) -> complex:
+        """The point at a fraction of the sweep."""
+        return self.centre + cmath.rect(self.radius, self.start + part * self.sweep)
+
+    def cubics(self) -> list[tuple[complex, complex, complex]]:
+        """Cubic Bezier pieces (two control points, end) that follow ``at(0)``; error below 3e-4 of the radius."""
+        count = max(1, math.ceil(abs(self.sweep) / (math.pi / 2) - 1e-9))
+        step = self.sweep / count
+        handle = 4 / 3 * math.tan(step / 4) * self.radius
+        pieces = []
+        for i in range(count):
+            a, b = self.start + i * step, self.start + (i + 1) * step
+            p, q = self.centre + cmath.rect(self.radius, a), self.centre + cmath.rect(self.radius, b)
+            pieces.append((p + handle * 1j * cmath.exp(1j * a), q - handle * 1j * cmath.exp(1j * b), q))
+        return pieces
+
+
+@dataclass(frozen=True)
+class Label:
+    """A formula with its centre at a point; ``size`` (width, height) is what placement counted with."""
+
+    formula: Formula
+    at: complex
+    size: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A finished figure: width and height in u, lines back to front, labels."""
+
+    width: float
+    height: float
+    lines: tuple[Path | Arc, ...]
+    labels: tuple[Label, ...]

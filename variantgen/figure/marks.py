@@ -1,0 +1,93 @@
+"""Marks of given data: angles with arcs and reference lines, dimension lines, radii."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from variantgen.families.family import AngleMark, DiscMark, LengthMark
+from variantgen.families.hints import DIRECTIONS
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import THIN, Arc, Layer
+from variantgen.figure.labels import along_arc, along_line
+
+_ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
+
+
+def draw_angle(board: Board, mark: AngleMark) -> None:
+    """An arc between two rays; a ray that no link carries is drawn as a thin line."""
+    sketch = board.sketch
+    corner = sketch.at[mark.at]
+    rays = [_ray(board, mark.at, name) for name in (mark.start, mark.end)]
+    for name, ray in zip((mark.start, mark.end), rays, strict=True):
+        if sketch.freedom(mark.at, cmath.phase(ray)) > math.radians(2):
+            far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
+            sketch.path((corner, far), Layer.GROUND, THIN)
+    start, sweep = cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0])
+    radius = _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC
+    sketch.arc(Arc(corner, radius, Layer.MARK, THIN, start, sweep))
+    sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep))
+    for part in (0.0, 0.25, 0.5, 0.75, 1.0):
+        sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
+
+
+def _ray(board: Board, corner: str, name: str) -> complex:
+    if name in DIRECTIONS:
+        return complex(board.frame.place(DIRECTIONS[name]))
+    step = board.sketch.at[name] - board.sketch.at[corner]
+    return step / abs(step)
+
+
+def draw_length(board: Board, mark: LengthMark) -> None:
+    """A dimension line between two points, moved aside from the mechanism, with extension lines."""
+    sketch = board.sketch
+    start, end = sketch.at[mark.start], sketch.at[mark.end]
+    way = (end - start) / abs(end - start)
+    seen = [sketch.at[name] for name in board.shown]
+    middle = sum(seen) / len(seen)
+    aside = 1j * way if ((middle - start) * (1j * way).conjugate()).real < 0 else -1j * way
+    every = [((p - start) * aside.conjugate()).real for p in seen]
+    shift = aside * (max(0.0, min(max(every), 12.0)) + 7.5)
+    for point in (start, end):
+        sketch.path((point + 0.2 * shift, point + shift + 1.5 * aside), Layer.GROUND, THIN)
+    # The line of motion is extended to the dimension.
+    hidden = [name for name in (mark.start, mark.end) if name in board.form.figure.hidden]
+    for name in hidden:
+        partner = min(
+            (p for p in board.shown if _level(board, p, name, way)),
+            key=lambda p: abs(sketch.at[p] - sketch.at[name]),
+            default=None,
+        )
+        if partner is not None:
+            sketch.path((sketch.at[name] + 0.2 * shift, sketch.at[partner]), Layer.GROUND, THIN, dash="dashdot")
+    _dimension(board, start + shift, end + shift, mark.name)
+
+
+def _level(board: Board, point: str, name: str, way: complex) -> bool:
+    step = board.sketch.at[point] - board.sketch.at[name]
+    return abs(step) > 1 and abs((step * way.conjugate()).real) < 0.05
+
+
+def _dimension(board: Board, start: complex, end: complex, name: str) -> None:
+    sketch = board.sketch
+    way = (end - start) / abs(end - start)
+    if abs(end - start) > 4 * _HEAD:
+        middle = (start + end) / 2
+        sketch.arrow(middle, end, Layer.MARK, THIN, _HEAD)
+        sketch.arrow(middle, start, Layer.MARK, THIN, _HEAD)
+    else:
+        sketch.arrow(end + 3 * _HEAD * way, end, Layer.MARK, THIN, _HEAD)
+        sketch.arrow(start - 3 * _HEAD * way, start, Layer.MARK, THIN, _HEAD)
+    sketch.label(along_line(board.symbol(name), start, end, 0.7))
+
+
+def draw_radius(board: Board, mark: DiscMark, radius: float) -> None:
+    """A radius from the centre to the rim, with its letter, where there is room."""
+    sketch = board.sketch
+    angles = [math.radians(a) for a in (45, 135, 30, 150, 60, 120, 225, 315, 210, 330, 240, 300)]
+    angle = max(angles, key=lambda a: (round(sketch.freedom(mark.centre, a), 3), -angles.index(a)))
+    centre = sketch.at[mark.centre]
+    rim = centre + cmath.rect(radius, angle)
+    sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
+    sketch.label(along_line(board.symbol(mark.name), centre, rim, 0.6))
+    sketch.occupy(mark.centre, rim - centre)

@@ -1,0 +1,137 @@
+"""A figure in the making: where points are on paper, what is drawn, which directions are taken, what needs a label."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Path
+from variantgen.figure.labels import Request, place_labels
+
+MARGIN = 1.5
+HINGE = 1.1  # radius of a hinge circle, u
+_HATCH_STEP, _HATCH_DEPTH = 1.15, 1.5
+
+
+@dataclass
+class Sketch:
+    """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre."""
+
+    at: dict[str, complex]
+    scale: float
+    lines: list[Path | Arc] = field(default_factory=list)
+    requests: list[Request] = field(default_factory=list)
+    busy: dict[str, list[float]] = field(default_factory=dict)
+    reach: dict[str, float] = field(default_factory=dict)
+    _obstacles: list[tuple[complex, complex]] = field(default_factory=list)
+
+    def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
+        """Draw a polyline; it is an obstacle for labels."""
+        line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
+        self.lines.append(line)
+        ends = line.points + line.points[:1] if line.closed else line.points
+        self._obstacles += list(zip(ends, ends[1:], strict=False))
+
+    def arc(self, arc: Arc) -> None:
+        """Draw an arc or a circle; it is an obstacle for labels."""
+        self.lines.append(arc)
+        count = max(4, math.ceil(abs(arc.sweep) / 0.35))
+        points = [arc.at(i / count) for i in range(count + 1)]
+        self._obstacles += list(zip(points, points[1:], strict=False))
+
+    def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
+        """Draw a circle."""
+        self.arc(Arc(centre, radius, layer, weight, fill=fill))
+
+    def hatch(self, start: complex, end: complex, side: complex) -> None:
+        """Hatch a line on the side that a vector points to: strokes leaning right where the line allows."""
+        way = (end - start) / abs(end - start)
+        normal = 1j * way if (side * (1j * way).conjugate()).real >= 0 else -1j * way
+        lean = complex(1, 1) / math.sqrt(2)
+        if abs((lean * normal.conjugate()).real) < 0.5:
+            lean = (normal + way) / math.sqrt(2)
+        lean *= math.copysign(1.0, (lean * normal.conjugate()).real)
+        stroke = lean * _HATCH_DEPTH / (lean * normal.conjugate()).real
+        count = max(2, round((abs(end - start) - 0.6) / _HATCH_STEP))
+        for i in range(count + 1):
+            foot = start + way * (0.3 + (abs(end - start) - 0.6) * i / count)
+            self.lines.append(Path((foot, foot + stroke), Layer.GROUND, THIN))
+        far = normal * _HATCH_DEPTH
+        self._obstacles += [(start + far, end + far), (start, start + far), (end, end + far), (start + far / 2, end + far / 2)]
+
+    def arrow(self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6) -> None:
+        """A straight arrow with a filled head."""
+        way = (end - start) / abs(end - start)
+        self.path((start, end - 0.8 * head * way), layer, weight)
+        self._head(end, way, layer, head)
+
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float, weight: float = MEDIUM) -> None:
+        """An arc with a head at its end, in the sense of ``sweep``."""
+        head = 2.3
+        sense = math.copysign(1.0, sweep)
+        self.arc(Arc(centre, radius, Layer.VECTOR, weight, start, sweep - sense * 0.8 * head / radius))
+        tip = centre + cmath.rect(radius, start + sweep)
+        # The head follows the chord of its own length, so that it lies on the arc.
+        way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)
+        self._head(tip, way, Layer.VECTOR, head)
+
+    def _head(self, tip: complex, way: complex, layer: Layer, head: float) -> None:
+        wing = 0.31 * head * 1j * way
+        self.path((tip, tip - head * way + wing, tip - head * way - wing), layer, 0.0, closed=True, fill="ink")
+
+    def occupy(self, point: str, direction: complex) -> None:
+        """Note that something leaves a point in a direction."""
+        self.busy.setdefault(point, []).append(cmath.phase(direction))
+
+    def freedom(self, point: str, angle: float) -> float:
+        """Angle from a direction to the nearest taken one at a point (rad)."""
+        taken = self.busy.get(point, [])
+        return min((abs(math.remainder(angle - other, math.tau)) for other in taken), default=math.pi)
+
+    def freest(self, point: str, angles: Sequence[float], enough: float) -> float:
+        """The first of the angles with enough room on both sides, or else the one with most."""
+        for angle in angles:
+            if self.freedom(point, angle) >= enough:
+                return angle
+        return max(angles, key=lambda angle: self.freedom(point, angle))
+
+    def label(self, request: Request) -> None:
+        """Ask for a label."""
+        self.requests.append(request)
+
+    def finish(self, named: Mapping[str, complex]) -> Drawing:
+        """Place the labels, cut the paper to size and put everything in order."""
+        labels = place_labels(self.requests, np.array(self._obstacles, dtype=complex).reshape(-1, 2), list(named.values()))
+        corners = [point for line in self.lines for point in _extent(line)]
+        for label in labels:
+            half = complex(*label.size) / 2
+            corners += [label.at - half, label.at + half]
+        low = complex(min(c.real for c in corners), min(c.imag for c in corners)) - complex(MARGIN, MARGIN)
+        high = complex(max(c.real for c in corners), max(c.imag for c in corners)) + complex(MARGIN, MARGIN)
+        ordered = sorted(self.lines, key=lambda line: line.layer)
+        return Drawing(
+            high.real - low.real,
+            high.imag - low.imag,
+            tuple(_moved(line, -low) for line in ordered),
+            tuple(type(label)(label.formula, label.at - low, label.size) for label in labels),
+        )
+
+
+def _extent(line: Path | Arc) -> list[complex]:
+    if isinstance(line, Path):
+        return list(line.points)
+    if abs(line.sweep) >= math.tau - 1e-9:
+        return [line.centre - line.radius * (1 + 1j), line.centre + line.radius * (1 + 1j)]
+    return [line.at(i / 8) for i in range(9)]
+
+
+def _moved(line: Path | Arc, by: complex) -> Path | Arc:
+    if isinstance(line, Path):
+        return Path(tuple(p + by for p in line.points), line.layer, line.weight, line.closed, line.fill, line.dash)
+    return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)
+
+

@@ -1,0 +1,43 @@
+"""Slider in a fixed guide: a block on a hatched line."""
+
+from __future__ import annotations
+
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import Layer
+from variantgen.figure.sketch import HINGE
+from variantgen.mechanism.joints.guide import Guide
+
+_HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
+
+
+def draw(board: Board, joint: Guide) -> None:
+    """Add the symbol; a load on a thread has a symbol of its own and needs no block."""
+    if joint.point in board.loads:
+        return
+    sketch = board.sketch
+    centre = sketch.at[joint.point]
+    way = board.frame.direction(joint.angle)
+    side = _free_side(board, joint.point, way)
+    corners = [
+        centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+    line = centre + _HALF_HEIGHT * side
+    start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
+    sketch.path((start, end), Layer.GROUND)
+    sketch.hatch(start, end, side)
+    sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
+    sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
+    for taken in (way, -way, side):
+        sketch.occupy(joint.point, taken)
+    board.sized(joint.point, _HALF_LENGTH, box=corners)
+
+
+def _free_side(board: Board, point: str, way: complex) -> complex:
+    """The side of the line of motion with fewer links; below or to the right where that does not decide."""
+    import cmath
+
+    left = 1j * way
+    load = sum((left * cmath.rect(1.0, angle).conjugate()).real for angle in board.sketch.busy.get(point, []))
+    if abs(load) > 0.05:
+        return left if load < 0 else -left
+    return left if left.imag < -1e-9 or (abs(left.imag) <= 1e-9 and left.real > 0) else -left

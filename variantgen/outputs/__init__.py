@@ -1,0 +1,1 @@
+"""Output formats, one module each; none of them computes an answer."""

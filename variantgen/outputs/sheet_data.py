@@ -1,0 +1,90 @@
+"""What a problem sheet shows, as data for the typesetting templates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Item, Sheet, solve_all
+from variantgen.figure.build import statement_figure
+from variantgen.mechanism.motion import Motion
+from variantgen.outputs.typesetter import figure_data
+from variantgen.wording.formula import to_typst
+from variantgen.wording.language import Language, load_language
+from variantgen.wording.statement import Text, statement
+
+_SHORT_NAME = 48
+
+
+def sheets_data(exam: Exam, sheets: Sequence[Sheet]) -> dict[str, Any]:
+    """Data for ``sheets.typ``."""
+    language = load_language(exam.language)
+    items = [item for sheet in sheets for item in sheet.items]
+    placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
+    students = [
+        _student(sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1])
+        for sheet in sheets
+    ]
+    return {
+        "lang": exam.language,
+        "title": exam.title,
+        "course": exam.course,
+        "duplex": exam.duplex,
+        "words": dict(language.words("sheet")),
+        "students": students,
+    }
+
+
+def _student(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+    student = sheet.student
+    name = student.name
+    return {
+        "name": name,
+        "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
+        "group": f"{language.words('sheet')['group']} {student.group}" if student.group else "",
+        "code": sheet.code,
+        "problems": problems,
+        "last": last,
+    }
+
+
+def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict[str, Any]:
+    said = statement(item.variant, item.asked, language)
+    words = language.words("sheet")
+    notes = []
+    if any(q.of_body for q in item.asked):
+        notes.append(words["signs"])
+    if any(q.component for q in item.asked):
+        notes.append(words["components"])
+    return {
+        "number": str(item.task.number),
+        "points": _points(item.task.points, language),
+        "text": text_data(said.text),
+        "given": [to_typst(equation) for equation in said.given],
+        "answers": [
+            {"symbol": to_typst(symbol), "unit": to_typst(language.unit(answer.unit))}
+            for symbol, answer in zip(said.asked, item.answers, strict=True)
+        ],
+        "notes": notes,
+        "figure": figure_data(statement_figure(item.variant, motion, place, item.asked, language)),
+    }
+
+
+def text_data(text: Text) -> list[Any]:
+    """Runs of text: strings as they are, formulas as one-element lists."""
+    return [part if isinstance(part, str) else [to_typst(part)] for part in text]
+
+
+def _points(points: int | None, language: Language) -> str:
+    """``10 points`` with the plural of the language (one, few, many)."""
+    if points is None:
+        return ""
+    words = language.words("sheet")
+    if points % 10 == 1 and points % 100 != 11:
+        form = "points_one"
+    elif points % 10 in (2, 3, 4) and points % 100 not in (12, 13, 14):
+        form = "points_few"
+    else:
+        form = "points_many"
+    return f"{points}\N{NO-BREAK SPACE}{words[form]}"

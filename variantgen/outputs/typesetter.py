@@ -1,0 +1,100 @@
+"""The embedded typesetting engine (Typst): documents from a template and data, without system TeX or network.
+
+Everything variable is passed as JSON, so text from outside is never markup. The engine sees a folder that holds the
+templates and nothing else, its own fonts only, and a fixed time stamp.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+import shutil
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from variantgen.errors import ToolMissing, VariantgenError
+from variantgen.figure.drawing import LETTER, Arc, Drawing, Path as Line
+from variantgen.resources import templates_dir
+from variantgen.wording.formula import to_typst
+
+_EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.timezone.utc)
+
+
+class TypesettingFailed(VariantgenError):
+    """The engine refused a document: a defect of the templates."""
+
+
+@dataclass(frozen=True)
+class Typesetter:
+    """A folder with the templates, alone for the engine."""
+
+    root: Path
+
+    def compile(
+        self, template: str, data: Mapping[str, Any], form: Literal["pdf", "png", "svg"] = "pdf"
+    ) -> list[bytes]:
+        """The document; one entry for PDF, one per page for PNG and SVG."""
+        import typst
+
+        text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+        try:
+            made = typst.compile(
+                self.root / template,
+                root=self.root,
+                format=form,
+                ppi=200.0,
+                font_paths=[],
+                ignore_system_fonts=True,
+                sys_inputs={"data": text},
+                timestamp=_EPOCH,
+            )
+        except RuntimeError as error:
+            raise TypesettingFailed(f"the typesetting engine refused {template}: {error}") from error
+        return list(made) if isinstance(made, list) else [bytes(made)]
+
+
+@contextmanager
+def typesetter() -> Iterator[Typesetter]:
+    """A typesetter whose folder lasts as long as the block. Raises ToolMissing without the engine."""
+    try:
+        import typst  # noqa: F401  (found here, so that the message comes before any work)
+    except ImportError:
+        raise ToolMissing("PDF output needs the package typst: install it with  pip install typst") from None
+    with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
+        for path in sorted((templates_dir() / "typst").glob("*.typ")):
+            shutil.copyfile(path, Path(folder) / path.name)
+        yield Typesetter(Path(folder))
+
+
+def figure_data(drawing: Drawing) -> dict[str, Any]:
+    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
+    height = drawing.height
+
+    def xy(point: complex) -> list[float]:
+        return [round(point.real, 2), round(height - point.imag, 2)]
+
+    lines: list[list[Any]] = []
+    for line in drawing.lines:
+        style = [line.weight, line.fill, line.dash]
+        if isinstance(line, Line):
+            lines.append(["p", *style, line.closed, [xy(point) for point in line.points]])
+        elif _is_circle(line):
+            lines.append(["c", *style, *xy(line.centre), round(line.radius, 2)])
+        else:
+            pieces = [[n for point in piece for n in xy(point)] for piece in line.cubics()]
+            lines.append(["b", *style, xy(line.at(0)), pieces])
+    return {
+        "w": round(drawing.width, 2),
+        "h": round(height, 2),
+        "letter": LETTER,
+        "lines": lines,
+        "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
+    }
+
+
+def _is_circle(arc: Arc) -> bool:
+    return abs(arc.sweep) > 6.283

@@ -1,0 +1,1 @@
+"""Words, numbers, units and formulas: what a document says, independent of how it looks."""

@@ -1,0 +1,124 @@
+"""The formula tree: written once, rendered to every markup.
+
+Names come from family files and are checked identifiers; numbers and units are text that is quoted on the way out.
+Nothing that comes from a roster or an exam file is ever part of a formula.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TypeAlias
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
+    "mu": "μ", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω",
+}  # fmt: skip
+_LETTERS = re.compile(r"([A-Za-z])(\d*)")
+
+
+@dataclass(frozen=True)
+class Index:
+    """A part of an index: letters of points (italic) or a word (upright)."""
+
+    text: str
+    upright: bool = False
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA."""
+
+    base: str
+    index: tuple[Index, ...] = ()
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number as it is printed in the language of the document."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class UnitText:
+    """A unit as it is printed: words with powers, ``(("см/с", 2),)``; ``tight`` if it follows without a space."""
+
+    parts: tuple[tuple[str, int], ...]
+    tight: bool = False
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A number with its unit."""
+
+    number: Number
+    unit: UnitText
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``left = right``."""
+
+    left: Formula
+    right: Formula
+
+
+Formula: TypeAlias = Symbol | Number | UnitText | Measured | Equation
+
+
+def letters(text: str) -> list[tuple[str, str]]:
+    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``."""
+    return [(match[1], match[2]) for match in _LETTERS.finditer(text)]
+
+
+def to_typst(formula: Formula) -> str:
+    """Typst math markup, without the dollar signs."""
+    match formula:
+        case Symbol(base, index):
+            return _typst_base(base) + (f"_({' '.join(_typst_index(i) for i in index)})" if index else "")
+        case Number(text):
+            return _quoted(text)
+        case UnitText(parts):
+            return " ".join(_quoted(word) + (f"^({_quoted(_power(power))})" if power != 1 else "") for word, power in parts)
+        case Measured(number, unit):
+            return to_typst(number) + (" " if unit.tight else " thin ") + to_typst(unit)
+        case Equation(left, right):
+            return f"{to_typst(left)} = {to_typst(right)}"
+
+
+def _typst_base(base: str) -> str:
+    if base in GREEK:
+        return base
+    return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))
+
+
+def _typst_index(index: Index) -> str:
+    return _quoted(index.text) if index.upright else _typst_base(index.text)
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def _power(power: int) -> str:
+    return str(power).replace("-", "\N{MINUS SIGN}")
+
+
+def to_plain(formula: Formula) -> str:
+    """Plain text: ``ω_OA = 3 рад/с²``."""
+    match formula:
+        case Symbol(base, index):
+            return GREEK.get(base, base) + ("_" + " ".join(i.text for i in index) if index else "")
+        case Number(text):
+            return text
+        case UnitText(parts):
+            return " ".join(word + (_superscript(power) if power != 1 else "") for word, power in parts)
+        case Measured(number, unit):
+            return to_plain(number) + ("" if unit.tight else "\N{NO-BREAK SPACE}") + to_plain(unit)
+        case Equation(left, right):
+            return f"{to_plain(left)} = {to_plain(right)}"
+
+
+def _superscript(power: int) -> str:
+    return str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))

@@ -1,0 +1,92 @@
+"""A language: its fixed words, decimal mark and unit names, read from ``templates/words/<language>.toml``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import ROUND_HALF_EVEN, Decimal
+from functools import cache
+from typing import Any
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.quantities import Quantity
+from variantgen.families.units import Unit
+from variantgen.resources import templates_dir
+from variantgen.tables import read_toml
+from variantgen.wording.formula import Index, Number, Symbol, UnitText
+
+ANSWER_DIGITS = 4  # significant digits of a printed answer
+
+
+@dataclass(frozen=True)
+class Language:
+    """Words by table and key; numbers and units in the habits of the language."""
+
+    name: str
+    decimal_mark: str
+    tables: Mapping[str, Mapping[str, str]]
+
+    def words(self, table: str) -> Mapping[str, str]:
+        """All words of one table (``sheet``, ``key``, ...)."""
+        return self.tables[table]
+
+    def decimal(self, value: Decimal) -> Number:
+        """An exact printed value: ``0,25``, with a true minus sign."""
+        text = f"{value.normalize():f}"
+        return Number(text.replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+
+    def rounded(self, value: float, digits: int = ANSWER_DIGITS) -> Number:
+        """A computed value with the given number of significant digits, never in exponent form."""
+        return Number(round_text(value, digits).replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+
+    def unit(self, measured: Unit) -> UnitText:
+        """A unit as it is printed."""
+        text = self.tables["units"][measured.name]
+        parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
+        return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
+
+    def symbol(self, name: str, bodies: Mapping[str, str]) -> Symbol:
+        """The symbol of a parameter, point, body or quantity name; ``bodies`` replaces index words (see [symbols])."""
+        kind, _, rest = name.partition("_")
+        if not rest:
+            return Symbol(bodies.get(name, name) or name)
+        index: list[Index] = []
+        if kind in ("v", "a") and rest.startswith(("rel_", "cor_")):
+            word, _, rest = rest.partition("_")
+            index.append(Index(self.tables["index"][word], True))
+        target, _, component = rest.partition(".")
+        target = bodies.get(target, target)
+        if target:
+            index.append(Index(target, len(target) > 1 and target.islower()))
+        if component:
+            index.append(Index(component))
+        return Symbol(kind, tuple(index))
+
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol:
+        """The symbol of an asked quantity."""
+        return self.symbol(quantity.name, bodies)
+
+
+def round_text(value: float, digits: int) -> str:
+    """A value rounded to significant digits as a plain decimal string; zero is ``0``."""
+    if value == 0:
+        return "0"
+    exact = Decimal(value)
+    step = Decimal(1).scaleb(exact.adjusted() - digits + 1)
+    rounded = exact.quantize(step, rounding=ROUND_HALF_EVEN)
+    return f"{rounded:f}" if step < 1 else f"{rounded.to_integral_value():f}"
+
+
+def languages() -> list[str]:
+    """Names of the available languages."""
+    return sorted(path.stem for path in (templates_dir() / "words").glob("*.toml"))
+
+
+@cache
+def load_language(name: str) -> Language:
+    """A language by name (``ru``, ``en``). Raises InputError if there is no such file."""
+    if name not in languages():
+        raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
+    data: dict[str, Any] = read_toml(templates_dir() / "words" / f"{name}.toml")
+    return Language(name, str(data.pop("decimal_mark")), data)

@@ -1,0 +1,204 @@
+"""The statement of a variant: a template of the family, filled; given data; asked quantities.
+
+A template yields prose with formulas in between. The result is a sequence of strings and formulas; strings are data
+for every output and are never parsed as markup.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import jinja2.meta
+from jinja2.sandbox import ImmutableSandboxedEnvironment
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.quantities import Quantity
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters
+from variantgen.wording.language import Language
+
+Text = tuple[str | Formula, ...]
+# Code points of the private use area enclose the number of a formula on its way through the template.
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_MARK = re.compile(f"{_OPEN}(\\d+){_CLOSE}")
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What a student reads: the text, the given data, the asked quantities with their units."""
+
+    text: Text
+    given: tuple[Equation, ...]
+    asked: tuple[Symbol, ...]
+
+
+def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
+    """The statement of a variant. Raises InputError if the template is missing or faulty."""
+    symbols = variant.form.symbols
+    return Statement(
+        _fill(variant, asked, language),
+        tuple(given(variant, asked, language)),
+        tuple(language.quantity(q, symbols) for q in asked),
+    )
+
+
+def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[Equation]:
+    """The printed data: every parameter that the asked quantities need, as ``symbol = value unit``.
+
+    The figure shows the sense of rates, so their magnitudes are printed. Accelerations are left out when only
+    velocities are asked, angles and lengths of points that are not shown too.
+    """
+    return [_given(variant, name, language) for name in given_names(variant, asked)]
+
+
+def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
+    """Names of the parameters that are printed."""
+    order = max((q.order for q in asked), default=1)
+    idle = unneeded_parameters(variant, asked)
+    return [
+        name
+        for name, parameter in variant.form.parameters.items()
+        if parameter.given
+        and name not in idle
+        and not (parameter.of_second_order and (order == 1 or variant.printed[name] == 0))
+    ]
+
+
+def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]:
+    """Parameters that place only points which nobody asks for."""
+    form = variant.form
+    shown = shown_points(variant, asked)
+    used: set[str] = set()
+    idle: set[str] = set()
+    for name, template in form.points.items():
+        names = {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
+        (used if name in shown or name in form.figure.hidden else idle).update(names)
+    for template in (*form.joints, *form.drivers):
+        used |= {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
+    for derived, expression in reversed(form.derived.items()):
+        if derived in used:
+            used |= expression.names
+        else:
+            idle |= expression.names
+    return idle - used
+
+
+def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
+    """Points that the figure shows: all but plain points of a body that nobody asks for."""
+    form = variant.form
+    scene = form.sample
+    count: dict[str, int] = {}
+    for members in form.bodies.values():
+        for place, point in enumerate(members):
+            count[point] = count.get(point, 0) + 1
+    discs = {disc.body for disc in form.figure.discs}
+    ends = {p for body, members in form.bodies.items() if body not in discs for p in members[:2]}
+    named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
+    wanted = {q.target for q in asked}
+    return [
+        p
+        for p in form.points
+        if p not in form.figure.hidden and (count.get(p, 0) > 1 or p in ends or p in named or p in wanted)
+    ]
+
+
+def _given(variant: Variant, name: str, language: Language) -> Equation:
+    parameter = variant.form.parameters[name]
+    value = variant.printed[name]
+    unit = parameter.unit
+    assert unit is not None
+    shown = abs(value) if parameter.is_rate else value
+    return Equation(
+        language.symbol(parameter.symbol, variant.form.symbols), Measured(language.decimal(shown), language.unit(unit))
+    )
+
+
+def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
+    path = template_path(variant, language)
+    template, variables = _template(path)
+    formulas: list[Formula] = []
+
+    def mark(formula: Formula) -> str:
+        formulas.append(formula)
+        return f"{_OPEN}{len(formulas) - 1}{_CLOSE}"
+
+    context = _context(variant, asked, language)
+    for name in variables - context.keys():
+        context[name] = _letters_symbol(name, variant, path)
+    marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
+    try:
+        text = template.render(marked)
+    except (jinja2.TemplateError, TypeError, ValueError, OverflowError, ArithmeticError) as error:
+        raise InputError(
+            Problem(f"the template fails: {error}", file=str(path), remedy="see catalog/README.md for what it may use")
+        ) from None
+    text = re.sub(r"\s+", " ", text).strip()
+    return tuple(
+        formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2
+    )
+
+
+def template_path(variant: Variant, language: Language) -> Path:
+    """The statement template of a family in a language. Raises InputError if there is none."""
+    folder = variant.family.folder
+    path = folder / f"statement.{language.name}.j2" if folder else None
+    if path is None or not path.is_file():
+        where = str(path or variant.family.name)
+        raise InputError(
+            Problem(f"no statement in the language {language.name}", file=where, remedy="write this file or change the language")
+        )
+    return path
+
+
+def _context(variant: Variant, asked: Sequence[Quantity], language: Language) -> dict[str, Any]:
+    form = variant.form
+    # A template serves all forms of a family, so the names of the other forms are known too.
+    names = [
+        name
+        for each in variant.family.forms.values()
+        for name in (*each.points, *each.bodies, *(p.symbol for p in each.parameters.values() if p.given))
+    ]
+    context: dict[str, Any] = {name: language.symbol(name, form.symbols) for name in dict.fromkeys(names)}
+    context["form"] = form.name
+    context["accelerations"] = any(q.order == 2 for q in asked)
+    context["relative"] = any("_" in q.kind for q in asked)
+    context["shown"] = shown_points(variant, asked)
+    context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if not p.given}
+    context["zero"] = lambda name: variant.printed[name] == 0
+    return context
+
+
+def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:
+    """A name like OABC, put together from names of points."""
+    spelled = [letter + number for letter, number in letters(name)]
+    if "".join(spelled) != name or any(part not in variant.form.points for part in spelled):
+        raise InputError(
+            Problem("the template uses an unknown name", file=str(path), value=name, remedy="use points, bodies, parameters")
+        )
+    return Symbol(name)
+
+
+@cache
+def _environment() -> ImmutableSandboxedEnvironment:
+    return ImmutableSandboxedEnvironment(undefined=jinja2.StrictUndefined, autoescape=False)
+
+
+@cache
+def _template(path: Path) -> tuple[jinja2.Template, frozenset[str]]:
+    environment = _environment()
+    try:
+        source = path.read_text("utf-8")
+        variables = jinja2.meta.find_undeclared_variables(environment.parse(source))
+        return environment.from_string(source), frozenset(variables)
+    except jinja2.TemplateSyntaxError as error:
+        raise InputError(
+            Problem(f"line {error.lineno}: {error.message}", file=str(path), remedy="correct the template")
+        ) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(Problem(f"cannot be read: {error}", file=str(path))) from None
