@@ -13,6 +13,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.labels import around
 from variantgen.figure.marks import draw_angle, draw_length, draw_radius
 from variantgen.figure.sketch import HINGE, Sketch
+from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.variants.screening import links
 from variantgen.variants.variant import Variant
@@ -48,8 +49,8 @@ def statement_figure(
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
-    for item in (*board.scene.joints, *board.scene.drivers):
-        _symbol_module(type(item).__module__.rsplit(".", 1)[-1]).draw(board, item)
+    for joint in board.scene.joints:
+        _draw_symbol(board, joint)
     for length in form.figure.lengths:
         if length.name in given:
             draw_length(board, length)
@@ -57,7 +58,14 @@ def statement_figure(
         if disc.name in given:
             draw_radius(board, disc, radius * scale)
     _draw_points(board, shown)
+    # Last, because the arrows of given motion go where there is room left.
+    for driver in board.scene.drivers:
+        _draw_symbol(board, driver)
     return sketch.finish({name: sketch.at[name] for name in shown})
+
+
+def _draw_symbol(board: Board, item: Constraint) -> None:
+    _symbol_module(type(item).__module__.rsplit(".", 1)[-1]).draw(board, item)
 
 
 def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) -> float:

@@ -73,6 +73,17 @@ def along_line(formula: Formula, start: complex, end: complex, clear: float = 0.
     return Request(formula, 0.5 * (start + end), tuple(places), tuple(costs))
 
 
+def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
+    """Candidates beside an arrow, best near its head, and before its head."""
+    beside = along_line(formula, start, end)
+    way = (end - start) / abs(end - start)
+    half_width, half_height = beside.box
+    support = half_width * abs(way.real) + half_height * abs(way.imag)
+    ahead = [end + way * (1.0 + support), end + way * (2.5 + support)]
+    costs = [cost + 2 * abs((place - 0.6 * end - 0.4 * start) / abs(end - start)) for cost, place in zip(beside.costs, beside.places, strict=True)]
+    return Request(formula, end, (*beside.places, *ahead), (*costs, 1.5, 3.0))
+
+
 def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:
     """Candidates outside (then inside) an arc, best at its middle."""
     width, height = size(formula)
@@ -107,22 +118,30 @@ def place_labels(requests: Sequence[Request], segments: Segments, strangers: Seq
     ]
 
 
+def least_cost(request: Request, segments: Segments) -> float:
+    """The cost of the best candidate in view of lines only."""
+    return float(np.min(np.array(request.costs) + _line_costs(request, segments)))
+
+
 def _line_costs(request: Request, segments: Segments) -> NDArray[np.float64]:
-    """Cost of the segments that cross the box of each candidate (separating axes of box and segment)."""
-    if not segments.size:
-        return np.zeros(len(request.places))
-    hx, hy = (h + GAP for h in request.box)
-    middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - np.array(request.places)[:, None]
+    """Cost of the segments that cross the box of each candidate."""
+    hx, hy = request.box
+    crossed = boxes_crossed(np.array(request.places), (hx + GAP, hy + GAP), segments)
+    result: NDArray[np.float64] = _LINE * np.minimum(crossed, 3)
+    return result
+
+
+def boxes_crossed(
+    places: NDArray[np.complex128], half_sides: tuple[float, float], segments: Segments
+) -> NDArray[np.int64]:
+    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,)."""
+    hx, hy = half_sides
+    middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
     half = 0.5 * (segments[:, 1] - segments[:, 0])[None, :]
-    crossing = (
-        (np.abs(middle.real) <= hx + np.abs(half.real))
-        & (np.abs(middle.imag) <= hy + np.abs(half.imag))
-        & (
-            np.abs(half.real * middle.imag - half.imag * middle.real)
-            <= hx * np.abs(half.imag) + hy * np.abs(half.real)
-        )
-    )
-    result: NDArray[np.float64] = _LINE * np.minimum(np.sum(crossing, axis=1), 3)
+    dx, dy = np.abs(half.real), np.abs(half.imag)
+    crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
+    crossing &= np.abs(half.real * middle.imag - half.imag * middle.real) <= hx * dy + hy * dx
+    result: NDArray[np.int64] = np.sum(crossing, axis=1)
     return result
 
 

@@ -8,9 +8,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Path
-from variantgen.figure.labels import Request, place_labels
+from variantgen.figure.labels import Request, boxes_crossed, least_cost, place_labels
 
 MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
@@ -99,13 +100,24 @@ class Sketch:
                 return angle
         return max(angles, key=lambda angle: self.freedom(point, angle))
 
+    def crossings(self, places: Sequence[complex], half: float) -> int:
+        """How many of the squares (half side ``half``) about the places are crossed by what is drawn already."""
+        return int(np.sum(boxes_crossed(np.array(places), (half, half), self._segments()) > 0))
+
+    def least_cost(self, request: Request) -> float:
+        """The cost of the best place of a label in view of what is drawn already."""
+        return least_cost(request, self._segments())
+
+    def _segments(self) -> NDArray[np.complex128]:
+        return np.array(self._obstacles, dtype=complex).reshape(-1, 2)
+
     def label(self, request: Request) -> None:
         """Ask for a label."""
         self.requests.append(request)
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels = place_labels(self.requests, np.array(self._obstacles, dtype=complex).reshape(-1, 2), list(named.values()))
+        labels = place_labels(self.requests, self._segments(), list(named.values()))
         corners = [point for line in self.lines for point in _extent(line)]
         for label in labels:
             half = complex(*label.size) / 2

@@ -18,7 +18,7 @@ from variantgen.mechanism.arithmetic import Complex, Real, unit
 
 @dataclass(frozen=True)
 class Frame:
-    """How a scene is laid on the paper: a reflection in the x axis (``sense`` -1), then a rotation (``turn``).
+    """How a scene is laid on the paper: left and right exchanged (``sense`` -1), then a rotation (``turn``).
 
     Constructions work in the scene's own frame; everything after that works on paper. ``turn`` is a unit complex
     number, both may be arrays over the batch.
@@ -29,7 +29,7 @@ class Frame:
 
     def place(self, z: Complex) -> Complex:
         """A point or vector of the scene, on paper."""
-        result: Complex = self.turn * (np.real(z) + 1j * self.sense * np.imag(z))
+        result: Complex = self.turn * (self.sense * np.real(z) + 1j * np.imag(z))
         return result
 
     def direction(self, angle: Real) -> Complex:

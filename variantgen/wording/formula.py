@@ -82,7 +82,9 @@ def to_typst(formula: Formula) -> str:
         case UnitText(parts):
             return " ".join(_quoted(word) + (f"^({_quoted(_power(power))})" if power != 1 else "") for word, power in parts)
         case Measured(number, unit):
-            return to_typst(number) + (" " if unit.tight else " thin ") + to_typst(unit)
+            if unit.tight:
+                return _quoted(number.text + "".join(word for word, _ in unit.parts))
+            return f"{to_typst(number)} thin {to_typst(unit)}"
         case Equation(left, right):
             return f"{to_typst(left)} = {to_typst(right)}"
 

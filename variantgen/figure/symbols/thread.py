@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Layer
 from variantgen.figure.sketch import HINGE
@@ -32,8 +34,8 @@ def draw(board: Board, joint: Thread) -> None:
     board.sized(joint.load, _HALF_LOAD, box=corners)
     for taken in (down, -down):
         sketch.occupy(joint.load, taken)
-    # The bracket holds the pulley from the side that neither the thread nor the load needs.
-    away = -1j * pulley_side * way
+    # The bracket holds the pulley from the quarter that neither the thread nor the load needs.
+    away = (-way - 1j * pulley_side * way) / math.sqrt(2)
     foot = pulley + (pulley_radius + _BRACKET) * away
     sketch.path((pulley + HINGE * away, foot), Layer.LINK, 0.8 * BOLD)
     sketch.path((foot - 3.0j * away, foot + 3.0j * away), Layer.LINK)

@@ -6,7 +6,7 @@ import math
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.labels import along_line
+from variantgen.figure.labels import along_arrow
 from variantgen.mechanism.drivers.travel import Travel
 
 _LENGTH = 11.0
@@ -30,5 +30,5 @@ def draw(board: Board, driver: Travel) -> None:
         foot = point + ahead * start if kind == "v" else point + aside * max(start, _ASIDE)
         tip = foot + ahead * (_LENGTH if kind == "v" else 0.8 * _LENGTH)
         sketch.arrow(foot, tip, Layer.VECTOR, weight=0.75 if kind == "v" else MEDIUM)
-        sketch.label(along_line(board.symbol(f"{kind}_{driver.point}"), foot, tip))
+        sketch.label(along_arrow(board.symbol(f"{kind}_{driver.point}"), foot, tip))
         sketch.occupy(driver.point, tip - point)
