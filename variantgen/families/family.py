@@ -219,7 +219,11 @@ class Form:
 
 @dataclass(frozen=True)
 class Family:
-    """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are."""
+    """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
+
+    ``names`` are the names of points, bodies and printed parameters of all its forms, which its templates may use;
+    they stay when the family is narrowed to some forms.
+    """
 
     name: str
     titles: Mapping[str, str]
@@ -227,6 +231,7 @@ class Family:
     forms: Mapping[str, Form]
     folder: Path | None = None
     source: str = ""
+    names: frozenset[str] = frozenset()
 
     def title(self, language: str) -> str:
         """The title in a language, or in English, or the name."""

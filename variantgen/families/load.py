@@ -87,6 +87,11 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         forms,
         path.resolve().parent if is_family else None,
         source,
+        frozenset(
+            name
+            for form in forms.values()
+            for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
+        ),
     )
 
 

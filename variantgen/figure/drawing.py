@@ -9,6 +9,7 @@ import cmath
 import math
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import TypeAlias
 
 from variantgen.wording.formula import Formula
 
@@ -44,6 +45,15 @@ class Path:
 
 
 @dataclass(frozen=True)
+class Strokes:
+    """Many separate straight strokes of one pen (hatching)."""
+
+    segments: tuple[tuple[complex, complex], ...]
+    layer: Layer
+    weight: float = THIN
+
+
+@dataclass(frozen=True)
 class Arc:
     """An arc of a circle, counter-clockwise from ``start`` over ``sweep`` (rad); a full turn is a circle."""
 
@@ -55,6 +65,11 @@ class Arc:
     sweep: float = math.tau
     fill: str = ""
     dash: str = ""
+
+    @property
+    def full(self) -> bool:
+        """Whether it is a whole circle."""
+        return abs(self.sweep) >= math.tau - 1e-9
 
     def at(self, part: float) -> complex:
         """The point at a fraction of the sweep."""
@@ -73,6 +88,9 @@ class Arc:
         return pieces
 
 
+Line: TypeAlias = Path | Strokes | Arc
+
+
 @dataclass(frozen=True)
 class Label:
     """A formula with its centre at a point; ``size`` (width, height) is what placement counted with."""
@@ -88,5 +106,5 @@ class Drawing:
 
     width: float
     height: float
-    lines: tuple[Path | Arc, ...]
+    lines: tuple[Line, ...]
     labels: tuple[Label, ...]

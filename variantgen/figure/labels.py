@@ -26,6 +26,12 @@ _SWEEPS = 3
 Segments = NDArray[np.complex128]
 
 
+def label_size(formula: Formula) -> tuple[float, float]:
+    """Width and height of a label (u)."""
+    width, height = size(formula)
+    return LETTER * width, LETTER * height
+
+
 @dataclass(frozen=True)
 class Request:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs."""
@@ -38,14 +44,13 @@ class Request:
     @property
     def box(self) -> tuple[float, float]:
         """Half width and half height (u)."""
-        width, height = size(self.formula)
-        return 0.5 * LETTER * width, 0.5 * LETTER * height
+        width, height = label_size(self.formula)
+        return 0.5 * width, 0.5 * height
 
 
 def around(formula: Formula, point: complex, clear: float, directions: int = 16) -> Request:
     """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
-    width, height = size(formula)
-    half = 0.5 * LETTER * complex(width, height)
+    half = 0.5 * complex(*label_size(formula))
     places, costs = [], []
     for ring, extra in enumerate((0.0, 1.6, 3.6, 6.0)):
         for k in range(directions):
@@ -60,8 +65,7 @@ def around(formula: Formula, point: complex, clear: float, directions: int = 16)
 
 def along_line(formula: Formula, start: complex, end: complex, clear: float = 0.9) -> Request:
     """Candidates on both sides of a line, best near its middle."""
-    width, height = size(formula)
-    half = 0.5 * LETTER * complex(width, height)
+    half = 0.5 * complex(*label_size(formula))
     way = (end - start) / abs(end - start)
     places, costs = [], []
     for part in (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74):
@@ -86,8 +90,7 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
 
 def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:
     """Candidates outside (then inside) an arc, best at its middle."""
-    width, height = size(formula)
-    half = 0.5 * LETTER * complex(width, height)
+    half = 0.5 * complex(*label_size(formula))
     places, costs = [], []
     for part in (0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0):
         way = cmath.rect(1.0, start + part * sweep)
@@ -104,23 +107,19 @@ def place_labels(requests: Sequence[Request], segments: Segments, strangers: Seq
     if not requests:
         return []
     fixed = [np.array(r.costs) + _line_costs(r, segments) + _stranger_costs(r, strangers) for r in requests]
+    places, boxes = [np.array(r.places) for r in requests], [r.box for r in requests]
     chosen = [-1] * len(requests)
     order = sorted(range(len(requests)), key=lambda i: -float(np.min(fixed[i])))
     for _ in range(_SWEEPS):
         before = list(chosen)
         for i in order:
-            cost = fixed[i] + _label_costs(i, requests, chosen)
+            cost = fixed[i] + _label_costs(i, places, boxes, chosen)
             chosen[i] = int(np.argmin(cost))
         if chosen == before:
             break
     return [
         Label(r.formula, r.places[k], (2 * r.box[0], 2 * r.box[1])) for r, k in zip(requests, chosen, strict=True)
     ]
-
-
-def least_cost(request: Request, segments: Segments) -> float:
-    """The cost of the best candidate in view of lines only."""
-    return float(np.min(np.array(request.costs) + _line_costs(request, segments)))
 
 
 def _line_costs(request: Request, segments: Segments) -> NDArray[np.float64]:
@@ -155,16 +154,16 @@ def _stranger_costs(request: Request, strangers: Sequence[complex]) -> NDArray[n
     return np.where(nearest < np.abs(places - request.anchor), _STRANGER, 0.0)
 
 
-def _label_costs(i: int, requests: Sequence[Request], chosen: Sequence[int]) -> NDArray[np.float64]:
-    own = requests[i]
-    places = np.array(own.places)
-    cost = np.zeros(len(places))
-    for j, other in enumerate(requests):
-        if j == i or chosen[j] < 0:
-            continue
-        gap = places - other.places[chosen[j]]
-        overlaps = (np.abs(gap.real) < own.box[0] + other.box[0] + GAP) & (
-            np.abs(gap.imag) < own.box[1] + other.box[1] + GAP
-        )
-        cost += _LABEL * overlaps
-    return cost
+def _label_costs(
+    i: int, places: Sequence[NDArray[np.complex128]], boxes: Sequence[tuple[float, float]], chosen: Sequence[int]
+) -> NDArray[np.float64]:
+    """Cost of the overlaps of each candidate of label i with the labels that are placed."""
+    others = [j for j, k in enumerate(chosen) if k >= 0 and j != i]
+    if not others:
+        return np.zeros(len(places[i]))
+    taken = np.array([places[j][chosen[j]] for j in others])
+    reach = np.array([(boxes[i][0] + boxes[j][0] + GAP, boxes[i][1] + boxes[j][1] + GAP) for j in others])
+    gap = places[i][:, None] - taken[None, :]
+    overlaps = (np.abs(gap.real) < reach[:, 0]) & (np.abs(gap.imag) < reach[:, 1])
+    result: NDArray[np.float64] = _LABEL * np.sum(overlaps, axis=1)
+    return result

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from variantgen.wording.formula import GREEK, Formula, Symbol, letters
 
 # Advance widths of the italic letters of New Computer Modern Math (em), as the font states them.
@@ -22,6 +24,7 @@ def width(formula: Formula) -> float:
     )
 
 
+@cache
 def size(formula: Formula) -> tuple[float, float]:
     """Width and height of a label (em)."""
     low = isinstance(formula, Symbol) and bool(formula.index or formula.base in ("phi", "psi", "beta", "rho"))

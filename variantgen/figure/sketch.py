@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Path
-from variantgen.figure.labels import Request, boxes_crossed, least_cost, place_labels
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Layer, Line, Path, Strokes
+from variantgen.figure.labels import Request, boxes_crossed, place_labels
 
 MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
@@ -24,7 +24,7 @@ class Sketch:
 
     at: dict[str, complex]
     scale: float
-    lines: list[Path | Arc] = field(default_factory=list)
+    lines: list[Line] = field(default_factory=list)
     requests: list[Request] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
     reach: dict[str, float] = field(default_factory=dict)
@@ -58,9 +58,8 @@ class Sketch:
         lean *= math.copysign(1.0, (lean * normal.conjugate()).real)
         stroke = lean * _HATCH_DEPTH / (lean * normal.conjugate()).real
         count = max(2, round((abs(end - start) - 0.6) / _HATCH_STEP))
-        for i in range(count + 1):
-            foot = start + way * (0.3 + (abs(end - start) - 0.6) * i / count)
-            self.lines.append(Path((foot, foot + stroke), Layer.GROUND, THIN))
+        feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
+        self.lines.append(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND))
         far = normal * _HATCH_DEPTH
         self._obstacles += [(start + far, end + far), (start, start + far), (end, end + far), (start + far / 2, end + far / 2)]
 
@@ -100,13 +99,9 @@ class Sketch:
                 return angle
         return max(angles, key=lambda angle: self.freedom(point, angle))
 
-    def crossings(self, places: Sequence[complex], half: float) -> int:
-        """How many of the squares (half side ``half``) about the places are crossed by what is drawn already."""
-        return int(np.sum(boxes_crossed(np.array(places), (half, half), self._segments()) > 0))
-
-    def least_cost(self, request: Request) -> float:
-        """The cost of the best place of a label in view of what is drawn already."""
-        return least_cost(request, self._segments())
+    def crossings(self, places: Sequence[complex], half_sides: tuple[float, float]) -> NDArray[np.int64]:
+        """How many of the lines drawn so far cross the box about each place, shape (P,)."""
+        return boxes_crossed(np.array(places), half_sides, self._segments())
 
     def _segments(self) -> NDArray[np.complex128]:
         return np.array(self._obstacles, dtype=complex).reshape(-1, 2)
@@ -133,17 +128,21 @@ class Sketch:
         )
 
 
-def _extent(line: Path | Arc) -> list[complex]:
+def _extent(line: Line) -> list[complex]:
     if isinstance(line, Path):
         return list(line.points)
-    if abs(line.sweep) >= math.tau - 1e-9:
+    if isinstance(line, Strokes):
+        return [point for segment in line.segments for point in segment]
+    if line.full:
         return [line.centre - line.radius * (1 + 1j), line.centre + line.radius * (1 + 1j)]
     return [line.at(i / 8) for i in range(9)]
 
 
-def _moved(line: Path | Arc, by: complex) -> Path | Arc:
+def _moved(line: Line, by: complex) -> Line:
     if isinstance(line, Path):
         return Path(tuple(p + by for p in line.points), line.layer, line.weight, line.closed, line.fill, line.dash)
+    if isinstance(line, Strokes):
+        return Strokes(tuple((p + by, q + by) for p, q in line.segments), line.layer, line.weight)
     return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)
 
 

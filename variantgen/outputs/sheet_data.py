@@ -44,19 +44,22 @@ def _student(sheet: Sheet, problems: list[dict[str, Any]], language: Language, l
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
         "group": f"{language.words('sheet')['group']} {student.group}" if student.group else "",
         "code": sheet.code,
+        "notes": _notes(sheet, language),
         "problems": problems,
         "last": last,
     }
 
 
+def _notes(sheet: Sheet, language: Language) -> list[str]:
+    """Conventions of sign that the answers of this sheet need."""
+    words = language.words("sheet")
+    asked = [quantity for item in sheet.items for quantity in item.asked]
+    needed = {"signs": any(q.of_body for q in asked), "components": any(q.component for q in asked)}
+    return [words[key] for key, wanted in needed.items() if wanted]
+
+
 def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict[str, Any]:
     said = statement(item.variant, item.asked, language)
-    words = language.words("sheet")
-    notes = []
-    if any(q.of_body for q in item.asked):
-        notes.append(words["signs"])
-    if any(q.component for q in item.asked):
-        notes.append(words["components"])
     return {
         "number": str(item.task.number),
         "points": _points(item.task.points, language),
@@ -66,7 +69,6 @@ def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict
             {"symbol": to_typst(symbol), "unit": to_typst(language.unit(answer.unit))}
             for symbol, answer in zip(said.asked, item.answers, strict=True)
         ],
-        "notes": notes,
         "figure": figure_data(statement_figure(item.variant, motion, place, item.asked, language)),
     }
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from variantgen.errors import ToolMissing, VariantgenError
-from variantgen.figure.drawing import LETTER, Arc, Drawing, Path as Line
+from variantgen.figure import drawing as ink
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import to_typst
 
@@ -70,7 +70,7 @@ def typesetter() -> Iterator[Typesetter]:
         yield Typesetter(Path(folder))
 
 
-def figure_data(drawing: Drawing) -> dict[str, Any]:
+def figure_data(drawing: ink.Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
     height = drawing.height
 
@@ -79,22 +79,24 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
 
     lines: list[list[Any]] = []
     for line in drawing.lines:
-        style = [line.weight, line.fill, line.dash]
-        if isinstance(line, Line):
-            lines.append(["p", *style, line.closed, [xy(point) for point in line.points]])
-        elif _is_circle(line):
-            lines.append(["c", *style, *xy(line.centre), round(line.radius, 2)])
-        else:
-            pieces = [[n for point in piece for n in xy(point)] for piece in line.cubics()]
-            lines.append(["b", *style, xy(line.at(0)), pieces])
+        match line:
+            case ink.Strokes(segments, _, weight):
+                lines.append(["h", weight, "", "", [[*xy(p), *xy(q)] for p, q in segments]])
+            case ink.Path():
+                style = [line.weight, line.fill, line.dash]
+                lines.append(["p", *style, line.closed, [xy(point) for point in line.points]])
+            case ink.Arc():
+                style = [line.weight, line.fill, line.dash]
+                if line.full:
+                    lines.append(["c", *style, *xy(line.centre), round(line.radius, 2)])
+                else:
+                    pieces = [[n for point in piece for n in xy(point)] for piece in line.cubics()]
+                    lines.append(["b", *style, xy(line.at(0)), pieces])
     return {
         "w": round(drawing.width, 2),
         "h": round(height, 2),
-        "letter": LETTER,
+        "letter": ink.LETTER,
         "lines": lines,
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }
 
-
-def _is_circle(arc: Arc) -> bool:
-    return abs(arc.sweep) > 6.283

@@ -158,13 +158,7 @@ def template_path(variant: Variant, language: Language) -> Path:
 
 def _context(variant: Variant, asked: Sequence[Quantity], language: Language) -> dict[str, Any]:
     form = variant.form
-    # A template serves all forms of a family, so the names of the other forms are known too.
-    names = [
-        name
-        for each in variant.family.forms.values()
-        for name in (*each.points, *each.bodies, *(p.symbol for p in each.parameters.values() if p.given))
-    ]
-    context: dict[str, Any] = {name: language.symbol(name, form.symbols) for name in dict.fromkeys(names)}
+    context: dict[str, Any] = {name: language.symbol(name, form.symbols) for name in variant.family.names}
     context["form"] = form.name
     context["accelerations"] = any(q.order == 2 for q in asked)
     context["relative"] = any("_" in q.kind for q in asked)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 
+import numpy as np
+
 from variantgen.figure.board import Board
-from variantgen.figure.labels import along_arc
+from variantgen.figure.labels import GAP, along_arc, label_size
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
@@ -27,7 +29,7 @@ def draw(board: Board, driver: Rotation) -> None:
             continue
         turn = math.copysign(_SWEEP, rate)
         formula = board.symbol(f"{kind}_{driver.body}")
-        middle = min(_ANGLES, key=lambda angle: _cost(board, pivot, radius, angle, turn, formula))
+        middle = _roomiest(board, pivot, radius, turn, formula)
         request = along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn)
         sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
         sketch.label(request)
@@ -35,12 +37,17 @@ def draw(board: Board, driver: Rotation) -> None:
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
 
 
-def _cost(board: Board, pivot: str, radius: float, middle: float, turn: float, formula: Symbol) -> float:
-    """What an arc about this angle would cross, and what its label would."""
+def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol) -> float:
+    """The direction in which the arc and the label at its middle cross least of what is drawn already."""
     sketch = board.sketch
     centre = sketch.at[pivot]
-    arc = [centre + cmath.rect(radius, middle + part * turn) for part in (-0.5, -0.25, 0.0, 0.25, 0.55)]
-    request = along_arc(formula, centre, radius, middle - turn / 2, turn)
-    crossing = sketch.crossings(arc, 0.7)
-    room = max(0.0, math.radians(40) - sketch.freedom(pivot, middle))
-    return 3 * crossing + sketch.least_cost(request) + 4 * room
+    width, height = label_size(formula)
+    arcs, names = [], []
+    for angle in _ANGLES:
+        arcs += [centre + cmath.rect(radius, angle + part * turn) for part in (-0.5, -0.25, 0.0, 0.25, 0.55)]
+        way = cmath.rect(1.0, angle)
+        names.append(centre + way * (radius + 0.7 + 0.5 * (width * abs(way.real) + height * abs(way.imag))))
+    crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, 5).sum(axis=1)
+    covered = np.minimum(sketch.crossings(names, (0.5 * width + GAP, 0.5 * height + GAP)), 3)
+    room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
+    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room))]

@@ -1,0 +1,7 @@
+"""``python -m variantgen``."""
+
+import sys
+
+from variantgen.cli import main
+
+sys.exit(main())

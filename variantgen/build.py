@@ -1,0 +1,154 @@
+"""The main job: exam file and roster to a folder with sheets, key and manifest."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from variantgen.exam.blueprint import Exam, read_exam
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Sheet, assemble
+from variantgen.outputs.folder import check_free, whole_folder
+from variantgen.outputs.join import join_pdfs
+from variantgen.outputs.key_data import key_by_problem, key_by_student
+from variantgen.outputs.records import key_csv, manifest
+from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.resources import catalog_dir, folder_hash
+from variantgen.version import VERSION
+
+# One document costs about 3.5 MB of memory per student, so a part stays near 100 MB. The size does not depend on
+# the number of processes: the same parts give the same bytes.
+SHEETS_PER_PART = 25
+KEYS_PER_PART = 200
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass(frozen=True)
+class Built:
+    """What a build made: the folder, how many students, and who had to draw again to be distinct."""
+
+    folder: Path
+    students: int
+    redrawn: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Part:
+    """One document of a few students, made in one go."""
+
+    name: str
+    template: str
+    data: Callable[..., dict[str, Any]]
+    exam: Exam
+    sheets: tuple[Sheet, ...]
+    first: bool
+
+    def make(self, folder: Path, engine: Typesetter) -> Path:
+        """Typeset the part; the path of its PDF."""
+        data = self.data(self.exam, self.sheets) if self.data is sheets_data else self.data(self.exam, self.sheets, self.first)
+        path = folder / f"{self.name}.pdf"
+        path.write_bytes(engine.compile(self.template, data)[0])
+        return path
+
+
+def build(
+    exam_file: Path,
+    students: Sequence[Student],
+    out: Path,
+    seed: str | None = None,
+    jobs: int = 1,
+    force: bool = False,
+    progress: Progress = lambda stage, done, total: None,
+) -> Built:
+    """Build an exam into the folder ``out``, which is complete or not there.
+
+    Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json``. The same input gives the same bytes, whatever
+    ``jobs`` is. Raises InputError for wrong input.
+    """
+    exam = read_exam(exam_file)
+    check_free(out, force)
+    seed = exam.seed if seed is None else seed
+    progress("drawing variants", 0, len(students))
+    made = assemble(exam, students, seed)
+    with whole_folder(out, force) as folder:
+        parts_folder = folder / ".parts"
+        parts_folder.mkdir()
+        parts = _parts(exam, made.sheets)
+        paths: dict[str, list[Path]] = {"sheets": [], "key": []}
+        done = 0
+        with _makers(jobs) as run:
+            for part, path in run(parts, parts_folder):
+                paths[part.name.split("-")[0]].append(path)
+                done += len(part.sheets) if part.template == "sheets.typ" else 0
+                progress("typesetting", done, len(students))
+        join_pdfs(paths["sheets"], folder / "sheets.pdf", exam.title, exam.duplex)
+        join_pdfs(paths["key"], folder / "key.pdf", exam.title, False)
+        for path in parts_folder.iterdir():
+            path.unlink()
+        parts_folder.rmdir()
+        _write(folder / "key.csv", "\ufeff" + key_csv(made.sheets))
+        record = manifest(exam, made.sheets, seed, VERSION, _file_hash(exam_file), folder_hash(catalog_dir()), made.redrawn)
+        _write(folder / "manifest.json", record)
+    return Built(out, len(students), made.redrawn)
+
+
+def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
+    """All parts in the order in which they are joined."""
+    parts = []
+    wanted: list[tuple[str, str, Callable[..., dict[str, Any]], int]] = [
+        ("sheets", "sheets.typ", sheets_data, SHEETS_PER_PART),
+        ("key-student", "key.typ", key_by_student, KEYS_PER_PART),
+        ("key-problem", "key.typ", key_by_problem, KEYS_PER_PART),
+    ]
+    for name, template, data, size in wanted:
+        for i in range(0, len(sheets), size):
+            parts.append(_Part(f"{name}-{i:07}", template, data, exam, tuple(sheets[i : i + size]), i == 0))
+    return parts
+
+
+Runner = Callable[[Sequence[_Part], Path], Iterator[tuple[_Part, Path]]]
+
+
+@contextmanager
+def _makers(jobs: int) -> Iterator[Runner]:
+    """A way to make parts, in this process or in several; results come in the order of the parts."""
+    with typesetter() as engine:
+        if jobs <= 1:
+            yield lambda parts, folder: ((part, part.make(folder, engine)) for part in parts)
+            return
+        # The engine uses all cores by itself; with several processes one thread each is enough.
+        os.environ.setdefault("RAYON_NUM_THREADS", "1")
+        with ProcessPoolExecutor(jobs) as pool:
+
+            def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, Path]]:
+                made = pool.map(_make, parts, [folder] * len(parts), [engine] * len(parts))
+                return zip(parts, made, strict=True)
+
+            try:
+                yield run
+            except BaseException:
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
+
+
+def _make(part: _Part, folder: Path, engine: Typesetter) -> Path:
+    return part.make(folder, engine)
+
+
+def _file_hash(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def _write(path: Path, text: str) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())

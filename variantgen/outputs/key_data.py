@@ -1,0 +1,91 @@
+"""The key as data for ``key.typ``: one block per student, one table per problem."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Answer, Sheet
+from variantgen.wording.formula import Equation, Measured, to_typst
+from variantgen.wording.language import Language, load_language
+
+
+def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+    """Blocks of answers in the order of the roster; the first part carries the heading."""
+    language = load_language(exam.language)
+    students = [
+        {
+            "code": sheet.code,
+            "name": sheet.student.name or sheet.student.id,
+            "group": sheet.student.group,
+            "problems": [
+                {
+                    "number": str(item.task.number),
+                    "answers": [
+                        to_typst(Equation(language.quantity(a.quantity, item.variant.form.symbols), _measured(a, language)))
+                        for a in item.answers
+                    ],
+                }
+                for item in sheet.items
+            ],
+        }
+        for sheet in sheets
+    ]
+    return _document(exam, language, first, "by_student", students, [])
+
+
+def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+    """A table per problem (and per form of its family) with a row per student."""
+    language = load_language(exam.language)
+    tables: dict[tuple[int, str, str], dict[str, Any]] = {}
+    for sheet in sheets:
+        for item in sheet.items:
+            variant = item.variant
+            where = (item.task.number, variant.family.name, variant.form.name)
+            table = tables.setdefault(
+                where,
+                {
+                    "title": f"{language.words('key')['problem']} {item.task.number}. {variant.family.title(exam.language)}",
+                    "symbols": [
+                        _heading(language, answer, variant.form.symbols) for answer in item.answers
+                    ],
+                    "rows": [],
+                },
+            )
+            table["rows"].append(
+                {
+                    "code": sheet.code,
+                    "name": sheet.student.name or sheet.student.id,
+                    "values": [to_typst(language.rounded(answer.value)) for answer in item.answers],
+                }
+            )
+    ordered = [tables[where] for where in sorted(tables)]
+    return _document(exam, language, False, "by_problem" if first else "", [], ordered)
+
+
+def _document(
+    exam: Exam, language: Language, heading: bool, section: str, students: list[Any], tables: list[Any]
+) -> dict[str, Any]:
+    words = language.words("key")
+    tolerance = language.rounded(100 * exam.tolerance, 3).text
+    return {
+        "lang": exam.language,
+        "title": exam.title,
+        "heading": f"{words['title']}: {exam.title}" if heading else "",
+        "subheading": f"{exam.course}  ·  {words['tolerance']}: ±{tolerance} %" if heading else "",
+        "section": words[section] if section and (heading or not students) else "",
+        "footer": f"{words['title']}  ·  {exam.title}",
+        "words": dict(words),
+        "students": students,
+        "tables": tables,
+    }
+
+
+def _measured(answer: Answer, language: Language) -> Measured:
+    return Measured(language.rounded(answer.value), language.unit(answer.unit))
+
+
+def _heading(language: Language, answer: Answer, symbols: Any) -> str:
+    symbol = to_typst(language.quantity(answer.quantity, symbols))
+    return f"{symbol}, thin {to_typst(language.unit(answer.unit))}"

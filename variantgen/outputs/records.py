@@ -1,0 +1,92 @@
+"""Files for machines: the key as CSV and the manifest as JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Item, Sheet
+
+MANIFEST_SCHEMA = 1
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+
+
+def key_csv(sheets: Sequence[Sheet]) -> str:
+    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe."""
+    out = io.StringIO(newline="")
+    writer = csv.writer(out, lineterminator="\r\n")
+    writer.writerow(
+        ["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance"]
+    )
+    for sheet in sheets:
+        who = [_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)]
+        for item in sheet.items:
+            for answer in item.answers:
+                writer.writerow(
+                    [
+                        *who,
+                        sheet.code,
+                        item.task.number,
+                        item.variant.family.name,
+                        answer.quantity.name,
+                        repr(answer.value),
+                        answer.unit.name,
+                        repr(answer.tolerance),
+                    ]
+                )
+    return out.getvalue()
+
+
+def _safe(text: str) -> str:
+    return "'" + text if text.startswith(_FORMULA_STARTS) else text
+
+
+def manifest(
+    exam: Exam, sheets: Sequence[Sheet], seed: str, program: str, exam_hash: str, catalog_hash: str, redrawn: Sequence[str]
+) -> str:
+    """Everything that is needed to make each sheet again, as JSON."""
+    content = {
+        "schema": MANIFEST_SCHEMA,
+        "program": {"name": "variantgen", "version": program},
+        "exam": {"title": exam.title, "hash": exam_hash, "language": exam.language, "tolerance": exam.tolerance},
+        "catalog_hash": catalog_hash,
+        "seed": seed,
+        "redrawn": list(redrawn),
+        "students": [
+            {
+                "id": sheet.student.id,
+                "name": sheet.student.name,
+                "group": sheet.student.group,
+                "code": sheet.code,
+                "problems": [_problem(item) for item in sheet.items],
+            }
+            for sheet in sheets
+        ],
+    }
+    return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
+
+
+def _problem(item: Item) -> dict[str, Any]:
+    variant = item.variant
+    return {
+        "problem": item.task.number,
+        "family": variant.family.name,
+        "form": variant.form.name,
+        "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
+        "attempt": variant.attempt,
+        "parameters": {
+            name: {"value": str(value), "unit": parameter.unit.name}
+            if parameter.unit
+            else {"value": variant.word(name)}
+            for name, value in variant.printed.items()
+            for parameter in (variant.form.parameters[name],)
+        },
+        "answers": [
+            {"quantity": a.quantity.name, "value": a.value, "unit": a.unit.name, "tolerance": a.tolerance}
+            for a in item.answers
+        ],
+    }

@@ -1,0 +1,53 @@
+"""One problem with figure and answers as PDF, PNG or SVG (``show --out``)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal, cast
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
+from variantgen.outputs.sheet_data import text_data
+from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import Equation, Measured, to_typst
+from variantgen.wording.language import load_language
+from variantgen.wording.statement import statement
+
+FORMATS = ("pdf", "png", "svg")
+
+
+def write_single(
+    variant: Variant, asked: Sequence[Quantity], answers: Sequence[Answer], language_name: str, path: Path, remark: str
+) -> None:
+    """Write one problem; the format follows the ending of the path. Raises InputError for another ending."""
+    form = path.suffix.lstrip(".").lower()
+    if form not in FORMATS:
+        raise InputError(Problem("unknown format", key="--out", value=path.name, remedy=nearest(form, FORMATS)))
+    language = load_language(language_name)
+    said = statement(variant, asked, language)
+    found = [
+        to_typst(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))))
+        for symbol, a in zip(said.asked, answers, strict=True)
+    ]
+    data = {
+        "lang": language_name,
+        "title": variant.family.title(language_name),
+        "remark": remark,
+        "words": dict(language.words("sheet")),
+        "text": text_data(said.text),
+        "given": [to_typst(equation) for equation in said.given],
+        "asked": [to_typst(symbol) for symbol in said.asked],
+        "answers-title": language.words("key")["title"] + ":",
+        "answers": found,
+        "figure": figure_data(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
+    }
+    with typesetter() as engine:
+        made = engine.compile("single.typ", data, cast(Literal["pdf", "png", "svg"], form))[0]
+    try:
+        path.write_bytes(made)
+    except OSError as error:
+        raise InputError(Problem(f"cannot be written: {error.strerror}", key="--out", value=str(path))) from None

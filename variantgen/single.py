@@ -1,0 +1,112 @@
+"""One variant of a family, solved: for the commands ``solve`` and ``show`` and for the Python API."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from variantgen.exam.sheets import Answer, answer_variants
+from variantgen.families.load import load_family
+from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.restrict import restrict
+from variantgen.mechanism.centres import velocity_centre
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.outcome import Outcome
+from variantgen.mechanism.relative import relative_motion, sliding_points
+from variantgen.variants.draw import draw
+from variantgen.variants.variant import Variant, solve_variants
+
+TOLERANCE = 0.01
+
+
+def one_variant(
+    family_or_file: str, fixed: Mapping[str, Any] | None = None, seed: str = "0", form: str = ""
+) -> Variant:
+    """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
+
+    When nothing is left to draw, the values are taken as they are, without screens. Raises InputError.
+    """
+    family = restrict(load_family(family_or_file), fixed, None, (form,) if form else ())
+    only = next(iter(family.forms.values()))
+    if len(family.forms) == 1 and only.grid_size == 1:
+        return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
+    return draw(family, None, [(seed, "single", 0)])[0]
+
+
+def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
+    """The answers of a variant in printed units."""
+    return answer_variants([variant], [tuple(ask) or None], TOLERANCE)[0]
+
+
+def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:
+    """The asked quantities of a variant: those named, or those of its form."""
+    return [parse_quantity(text, variant.form.sample) for text in (ask or variant.form.ask)]
+
+
+def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, Any]:
+    """The solved variant as plain data (the document of ``solve --json``); what was not computed is absent.
+
+    Points and bodies in SI and radians, answers in their printed units.
+    """
+    asked = asked_quantities(variant, ask)
+    motion = solve_variants([variant], max(q.order for q in asked))
+    outcome = Outcome(int(motion.outcome[0]))
+    document: dict[str, Any] = {
+        "family": variant.family.name,
+        "form": variant.form.name,
+        "parameters": {name: _parameter(variant, name) for name in variant.printed},
+        "outcome": outcome.name.lower(),
+    }
+    if outcome is not Outcome.SOLVED:
+        return document
+    document["points"] = {name: _point(motion, name) for name in motion.z}
+    document["bodies"] = {body: _body(motion, body) for body in motion.scene.bodies}
+    relative = {point: _relative(motion, point, body) for point, body in sliding_points(motion.scene).items()}
+    if relative:
+        document["relative"] = relative
+    document["answers"] = [
+        {"quantity": a.quantity.name, "value": a.value, "unit": a.unit.name, "tolerance": a.tolerance}
+        for a in answers(variant, ask)
+    ]
+    return document
+
+
+def _parameter(variant: Variant, name: str) -> dict[str, Any]:
+    unit = variant.form.parameters[name].unit
+    if unit is None:
+        return {"value": variant.word(name), "unit": None, "si": float(variant.printed[name])}
+    return {"value": float(variant.printed[name]), "unit": unit.name, "si": variant.si(name)}
+
+
+def _xy(values: Any) -> list[float]:
+    z = complex(np.asarray(values)[0])
+    return [z.real + 0.0, z.imag + 0.0]
+
+
+def _point(motion: Motion, name: str) -> dict[str, Any]:
+    found = {"position": _xy(motion.z[name])}
+    if name in motion.v:
+        found["velocity"] = _xy(motion.v[name])
+    if name in motion.a:
+        found["acceleration"] = _xy(motion.a[name])
+    return found
+
+
+def _body(motion: Motion, body: str) -> dict[str, Any]:
+    centre = velocity_centre(motion, body)
+    found: dict[str, Any] = {"omega": float(motion.omega[body][0])}
+    if motion.epsilon:
+        found["epsilon"] = float(motion.epsilon[body][0])
+    found["velocity_centre"] = _xy(centre.z) if centre.finite[0] else None
+    return found
+
+
+def _relative(motion: Motion, point: str, body: str) -> dict[str, Any]:
+    parts = relative_motion(motion, point, body)
+    found: dict[str, Any] = {"body": body, "velocity": _xy(parts.velocity)}
+    if parts.acceleration is not None and parts.coriolis is not None:
+        found["acceleration"] = _xy(parts.acceleration)
+        found["coriolis"] = _xy(parts.coriolis)
+    return found

@@ -1,0 +1,34 @@
+"""A problem as plain text for the terminal."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+from variantgen.families.quantities import Quantity
+from variantgen.families.units import Unit
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Equation, Measured, to_plain
+from variantgen.wording.language import Language
+from variantgen.wording.statement import statement
+
+
+def plain_problem(
+    variant: Variant, asked: Sequence[Quantity], values: Sequence[tuple[float, Unit]], language: Language
+) -> str:
+    """Statement, given data, asked quantities and answers in lines of at most 100 columns."""
+    said = statement(variant, asked, language)
+    words, key = language.words("sheet"), language.words("key")
+    text = "".join(part if isinstance(part, str) else to_plain(part) for part in said.text)
+    found = [
+        to_plain(Equation(symbol, Measured(language.rounded(value), language.unit(unit))))
+        for symbol, (value, unit) in zip(said.asked, values, strict=True)
+    ]
+    paragraphs = [
+        variant.family.title(language.name),
+        text,
+        f"{words['given']} {', '.join(to_plain(equation) for equation in said.given)}.",
+        f"{words['find']} {', '.join(to_plain(symbol) for symbol in said.asked)}.",
+        f"{key['title']}: {'; '.join(found)}.",
+    ]
+    return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)
