@@ -25,7 +25,7 @@ from variantgen.version import VERSION
 
 # One document costs about 3.5 MB of memory per student, so a part stays near 100 MB. The size does not depend on
 # the number of processes: the same parts give the same bytes.
-SHEETS_PER_PART = 25
+SHEETS_PER_PART = 50
 KEYS_PER_PART = 200
 
 Progress = Callable[[str, int, int], None]
@@ -89,8 +89,8 @@ def build(
                 paths[part.name.split("-")[0]].append(path)
                 done += len(part.sheets) if part.template == "sheets.typ" else 0
                 progress("typesetting", done, len(students))
-        join_pdfs(paths["sheets"], folder / "sheets.pdf", exam.title, exam.duplex)
-        join_pdfs(paths["key"], folder / "key.pdf", exam.title, False)
+        join_pdfs(paths["sheets"], folder / "sheets.pdf", exam.title, exam.language, exam.duplex)
+        join_pdfs(paths["key"], folder / "key.pdf", exam.title, exam.language, False)
         for path in parts_folder.iterdir():
             path.unlink()
         parts_folder.rmdir()

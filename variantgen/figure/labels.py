@@ -32,14 +32,18 @@ def label_size(formula: Formula) -> tuple[float, float]:
     return LETTER * width, LETTER * height
 
 
+Places = NDArray[np.complex128]
+Costs = NDArray[np.float64]
+
+
 @dataclass(frozen=True)
 class Request:
-    """A label to be placed: the formula, the point it names, candidate centres and their own costs."""
+    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,)."""
 
     formula: Formula
     anchor: complex
-    places: tuple[complex, ...]
-    costs: tuple[float, ...]
+    places: Places
+    costs: Costs
 
     @property
     def box(self) -> tuple[float, float]:
@@ -48,33 +52,35 @@ class Request:
         return 0.5 * width, 0.5 * height
 
 
-def around(formula: Formula, point: complex, clear: float, directions: int = 16) -> Request:
+_WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
+_RINGS = np.array([0.0, 1.6, 3.6, 6.0])
+_AROUND_COSTS = (
+    2.0 * np.arange(4)[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]
+).ravel()
+_PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
+_ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
+_ARC_RINGS = np.array([0.7, 2.2, 4.5, 7.5])
+_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
+
+
+def around(formula: Formula, point: complex, clear: float) -> Request:
     """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
-    half = 0.5 * complex(*label_size(formula))
-    places, costs = [], []
-    for ring, extra in enumerate((0.0, 1.6, 3.6, 6.0)):
-        for k in range(directions):
-            way = cmath.rect(1.0, math.tau * k / directions + math.pi / 4)
-            support = min(
-                half.real / abs(way.real) if way.real else math.inf, half.imag / abs(way.imag) if way.imag else math.inf
-            )
-            places.append(point + way * (clear + 0.5 + extra + support))
-            costs.append(2.0 * ring + 0.3 * (k % 4 != 0) + 0.01 * k)
-    return Request(formula, point, tuple(places), tuple(costs))
+    width, height = label_size(formula)
+    with np.errstate(divide="ignore"):
+        support = np.minimum(0.5 * width / np.abs(_WAYS.real), 0.5 * height / np.abs(_WAYS.imag))
+    places = point + _WAYS[None, :] * (clear + 0.5 + _RINGS[:, None] + support[None, :])
+    return Request(formula, point, places.ravel(), _AROUND_COSTS)
 
 
 def along_line(formula: Formula, start: complex, end: complex, clear: float = 0.9) -> Request:
     """Candidates on both sides of a line, best near its middle."""
-    half = 0.5 * complex(*label_size(formula))
-    way = (end - start) / abs(end - start)
-    places, costs = [], []
-    for part in (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74):
-        for side in (1j, -1j):
-            normal = side * way
-            support = half.real * abs(normal.real) + half.imag * abs(normal.imag)
-            places.append(start + part * (end - start) + normal * (clear + support))
-            costs.append(10 * abs(part - 0.5) + (0.2 if side == -1j else 0.0))
-    return Request(formula, 0.5 * (start + end), tuple(places), tuple(costs))
+    width, height = label_size(formula)
+    normal = 1j * (end - start) / abs(end - start)
+    support = clear + 0.5 * (width * abs(normal.real) + height * abs(normal.imag))
+    middle = start + _PARTS * (end - start)
+    costs = 10 * np.abs(_PARTS - 0.5)
+    places = np.concatenate((middle + support * normal, middle - support * normal))
+    return Request(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)))
 
 
 def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
@@ -83,31 +89,28 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     way = (end - start) / abs(end - start)
     half_width, half_height = beside.box
     support = half_width * abs(way.real) + half_height * abs(way.imag)
-    ahead = [end + way * (1.0 + support), end + way * (2.5 + support)]
-    costs = [cost + 2 * abs((place - 0.6 * end - 0.4 * start) / abs(end - start)) for cost, place in zip(beside.costs, beside.places, strict=True)]
-    return Request(formula, end, (*beside.places, *ahead), (*costs, 1.5, 3.0))
+    ahead = end + way * (np.array([1.0, 2.5]) + support)
+    near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
+    costs = np.concatenate((beside.costs + near_head, [1.5, 3.0]))
+    return Request(formula, end, np.concatenate((beside.places, ahead)), costs)
 
 
 def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:
-    """Candidates outside (then inside) an arc, best at its middle."""
-    half = 0.5 * complex(*label_size(formula))
-    places, costs = [], []
-    for part in (0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0):
-        way = cmath.rect(1.0, start + part * sweep)
-        support = half.real * abs(way.real) + half.imag * abs(way.imag)
-        for distance, cost in ((radius + 0.7, 0.0), (radius + 2.2, 1.5), (radius + 4.5, 3.0), (radius + 7.5, 6.0)):
-            places.append(centre + way * (distance + support))
-            costs.append(cost + 4 * abs(part - 0.5))
+    """Candidates outside an arc, best at its middle."""
+    width, height = label_size(formula)
+    ways = np.exp(1j * (start + _ARC_PARTS * sweep))
+    support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
+    places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
     middle = centre + cmath.rect(radius, start + 0.5 * sweep)
-    return Request(formula, middle, tuple(places), tuple(costs))
+    return Request(formula, middle, places.ravel(), _ARC_COSTS)
 
 
 def place_labels(requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]) -> list[Label]:
     """Labels at the positions with the least cost; ``segments`` has shape (S, 2), ``strangers`` are named points."""
     if not requests:
         return []
-    fixed = [np.array(r.costs) + _line_costs(r, segments) + _stranger_costs(r, strangers) for r in requests]
-    places, boxes = [np.array(r.places) for r in requests], [r.box for r in requests]
+    fixed = [r.costs + _line_costs(r, segments) + _stranger_costs(r, strangers) for r in requests]
+    places, boxes = [r.places for r in requests], [r.box for r in requests]
     chosen = [-1] * len(requests)
     order = sorted(range(len(requests)), key=lambda i: -float(np.min(fixed[i])))
     for _ in range(_SWEEPS):
@@ -118,14 +121,14 @@ def place_labels(requests: Sequence[Request], segments: Segments, strangers: Seq
         if chosen == before:
             break
     return [
-        Label(r.formula, r.places[k], (2 * r.box[0], 2 * r.box[1])) for r, k in zip(requests, chosen, strict=True)
+        Label(r.formula, complex(r.places[k]), (2 * r.box[0], 2 * r.box[1])) for r, k in zip(requests, chosen, strict=True)
     ]
 
 
 def _line_costs(request: Request, segments: Segments) -> NDArray[np.float64]:
     """Cost of the segments that cross the box of each candidate."""
     hx, hy = request.box
-    crossed = boxes_crossed(np.array(request.places), (hx + GAP, hy + GAP), segments)
+    crossed = boxes_crossed(request.places, (hx + GAP, hy + GAP), segments)
     result: NDArray[np.float64] = _LINE * np.minimum(crossed, 3)
     return result
 
@@ -149,7 +152,7 @@ def _stranger_costs(request: Request, strangers: Sequence[complex]) -> NDArray[n
     others = np.array([p for p in strangers if abs(p - request.anchor) > 1e-6], dtype=complex)
     if not others.size:
         return np.zeros(len(request.places))
-    places = np.array(request.places)
+    places = request.places
     nearest = np.min(np.abs(places[:, None] - others[None, :]), axis=1)
     return np.where(nearest < np.abs(places - request.anchor), _STRANGER, 0.0)
 

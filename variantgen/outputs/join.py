@@ -10,7 +10,7 @@ from pathlib import Path
 _GROUP = 200
 
 
-def join_pdfs(parts: Sequence[Path], target: Path, title: str, even: bool, pad_last: bool = False) -> None:
+def join_pdfs(parts: Sequence[Path], target: Path, title: str, language: str, even: bool, pad_last: bool = False) -> None:
     """Write the pages of all parts to one PDF.
 
     ``even`` pads each part to an even number of pages, the last one only with ``pad_last``, so that the next part
@@ -22,8 +22,8 @@ def join_pdfs(parts: Sequence[Path], target: Path, title: str, even: bool, pad_l
         groups = [parts[i : i + _GROUP] for i in range(0, len(parts), _GROUP)]
         joined = [target.with_name(f"{target.stem}-{i}.pdf") for i in range(len(groups))]
         for group, path in zip(groups, joined, strict=True):
-            join_pdfs(group, path, title, even, pad_last=True)
-        join_pdfs(joined, target, title, False)
+            join_pdfs(group, path, title, language, even, pad_last=True)
+        join_pdfs(joined, target, title, language, False)
         for path in joined:
             path.unlink()
         return
@@ -40,4 +40,5 @@ def join_pdfs(parts: Sequence[Path], target: Path, title: str, even: bool, pad_l
             if even and len(source.pages) % 2 and (pad_last or part is not parts[-1]):
                 whole.add_blank_page(page_size=(float(size[2]), float(size[3])))
         whole.docinfo["/Title"] = title
+        whole.Root["/Lang"] = pikepdf.String(language)
         whole.save(target, deterministic_id=True, object_stream_mode=pikepdf.ObjectStreamMode.generate)

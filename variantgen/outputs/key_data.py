@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.wording.formula import Equation, Measured, to_typst
+from variantgen.outputs.sheet_data import heading
+from variantgen.outputs.typesetter import equals_data
+from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language, load_language
 
 
@@ -23,8 +26,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "number": str(item.task.number),
                     "answers": [
-                        to_typst(Equation(language.quantity(a.quantity, item.variant.form.symbols), _measured(a, language)))
-                        for a in item.answers
+                        equals_data(_equation(a, language, item.variant.form.symbols)) for a in item.answers
                     ],
                 }
                 for item in sheet.items
@@ -48,7 +50,8 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "title": f"{language.words('key')['problem']} {item.task.number}. {variant.family.title(exam.language)}",
                     "symbols": [
-                        _heading(language, answer, variant.form.symbols) for answer in item.answers
+                        heading(language.quantity(answer.quantity, variant.form.symbols), language.unit(answer.unit))
+                        for answer in item.answers
                     ],
                     "rows": [],
                 },
@@ -57,7 +60,7 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "code": sheet.code,
                     "name": sheet.student.name or sheet.student.id,
-                    "values": [to_typst(language.rounded(answer.value)) for answer in item.answers],
+                    "values": [language.rounded(answer.value).text for answer in item.answers],
                 }
             )
     ordered = [tables[where] for where in sorted(tables)]
@@ -68,7 +71,7 @@ def _document(
     exam: Exam, language: Language, heading: bool, section: str, students: list[Any], tables: list[Any]
 ) -> dict[str, Any]:
     words = language.words("key")
-    tolerance = language.rounded(100 * exam.tolerance, 3).text
+    tolerance = language.decimal(Decimal(f"{100 * exam.tolerance:.3g}")).text
     return {
         "lang": exam.language,
         "title": exam.title,
@@ -82,10 +85,6 @@ def _document(
     }
 
 
-def _measured(answer: Answer, language: Language) -> Measured:
-    return Measured(language.rounded(answer.value), language.unit(answer.unit))
-
-
-def _heading(language: Language, answer: Answer, symbols: Any) -> str:
-    symbol = to_typst(language.quantity(answer.quantity, symbols))
-    return f"{symbol}, thin {to_typst(language.unit(answer.unit))}"
+def _equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> Equation:
+    value = Measured(language.rounded(answer.value), language.unit(answer.unit))
+    return Equation(language.quantity(answer.quantity, symbols), value)

@@ -9,8 +9,8 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
-from variantgen.outputs.typesetter import figure_data
-from variantgen.wording.formula import to_typst
+from variantgen.outputs.typesetter import equals_data, figure_data
+from variantgen.wording.formula import Symbol, UnitText, to_typst
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.statement import Text, statement
 
@@ -64,13 +64,18 @@ def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict
         "number": str(item.task.number),
         "points": _points(item.task.points, language),
         "text": text_data(said.text),
-        "given": [to_typst(equation) for equation in said.given],
+        "given": [equals_data(equation) for equation in said.given],
         "answers": [
-            {"symbol": to_typst(symbol), "unit": to_typst(language.unit(answer.unit))}
+            {"symbol": to_typst(symbol), "heading": heading(symbol, language.unit(answer.unit))}
             for symbol, answer in zip(said.asked, item.answers, strict=True)
         ],
         "figure": figure_data(statement_figure(item.variant, motion, place, item.asked, language)),
     }
+
+
+def heading(symbol: Symbol, unit: UnitText) -> str:
+    """The head of a column of answers: ``v_B, cm/s``."""
+    return f"{to_typst(symbol)}, thin {to_typst(unit)}"
 
 
 def text_data(text: Text) -> list[Any]:

@@ -11,7 +11,7 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.sheet_data import text_data
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured, to_typst
 from variantgen.wording.language import load_language
@@ -30,7 +30,7 @@ def write_single(
     language = load_language(language_name)
     said = statement(variant, asked, language)
     found = [
-        to_typst(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))))
+        equals_data(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))))
         for symbol, a in zip(said.asked, answers, strict=True)
     ]
     data = {
@@ -39,7 +39,7 @@ def write_single(
         "remark": remark,
         "words": dict(language.words("sheet")),
         "text": text_data(said.text),
-        "given": [to_typst(equation) for equation in said.given],
+        "given": [equals_data(equation) for equation in said.given],
         "asked": [to_typst(symbol) for symbol in said.asked],
         "answers-title": language.words("key")["title"] + ":",
         "answers": found,

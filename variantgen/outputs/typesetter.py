@@ -19,7 +19,7 @@ from typing import Any, Literal
 from variantgen.errors import ToolMissing, VariantgenError
 from variantgen.figure import drawing as ink
 from variantgen.resources import templates_dir
-from variantgen.wording.formula import to_typst
+from variantgen.wording.formula import Equation, Measured, to_typst
 
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.timezone.utc)
 
@@ -71,32 +71,48 @@ def typesetter() -> Iterator[Typesetter]:
 
 
 def figure_data(drawing: ink.Drawing) -> dict[str, Any]:
-    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
+    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u.
+
+    Lines of one layer and one pen are one curve: the engine's time goes by the number of elements.
+    """
     height = drawing.height
 
     def xy(point: complex) -> list[float]:
         return [round(point.real, 2), round(height - point.imag, 2)]
 
-    lines: list[list[Any]] = []
+    curves: dict[tuple[Any, ...], list[list[Any]]] = {}
     for line in drawing.lines:
         match line:
-            case ink.Strokes(segments, _, weight):
-                lines.append(["h", weight, "", "", [[*xy(p), *xy(q)] for p, q in segments]])
+            case ink.Strokes(segments, layer, weight):
+                steps = [[key, *xy(point)] for segment in segments for key, point in zip("ml", segment, strict=True)]
+                style = (layer, weight, "", "")
             case ink.Path():
-                style = [line.weight, line.fill, line.dash]
-                lines.append(["p", *style, line.closed, [xy(point) for point in line.points]])
+                steps = [["l" if i else "m", *xy(point)] for i, point in enumerate(line.points)]
+                steps += [["z"]] if line.closed else []
+                style = (line.layer, line.weight, line.fill, line.dash)
             case ink.Arc():
-                style = [line.weight, line.fill, line.dash]
-                if line.full:
-                    lines.append(["c", *style, *xy(line.centre), round(line.radius, 2)])
-                else:
-                    pieces = [[n for point in piece for n in xy(point)] for piece in line.cubics()]
-                    lines.append(["b", *style, xy(line.at(0)), pieces])
+                steps = [["m", *xy(line.at(0))]]
+                steps += [["c", *xy(a), *xy(b), *xy(end)] for a, b, end in line.cubics()]
+                steps += [["z"]] if line.full else []
+                style = (line.layer, line.weight, line.fill, line.dash)
+        curves.setdefault(style, []).extend(steps)
     return {
         "w": round(drawing.width, 2),
         "h": round(height, 2),
         "letter": ink.LETTER,
-        "lines": lines,
+        "curves": [[weight, fill, dash, steps] for (_, weight, fill, dash), steps in curves.items()],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }
 
+
+def equals_data(equation: Equation) -> dict[str, str]:
+    """``symbol = value unit`` as data for ``equals`` of ``common.typ``; a unit without a space is put to the value."""
+    right = equation.right
+    if not isinstance(right, Measured):
+        raise TypeError("expected an equation with a measured value")
+    tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
+    return {
+        "symbol": to_typst(equation.left),
+        "value": right.number.text + tight,
+        "unit": "" if tight else to_typst(right.unit),
+    }
