@@ -1,0 +1,74 @@
+"""Individual problem sheets in planar kinematics.
+
+The public names are listed in ``__all__``; they are loaded on first use, so that importing the package is cheap.
+
+>>> import variantgen
+>>> variant = variantgen.draw(variantgen.load_family("four_bar"), ["v_B"], [("my seed", "student 1")])[0]
+>>> [answer.quantity.name for answer in variantgen.answers(variant, ["v_B"])]
+['v_B']
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from variantgen.builder import build
+    from variantgen.check import check_family
+    from variantgen.errors import InputError, VariantgenError
+    from variantgen.exam.roster import Student, read_roster
+    from variantgen.families.load import family_names, load_family
+    from variantgen.mechanism.scene import Scene
+    from variantgen.mechanism.solve import solve
+    from variantgen.mechanism.verify import recompute
+    from variantgen.single import answers, solution_document
+    from variantgen.variants.draw import draw
+    from variantgen.version import VERSION as __version__  # noqa: N811  (the name that tools look for)
+
+_HOMES = {
+    "InputError": "errors",
+    "Scene": "mechanism.scene",
+    "Student": "exam.roster",
+    "VariantgenError": "errors",
+    "answers": "single",
+    "build": "builder",
+    "check_family": "check",
+    "draw": "variants.draw",
+    "family_names": "families.load",
+    "load_family": "families.load",
+    "read_roster": "exam.roster",
+    "recompute": "mechanism.verify",
+    "solution_document": "single",
+    "solve": "mechanism.solve",
+}
+
+__all__ = [
+    "InputError",
+    "Scene",
+    "Student",
+    "VariantgenError",
+    "__version__",
+    "answers",
+    "build",
+    "check_family",
+    "draw",
+    "family_names",
+    "load_family",
+    "read_roster",
+    "recompute",
+    "solution_document",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return importlib.import_module("variantgen.version").VERSION
+    if name not in _HOMES:
+        raise AttributeError(f"module 'variantgen' has no attribute {name!r}")
+    return getattr(importlib.import_module(f"variantgen.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

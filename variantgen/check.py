@@ -51,7 +51,8 @@ class Report:
         if self.variants:
             lines.append(
                 f"    {self.variants} variants, {self.distinct} distinct, acceptance {100 * self.acceptance:.1f} %,"
-                f" independent computation within {self.worst_deviation:.1e}, invariants within {self.worst_invariant:.1e}"
+                f" independent computation within {self.worst_deviation:.1e},"
+                f" invariants within {self.worst_invariant:.1e}"
             )
             worst = ", ".join(f"{name} {count}" for name, count in list(self.rejected.items())[:4] if count)
             lines.append(f"    rejected most: {worst or 'nothing'}")
@@ -99,7 +100,9 @@ def _check_draws(family: Family, form_name: str, seeds: int, report: Report) -> 
     report.worst_invariant = max(report.worst_invariant, float(invariants(motion).max()))
     if deviation > VERIFIED:
         seed = int(again.acceleration_error.argmax())
-        report.failures.append(f"form {form_name!r}, seed {seed}: solver and independent computation differ by {deviation:.1e}")
+        report.failures.append(
+            f"form {form_name!r}, seed {seed}: solver and independent computation differ by {deviation:.1e}"
+        )
     attempts = sum(variant.attempt for variant in variants)
     before = report.variants
     report.variants += seeds

@@ -1,5 +1,6 @@
 """The command line. Messages and progress go to stderr; exit codes: 0 done, 1 a check failed, 2 wrong input,
-3 an external tool is missing."""
+3 an external tool is missing.
+"""
 
 from __future__ import annotations
 
@@ -48,45 +49,66 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"variantgen {VERSION}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    listing = commands.add_parser("list", help="list the problem families", description="List the problem families of the catalogue.")
+    listing = commands.add_parser(
+        "list", help="list the problem families", description="List the problem families of the catalogue."
+    )
     listing.add_argument("--lang", default="en", help="language of the titles (default: en)")
     listing.add_argument("--json", action="store_true", help="print one JSON document")
     listing.set_defaults(run=_list)
 
     one = argparse.ArgumentParser(add_help=False)
     one.add_argument("family", metavar="FAMILY_OR_FILE", help="name of a family, or path of a family or scene file")
-    one.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="fix a parameter: OA=30, OA='0.3 m', side=left")
+    one.add_argument(
+        "--set", action="append", default=[], metavar="NAME=VALUE", help="fix a parameter: OA=30, OA='0.3 m', side=left"
+    )
     one.add_argument("--form", default="", help="take this form of the family")
-    one.add_argument("--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)")
+    one.add_argument(
+        "--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)"
+    )
     one.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
 
     show = commands.add_parser(
-        "show", parents=[one], help="show one problem of a family", description="Show one problem: statement, data, answers; with --out also its figure."
+        "show",
+        parents=[one],
+        help="show one problem of a family",
+        description="Show one problem: statement, data, answers; with --out also its figure.",
     )
     show.add_argument("--lang", default="en", help="language: en or ru (default: en)")
     show.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
     show.set_defaults(run=_show)
 
     solve = commands.add_parser(
-        "solve", parents=[one], help="solve one variant", description="Solve one variant of a family, or a scene file: positions, velocities, accelerations."
+        "solve",
+        parents=[one],
+        help="solve one variant",
+        description="Solve one variant of a family, or a scene file: positions, velocities, accelerations.",
     )
     solve.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
     solve.set_defaults(run=_solve)
 
     check = commands.add_parser(
-        "check", help="check families", description="Check families: worked cases, languages, many seeds, independent computation. Exit code 1 if anything is wrong."
+        "check",
+        help="check families",
+        description="Check families: worked cases, languages, many seeds, independent computation. "
+        "Exit code 1 if anything is wrong.",
     )
-    check.add_argument("families", nargs="*", metavar="FAMILY_OR_FILE", help="families to check (default: the whole catalogue)")
+    check.add_argument(
+        "families", nargs="*", metavar="FAMILY_OR_FILE", help="families to check (default: the whole catalogue)"
+    )
     check.add_argument("--seeds", type=int, default=200, help="variants to draw per form (default: 200)")
     check.add_argument("--json", action="store_true", help="print one JSON document")
     check.set_defaults(run=_check)
 
     build = commands.add_parser(
-        "build", help="build an exam", description="Build an exam: sheets.pdf, key.pdf, key.csv and manifest.json in a new folder."
+        "build",
+        help="build an exam",
+        description="Build an exam: sheets.pdf, key.pdf, key.csv and manifest.json in a new folder.",
     )
     build.add_argument("exam", metavar="EXAM.toml", type=Path, help="exam file, or the name of a sample exam")
     students = build.add_mutually_exclusive_group(required=True)
-    students.add_argument("--roster", type=Path, metavar="FILE", help="class list: CSV or XLSX with the columns id, name, group")
+    students.add_argument(
+        "--roster", type=Path, metavar="FILE", help="class list: CSV or XLSX with the columns id, name, group"
+    )
     students.add_argument("--variants", type=int, metavar="N", help="no class list: N numbered variants")
     build.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     build.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
@@ -101,9 +123,7 @@ def _list(arguments: argparse.Namespace) -> int:
 
     families = [load_family(name) for name in family_names()]
     if arguments.json:
-        rows = [
-            {"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families
-        ]
+        rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
         print(json.dumps(rows, ensure_ascii=False, indent=2))
         return 0
     width = max(len(family.name) for family in families)
@@ -158,7 +178,9 @@ def _show(arguments: argparse.Namespace) -> int:
     if arguments.out:
         from variantgen.outputs.single_page import write_single
 
-        write_single(variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}")
+        write_single(
+            variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}"
+        )
         print(f"written: {arguments.out}", file=sys.stderr)
     else:
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
@@ -182,7 +204,7 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> int:
-    from variantgen.build import build
+    from variantgen.builder import build
     from variantgen.exam.roster import numbered, read_roster
     from variantgen.exam.samples import exam_path
 
@@ -193,7 +215,13 @@ def _build(arguments: argparse.Namespace) -> int:
     students = read_roster(arguments.roster) if arguments.roster else numbered(arguments.variants)
     start = time.perf_counter()
     made = build(
-        exam_path(arguments.exam), students, arguments.out, arguments.seed, arguments.jobs, arguments.force, _Progress().show
+        exam_path(arguments.exam),
+        students,
+        arguments.out,
+        arguments.seed,
+        arguments.jobs,
+        arguments.force,
+        _Progress().show,
     )
     seconds = time.perf_counter() - start
     if made.redrawn:

@@ -39,7 +39,7 @@ class VariantgenError(Exception):
     exit_code = 1
 
 
-class CheckFailed(VariantgenError):
+class CheckError(VariantgenError):
     """A check was run to the end and found something wrong (exit code 1)."""
 
 
@@ -57,7 +57,7 @@ class InputError(VariantgenError):
         return InputError(problem.located(file) for problem in self.problems)
 
 
-class ToolMissing(VariantgenError):
+class ToolMissingError(VariantgenError):
     """An optional tool or package is needed and not installed (exit code 3)."""
 
     exit_code = 3

@@ -57,7 +57,9 @@ class Table:
             yield
         except InputError as error:
             self.problems += [
-                Problem(p.message, p.file, p.key if p.key.startswith(self.key(name)) else self.key(name), p.value, p.remedy)
+                Problem(
+                    p.message, p.file, p.key if p.key.startswith(self.key(name)) else self.key(name), p.value, p.remedy
+                )
                 for p in error.problems
             ]
 
@@ -69,7 +71,8 @@ class Table:
         if name in self.data and not right:
             self.problem(f"expected {expected or _kind_name(kind)}", name, value)
             return default
-        return value
+        found: T = value
+        return found
 
     def need(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
         """Like :meth:`take`, and noted when absent."""
@@ -78,6 +81,11 @@ class Table:
             self.problem(f"missing, expected {expected or _kind_name(kind)}", name)
             return default
         return self.take(name, kind, default, expected)
+
+    def number(self, name: str, default: int | Decimal) -> Decimal:
+        """A number as it is written in the file."""
+        value: Any = self.take(name, (int, Decimal), default, "a number")
+        return Decimal(value)
 
     def strings(self, name: str, default: tuple[str, ...] = ()) -> tuple[str, ...]:
         """A list of strings."""

@@ -54,7 +54,7 @@ def read_exam(path: Path) -> Exam:
     with top.collecting("language"):
         load_language(language)
     seed = top.take("seed", (int, str), 0, "a whole number or a word")
-    tolerance = float(top.take("tolerance", (int, Decimal), Decimal("0.01"), "a number between 0 and 0.2"))
+    tolerance = float(top.number("tolerance", Decimal("0.01")))
     if not 0 < tolerance < 0.2:
         top.problem("expected a number between 0 and 0.2", "tolerance", tolerance)
     page = top.table("page")
@@ -63,7 +63,9 @@ def read_exam(path: Path) -> Exam:
     tables = top.tables("problem")
     tasks = [_task(table, number) for number, table in enumerate(tables, start=1)]
     if not tables:
-        top.problem("an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."')
+        top.problem(
+            "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
+        )
     top.finish()
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
@@ -91,7 +93,7 @@ def _task(table: Table, number: int) -> Task | None:
     table.finish()
     families = []
     for name in names:
-        with _under(table):
+        with _Under(table):
             family = restrict(load_family(name), fixed, ranges, forms)
             _check_ask(family, ask)
             families.append(family)
@@ -116,7 +118,7 @@ def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
         raise InputError(dict.fromkeys(problems))
 
 
-class _under:
+class _Under:
     """Collect problems of an InputError with their own keys put under the table's."""
 
     def __init__(self, table: Table) -> None:

@@ -9,12 +9,13 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from variantgen.errors import InputError, Problem, ToolMissing, nearest
+from variantgen.errors import InputError, Problem, ToolMissingError, nearest
 
 COLUMNS = {
     "id": ("id", "student id", "student", "number", "no", "№", "номер", "ид", "идентификатор", "зачётка", "зачетка",
            "номер зачётной книжки", "номер зачетной книжки", "логин", "login"),
-    "name": ("name", "full name", "student name", "фио", "имя", "студент", "фамилия имя отчество", "фамилия имя", "ф.и.о."),
+    "name": ("name", "full name", "student name", "фио", "ф.и.о.", "имя", "студент", "фамилия имя отчество",
+             "фамилия имя"),
     "group": ("group", "class", "группа", "класс", "поток"),
 }  # fmt: skip
 _MAX_BYTES = 50_000_000
@@ -56,9 +57,13 @@ def _csv_rows(content: bytes) -> list[tuple[int, list[str]]]:
     delimiter = max(";\t,", key=header.count)
     try:
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
-        return [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(cell.strip() for cell in row)]
+        return [
+            (reader.line_num, [cell.strip() for cell in row]) for row in reader if any(cell.strip() for cell in row)
+        ]
     except csv.Error as error:
-        raise InputError(Problem(f"is not a proper CSV table: {error}", remedy="save it again as CSV from the spreadsheet")) from None
+        raise InputError(
+            Problem(f"is not a proper CSV table: {error}", remedy="save it again as CSV from the spreadsheet")
+        ) from None
 
 
 def _decoded(content: bytes) -> str:
@@ -80,8 +85,9 @@ def _xlsx_rows(content: bytes) -> list[tuple[int, list[str]]]:
     try:
         import openpyxl
     except ImportError:
-        raise ToolMissing(
-            "an XLSX roster needs the package openpyxl: install it with  pip install 'variantgen[xlsx]'  or save the table as CSV"
+        raise ToolMissingError(
+            "an XLSX roster needs the package openpyxl: install it with  pip install 'variantgen[xlsx]'"
+            "  or save the table as CSV"
         ) from None
     try:
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
@@ -113,14 +119,21 @@ def _students(rows: list[tuple[int, list[str]]]) -> list[Student]:
     students = []
     for line, row in rows[1:]:
         key = f"row {line}"
-        if len(row) > len(rows[0][1]) and any(row[len(rows[0][1]):]):
-            problems.append(Problem("has more cells than the header", key=key, remedy="quote cells that hold the delimiter"))
+        if len(row) > len(rows[0][1]) and any(row[len(rows[0][1]) :]):
+            problems.append(
+                Problem("has more cells than the header", key=key, remedy="quote cells that hold the delimiter")
+            )
             continue
         found = {name: row[i] if i < len(row) else "" for name, i in columns.items()}
         problems += _cell_problems(found, key)
         if found["id"] and found["id"] in seen:
             problems.append(
-                Problem("the id stands twice", key=key, value=found["id"], remedy=f"it is the id of row {seen[found['id']]} too")
+                Problem(
+                    "the id stands twice",
+                    key=key,
+                    value=found["id"],
+                    remedy=f"it is the id of row {seen[found['id']]} too",
+                )
             )
         seen.setdefault(found["id"], line)
         students.append(Student(found["id"], found["name"], found.get("group", "")))
@@ -141,13 +154,20 @@ def _header(cells: list[str]) -> dict[str, int]:
         if column is None:
             problems.append(Problem("unknown column", key="header", value=cell[:60], remedy=nearest(word, known)))
         elif column in columns:
-            problems.append(Problem(f"a second column for the {column}", key="header", value=cell[:60], remedy="keep one"))
+            problems.append(
+                Problem(f"a second column for the {column}", key="header", value=cell[:60], remedy="keep one")
+            )
         else:
             columns[column] = i
     for column in ("id", "name"):
         if column not in columns and not problems:
             problems.append(
-                Problem(f"no column for the {column}", key="header", value=", ".join(cells)[:60], remedy="the columns are id, name, group")
+                Problem(
+                    f"no column for the {column}",
+                    key="header",
+                    value=", ".join(cells)[:60],
+                    remedy="the columns are id, name, group",
+                )
             )
     if problems:
         raise InputError(problems)

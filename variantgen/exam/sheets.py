@@ -97,7 +97,9 @@ def variant_code(seed: str, student: Student) -> str:
     return "".join(letters[:3]) + "-" + "".join(letters[3:])
 
 
-def solve_all(variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], positions_only: bool = False) -> list[tuple[Motion, int]]:
+def solve_all(
+    variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], positions_only: bool = False
+) -> list[tuple[Motion, int]]:
     """For each variant the batch motion it was solved in and its place there; variants of one form share a batch."""
     groups: dict[tuple[int, int], list[int]] = {}
     for i, variant in enumerate(variants):

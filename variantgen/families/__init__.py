@@ -1,1 +1,1 @@
-"""From a family file (TOML) to a :class:`~variantgen.families.family.Family`: reading, checking, expressions, screens."""
+"""From a family file (TOML) to a :class:`~variantgen.families.family.Family`: reading, checking, expressions."""

@@ -87,7 +87,9 @@ def number(value: float) -> Expression:
 
 def _refuse(text: str, what: str) -> InputError:
     return InputError(
-        Problem(f"{what} is not allowed in an expression", value=text, remedy="only arithmetic and " + ", ".join(FUNCTIONS))
+        Problem(
+            f"{what} is not allowed in an expression", value=text, remedy="only arithmetic and " + ", ".join(FUNCTIONS)
+        )
     )
 
 
@@ -132,7 +134,7 @@ def _value(node: ast.expr, values: Mapping[str, Real]) -> Any:
             inner = _value(operand, values)
             return -inner if isinstance(op, ast.USub) else inner
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)):
-            return _value(left, values) ** power  # type: ignore[operator]
+            return _value(left, values) ** power
         case ast.BinOp(left=left, op=op, right=right):
             return _OPERATORS[type(op)](_value(left, values), _value(right, values))
         case ast.Call(func=ast.Name(id=name), args=args):

@@ -6,7 +6,6 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -25,7 +24,7 @@ def read_screens(table: Table, expression: ExpressionReader) -> Screens:
     numbers: dict[str, float] = {}
     for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
         if key in table.data:
-            value = float(table.take(key, (int, Decimal), 0, "a number"))
+            value = float(table.number(key, 0))
             if not 0 < value < 1000:
                 table.problem("expected a number above 0", key, value)
                 continue

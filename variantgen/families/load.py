@@ -138,7 +138,18 @@ class _FormReader:
         if len(self.problems) > before:
             return None
         form = Form(
-            self.name, self.parameters, self.derived, points, bodies, joints, drivers, self.ask, screens, pose, figure, symbols
+            self.name,
+            self.parameters,
+            self.derived,
+            points,
+            bodies,
+            joints,
+            drivers,
+            self.ask,
+            screens,
+            pose,
+            figure,
+            symbols,
         )
         with self.top.collecting(""):
             _ = form.plan
@@ -173,9 +184,10 @@ class _FormReader:
         if not isinstance(value, str):
             table.problem("expected an expression in quotes", name, value)
             return None
+        found: list[Expression] = []
         with table.collecting(name):
-            return parse(value)
-        return None
+            found.append(parse(value))
+        return found[0] if found else None
 
     def _define(self, table: Table, name: str, expression: Expression) -> None:
         if name in self.dimensions:
@@ -245,7 +257,11 @@ class _FormReader:
             return value
         if spec.ref:
             names = value if spec.many else [value]
-            if not isinstance(names, list) or any(not isinstance(n, str) for n in names) or (spec.many and len(names) != 2):
+            if (
+                not isinstance(names, list)
+                or any(not isinstance(n, str) for n in names)
+                or (spec.many and len(names) != 2)
+            ):
                 raise wrong
             return tuple(names) if spec.many else value
         if isinstance(value, bool) or not isinstance(value, int | Decimal | str):

@@ -32,8 +32,10 @@ def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
 
 
 def _choices(table: Table, name: str) -> Parameter:
-    choices = table.take("choices", dict, {}, 'a table like { left = 1, right = -1 }')
-    wrong = [word for word, number in choices.items() if isinstance(number, bool) or not isinstance(number, int | Decimal)]
+    choices = table.take("choices", dict, {}, "a table like { left = 1, right = -1 }")
+    wrong = [
+        word for word, number in choices.items() if isinstance(number, bool) or not isinstance(number, int | Decimal)
+    ]
     if wrong or not choices:
         table.problem("expected a number for each word", "choices", choices)
         choices = {"": 0}
@@ -61,14 +63,18 @@ def _listed(table: Table) -> tuple[Decimal, ...]:
 def _stepped(table: Table) -> tuple[Decimal, ...]:
     numbers = {}
     for key in ("from", "to", "step"):
-        value = Decimal(table.need(key, (int, Decimal), 1))
+        if key not in table.data:
+            table.problem("missing, expected a number", key)
+        value = table.number(key, 1)
         if not value.is_finite():
             table.problem("expected a finite number", key, str(value))
             value = Decimal(1)
         numbers[key] = value
     low, high, step = numbers["from"], numbers["to"], numbers["step"]
     if step <= 0 or high < low:
-        table.problem("an empty range", "", f"from {low} to {high} step {step}", "from must not exceed to, step is above 0")
+        table.problem(
+            "an empty range", "", f"from {low} to {high} step {step}", "from must not exceed to, step is above 0"
+        )
         return (low,)
     count = int((high - low) / step) + 1
     if count > _MAX_GRID:

@@ -94,4 +94,6 @@ def quantity_names(scene: Scene) -> list[str]:
     sliding = list(sliding_points(scene))
     names = [f"{kind}_{p}{part}" for kind in ("v", "a") for p in points for part in ("", ".x", ".y")]
     names += [f"{kind}_{body}" for kind in ("omega", "epsilon") for body in scene.bodies]
-    return names + [f"{kind}_{p}{part}" for kind in ("v_rel", "a_rel", "a_cor") for p in sliding for part in ("", ".x", ".y")]
+    return names + [
+        f"{kind}_{p}{part}" for kind in ("v_rel", "a_rel", "a_cor") for p in sliding for part in ("", ".x", ".y")
+    ]

@@ -85,7 +85,9 @@ def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str,
 def _choose(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
     for word in words:
         if word not in parameter.words:
-            raise InputError(Problem("unknown word", key=key, value=str(word), remedy=nearest(str(word), parameter.words)))
+            raise InputError(
+                Problem("unknown word", key=key, value=str(word), remedy=nearest(str(word), parameter.words))
+            )
     kept = [i for i, word in enumerate(parameter.words) if word in words]
     return replace(
         parameter,

@@ -15,7 +15,10 @@ from variantgen.wording.language import Language
 
 @dataclass
 class Board:
-    """The drawing board of one figure; ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points."""
+    """The drawing board of one figure.
+
+    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points.
+    """
 
     sketch: Sketch
     scene: Scene
@@ -33,12 +36,7 @@ class Board:
     @property
     def loads(self) -> set[str]:
         """Points that hang on a thread."""
-        return {
-            name
-            for joint in self.scene.joints
-            for name in (getattr(joint, "load", None),)
-            if name is not None
-        }
+        return {name for joint in self.scene.joints for name in (getattr(joint, "load", None),) if name is not None}
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""
@@ -52,6 +50,8 @@ class Board:
 
     def pivot_of(self, body: str) -> str:
         """The fixed point of a body, or its first point."""
-        fixed = {name for joint in self.scene.joints if not references(joint, "body") for name in references(joint, "point")}
+        fixed = {
+            name for joint in self.scene.joints if not references(joint, "body") for name in references(joint, "point")
+        }
         members = self.scene.bodies[body]
         return next((name for name in members if name in fixed), members[0])

@@ -13,8 +13,8 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.labels import around
 from variantgen.figure.marks import draw_angle, draw_length, draw_radius
 from variantgen.figure.sketch import HINGE, Sketch
-from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.motion import Motion, take_scene
+from variantgen.mechanism.rows import Constraint
 from variantgen.variants.screening import links
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
@@ -38,7 +38,9 @@ def statement_figure(
     values = form.values({name: variant.si(name) for name in form.parameters})
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
-    scale = _scale([z[name] for name in shown], [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True)])
+    scale = _scale(
+        [z[name] for name in shown], [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True)]
+    )
     sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
     scene = take_scene(motion.scene, index, motion.size)
     board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))

@@ -54,9 +54,7 @@ class Request:
 
 _WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
 _RINGS = np.array([0.0, 1.6, 3.6, 6.0])
-_AROUND_COSTS = (
-    2.0 * np.arange(4)[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]
-).ravel()
+_AROUND_COSTS = (2.0 * np.arange(4)[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]).ravel()
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 _ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
 _ARC_RINGS = np.array([0.7, 2.2, 4.5, 7.5])
@@ -121,7 +119,8 @@ def place_labels(requests: Sequence[Request], segments: Segments, strangers: Seq
         if chosen == before:
             break
     return [
-        Label(r.formula, complex(r.places[k]), (2 * r.box[0], 2 * r.box[1])) for r, k in zip(requests, chosen, strict=True)
+        Label(r.formula, complex(r.places[k]), (2 * r.box[0], 2 * r.box[1]))
+        for r, k in zip(requests, chosen, strict=True)
     ]
 
 

@@ -6,9 +6,11 @@ from functools import cache
 
 from variantgen.wording.formula import GREEK, Formula, Symbol, letters
 
-# Advance widths of the italic letters of New Computer Modern Math (em), as the font states them.
-_WIDE = {"W": 0.94, "M": 0.97, "O": 0.76, "Q": 0.79, "G": 0.79, "D": 0.83, "A": 0.75, "B": 0.76, "C": 0.72, "H": 0.83,
-         "K": 0.85, "N": 0.80, "P": 0.64, "R": 0.76, "E": 0.74, "F": 0.64, "L": 0.68, "S": 0.61, "T": 0.58, "U": 0.68}  # fmt: skip
+# Advance widths of the italic letters of New Computer Modern Math (em), rounded; unknown letters count as _SMALL.
+_WIDE = {
+    "A": 0.75, "B": 0.76, "C": 0.72, "D": 0.83, "E": 0.74, "F": 0.64, "G": 0.79, "H": 0.83, "K": 0.85, "L": 0.68,
+    "M": 0.97, "N": 0.80, "O": 0.76, "P": 0.64, "Q": 0.79, "R": 0.76, "S": 0.61, "T": 0.58, "U": 0.68, "W": 0.94,
+}  # fmt: skip
 _GREEK = {"omega": 0.62, "epsilon": 0.47, "phi": 0.65, "alpha": 0.64, "beta": 0.57, "psi": 0.65, "gamma": 0.52}
 _SMALL, _NUMBER, _INDEX = 0.50, 0.36, 0.72
 CAP, DESCENT = 0.70, 0.20  # height of a capital; what an index or a descender adds below
@@ -19,9 +21,7 @@ def width(formula: Formula) -> float:
     if not isinstance(formula, Symbol):
         return 3.0
     main = _text_width(formula.base)
-    return main + _INDEX * sum(
-        0.52 * len(i.text) if i.upright else _text_width(i.text) for i in formula.index
-    )
+    return main + _INDEX * sum(0.52 * len(i.text) if i.upright else _text_width(i.text) for i in formula.index)
 
 
 @cache

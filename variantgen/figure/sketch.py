@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,14 +36,14 @@ class Sketch:
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
         self.lines.append(line)
         ends = line.points + line.points[:1] if line.closed else line.points
-        self._obstacles += list(zip(ends, ends[1:], strict=False))
+        self._obstacles += list(pairwise(ends))
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
         self.lines.append(arc)
         count = max(4, math.ceil(abs(arc.sweep) / 0.35))
         points = [arc.at(i / count) for i in range(count + 1)]
-        self._obstacles += list(zip(points, points[1:], strict=False))
+        self._obstacles += list(pairwise(points))
 
     def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
         """Draw a circle."""
@@ -61,9 +62,16 @@ class Sketch:
         feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
         self.lines.append(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND))
         far = normal * _HATCH_DEPTH
-        self._obstacles += [(start + far, end + far), (start, start + far), (end, end + far), (start + far / 2, end + far / 2)]
+        self._obstacles += [
+            (start + far, end + far),
+            (start, start + far),
+            (end, end + far),
+            (start + far / 2, end + far / 2),
+        ]
 
-    def arrow(self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6) -> None:
+    def arrow(
+        self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
+    ) -> None:
         """A straight arrow with a filled head."""
         way = (end - start) / abs(end - start)
         self.path((start, end - 0.8 * head * way), layer, weight)
@@ -144,5 +152,3 @@ def _moved(line: Line, by: complex) -> Line:
     if isinstance(line, Strokes):
         return Strokes(tuple((p + by, q + by) for p, q in line.segments), line.layer, line.weight)
     return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)
-
-

@@ -6,14 +6,15 @@ batch axis of length N (one entry per variant); scalars broadcast.
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-Real: TypeAlias = float | NDArray[np.float64]
-Complex: TypeAlias = complex | NDArray[np.complex128]
-Flags: TypeAlias = bool | NDArray[np.bool_]
+# A scalar or an array of shape (N,). The stubs of numpy cannot say "scalar in, scalar out; array in, array out", so
+# the type checker is told nothing here; arrays that must be arrays are typed as such (see motion.Field).
+Real: TypeAlias = Any  # float or NDArray[np.float64]
+Complex: TypeAlias = Any  # complex or NDArray[np.complex128]
+Flags: TypeAlias = Any  # bool or NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
 # A sum smaller than this many rounding errors of its largest terms cannot be told from zero: positions carry a few

@@ -52,9 +52,7 @@ def _ordered(
     blocks = []
     waiting = list(members.values())
     while waiting:
-        ready = next(
-            group for group in waiting if all(f in done or f in group for e in group for f in needs[e])
-        )
+        ready = next(group for group in waiting if all(f in done or f in group for e in group for f in needs[e]))
         waiting.remove(ready)
         done.update(ready)
         blocks.append((tuple(ready), tuple(sorted(partner[e] for e in ready))))

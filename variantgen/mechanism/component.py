@@ -107,7 +107,10 @@ def discover(package: str) -> dict[str, type]:
         own = [
             item
             for name, item in vars(module).items()
-            if is_dataclass(item) and isinstance(item, type) and not name.startswith("_") and item.__module__ == module.__name__
+            if is_dataclass(item)
+            and isinstance(item, type)
+            and not name.startswith("_")
+            and item.__module__ == module.__name__
         ]
         if len(own) != 1:
             raise TypeError(f"{module.__name__} must define exactly one public dataclass, not {len(own)}")

@@ -44,7 +44,7 @@ class Motion:
     @property
     def solved(self) -> NDArray[np.bool_]:
         """Which variants have a meaning, shape (N,)."""
-        return self.outcome == 0
+        return np.asarray(self.outcome == 0)
 
     @property
     def frame(self) -> Frame:
@@ -76,7 +76,7 @@ class Motion:
         )
 
 
-def take_scene(scene: Scene, index: NDArray[Any], size: int) -> Scene:
+def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
 
     def cut(item: Any) -> Any:

@@ -26,10 +26,11 @@ class Outcome(IntEnum):
 _TEXTS = {
     Outcome.SOLVED: "solved",
     Outcome.NOT_ASSEMBLED: (
-        "the mechanism does not assemble: a link is too short or too long to close the chain; change a length or an angle"
+        "the mechanism does not assemble: a link is too short or too long to close the chain; change a length or an"
+        " angle"
     ),
     Outcome.DEAD_POINT: (
-        "the mechanism is at a dead point: the given motion does not determine the others; move it away from that position"
+        "the mechanism is at a dead point: the given motion does not determine the others; move it away from there"
     ),
     Outcome.DEGENERATE: (
         "two points that define a direction coincide, or two lines that should cross are parallel; move one of them"

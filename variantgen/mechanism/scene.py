@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.mechanism.arithmetic import Complex, Flags
-from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.component import FieldSpec, field_specs
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint, Frame
 
@@ -51,10 +51,15 @@ class Scene:
         return self.joints + self.drivers
 
 
+def _specs(component: Any) -> tuple[FieldSpec, ...]:
+    kind: type = type(component)
+    return field_specs(kind)
+
+
 def references(component: Any, kind: str) -> tuple[str, ...]:
     """Names of the given kind (``point`` or ``body``) that a component refers to."""
     names: list[str] = []
-    for spec in field_specs(type(component)):
+    for spec in _specs(component):
         value = getattr(component, spec.name)
         if spec.ref == kind and value is not None:
             names.extend(value if spec.many else (value,))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,7 +96,7 @@ def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
     )
 
 
-def _full(x: Complex, shape: tuple[int, ...], dtype: type = np.float64) -> NDArray[np.generic]:
+def _full(x: Complex, shape: tuple[int, ...], dtype: type = np.float64) -> NDArray[Any]:
     return np.broadcast_to(np.asarray(x, dtype=dtype), shape)
 
 
@@ -123,7 +124,9 @@ def _through(step: Step, rows: list[tuple[Row, ...]], z: Mapping[str, Complex], 
             return {x: 1.0, y: 1.0j}
 
 
-def _form(step: Step, rows: list[tuple[Row, ...]], forms: Mapping[str, Form], z: Mapping[str, Complex], plan: Plan) -> Form:
+def _form(
+    step: Step, rows: list[tuple[Row, ...]], forms: Mapping[str, Form], z: Mapping[str, Complex], plan: Plan
+) -> Form:
     form = dict(forms[step.pole]) if isinstance(step, Carry) else {}
     for unknown, coefficient in _through(step, rows, z, plan).items():
         form[unknown] = form[unknown] + coefficient if unknown in form else coefficient
@@ -164,9 +167,6 @@ def _equation(
     for body, k in row.bodies.items():
         add(plan.omega[body], k, np.abs(k))
     return Assembly(coefficients, sizes)
-
-
-
 
 
 def _solve_blocks(
@@ -247,6 +247,7 @@ def _acceleration_side(
         part = np.imag if equation.part else np.real
         return part(again) - part(known), np.abs(again) + np.abs(known)
     row = rows[equation.constraint][equation.row]
+    assert isinstance(row, ScalarRow)
     term = np.real(extra[equation.constraint][equation.row])
     total, size = rate - term, np.abs(rate) + np.abs(term)
     for point, weight in row.points.items():

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,8 +53,6 @@ def recompute(motion: Motion) -> Recomputed:
     chain = _Chain(motion)
     h = _time_step(motion, chain.length)
     inverse = np.linalg.inv(chain.jacobian())
-    places: dict[str, list[ComplexField]] = {name: [] for name in chain.material}
-    turns: dict[str, list[Field]] = {body: [] for body in motion.scene.bodies}
     q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))
     times = _OFFSETS[:, None] * h
     for _ in range(_ITERATIONS):
@@ -65,7 +64,7 @@ def recompute(motion: Motion) -> Recomputed:
     places = {name: at.z[name] - motion.z[name] for name in chain.material}
     turns = {body: np.asarray(at.turned[body]) for body in motion.scene.bodies}
 
-    def derivative(table: Mapping[str, NDArray[np.generic]], weights: Vector, order: int) -> dict[str, NDArray[np.generic]]:
+    def derivative(table: Mapping[str, NDArray[Any]], weights: Vector, order: int) -> dict[str, NDArray[Any]]:
         return {name: np.tensordot(weights, values, axes=1) / h**order for name, values in table.items()}
 
     v, a = derivative(places, _FIRST, 1), derivative(places, _SECOND, 2)

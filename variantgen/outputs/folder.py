@@ -18,13 +18,20 @@ def check_free(target: Path, force: bool) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made."""
     if target.exists() and not force:
         raise InputError(
-            Problem("the output folder exists", key="--out", value=str(target), remedy="choose another, or --force replaces it whole")
+            Problem(
+                "the output folder exists",
+                key="--out",
+                value=str(target),
+                remedy="choose another, or --force replaces it whole",
+            )
         )
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
     parent = target.resolve().parent
     if not parent.is_dir():
-        raise InputError(Problem("the parent folder does not exist", key="--out", value=str(parent), remedy="make it first"))
+        raise InputError(
+            Problem("the parent folder does not exist", key="--out", value=str(parent), remedy="make it first")
+        )
     if not os.access(parent, os.W_OK):
         raise InputError(Problem("the parent folder cannot be written to", key="--out", value=str(parent)))
 
@@ -43,7 +50,9 @@ def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
     try:
         work = Path(tempfile.mkdtemp(prefix=f".{target.name}.partial-", dir=target.parent))
     except OSError as error:
-        raise InputError(Problem(f"the output folder cannot be made: {error.strerror}", key="--out", value=str(target))) from None
+        raise InputError(
+            Problem(f"the output folder cannot be made: {error.strerror}", key="--out", value=str(target))
+        ) from None
     work.chmod(0o755)
     previous = signal.signal(signal.SIGTERM, _terminate)
     try:
@@ -57,7 +66,12 @@ def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
         if error.strerror is None:
             raise
         raise InputError(
-            Problem(f"writing failed: {error.strerror}", key="--out", value=str(target), remedy="free some space or choose another folder")
+            Problem(
+                f"writing failed: {error.strerror}",
+                key="--out",
+                value=str(target),
+                remedy="free some space or choose another folder",
+            )
         ) from None
     finally:
         signal.signal(signal.SIGTERM, previous)

@@ -10,7 +10,9 @@ from pathlib import Path
 _GROUP = 200
 
 
-def join_pdfs(parts: Sequence[Path], target: Path, title: str, language: str, even: bool, pad_last: bool = False) -> None:
+def join_pdfs(
+    parts: Sequence[Path], target: Path, title: str, language: str, even: bool, pad_last: bool = False
+) -> None:
     """Write the pages of all parts to one PDF.
 
     ``even`` pads each part to an even number of pages, the last one only with ``pad_last``, so that the next part

@@ -25,9 +25,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
             "problems": [
                 {
                     "number": str(item.task.number),
-                    "answers": [
-                        equals_data(_equation(a, language, item.variant.form.symbols)) for a in item.answers
-                    ],
+                    "answers": [equals_data(_equation(a, language, item.variant.form.symbols)) for a in item.answers],
                 }
                 for item in sheet.items
             ],
@@ -44,11 +42,12 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
     for sheet in sheets:
         for item in sheet.items:
             variant = item.variant
+            title = variant.family.title(exam.language)
             where = (item.task.number, variant.family.name, variant.form.name)
             table = tables.setdefault(
                 where,
                 {
-                    "title": f"{language.words('key')['problem']} {item.task.number}. {variant.family.title(exam.language)}",
+                    "title": f"{language.words('key')['problem']} {item.task.number}. {title}",
                     "symbols": [
                         heading(language.quantity(answer.quantity, variant.form.symbols), language.unit(answer.unit))
                         for answer in item.answers

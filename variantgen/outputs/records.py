@@ -19,9 +19,7 @@ def key_csv(sheets: Sequence[Sheet]) -> str:
     """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe."""
     out = io.StringIO(newline="")
     writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(
-        ["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance"]
-    )
+    writer.writerow(["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance"])
     for sheet in sheets:
         who = [_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)]
         for item in sheet.items:
@@ -46,7 +44,13 @@ def _safe(text: str) -> str:
 
 
 def manifest(
-    exam: Exam, sheets: Sequence[Sheet], seed: str, program: str, exam_hash: str, catalog_hash: str, redrawn: Sequence[str]
+    exam: Exam,
+    sheets: Sequence[Sheet],
+    seed: str,
+    program: str,
+    exam_hash: str,
+    catalog_hash: str,
+    redrawn: Sequence[str],
 ) -> str:
     """Everything that is needed to make each sheet again, as JSON."""
     content = {

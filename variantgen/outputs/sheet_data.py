@@ -23,7 +23,9 @@ def sheets_data(exam: Exam, sheets: Sequence[Sheet]) -> dict[str, Any]:
     items = [item for sheet in sheets for item in sheet.items]
     placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
     students = [
-        _student(sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1])
+        _student(
+            sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1]
+        )
         for sheet in sheets
     ]
     return {

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import datetime
 import json
+import os
 import shutil
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -16,15 +17,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from variantgen.errors import ToolMissing, VariantgenError
+from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure import drawing as ink
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, to_typst
 
-_EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.timezone.utc)
+_EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
-class TypesettingFailed(VariantgenError):
+class TypesettingError(VariantgenError):
     """The engine refused a document: a defect of the templates."""
 
 
@@ -53,17 +54,20 @@ class Typesetter:
                 timestamp=_EPOCH,
             )
         except RuntimeError as error:
-            raise TypesettingFailed(f"the typesetting engine refused {template}: {error}") from error
-        return list(made) if isinstance(made, list) else [bytes(made)]
+            raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
+        return [made] if isinstance(made, bytes) else list(made)
 
 
 @contextmanager
 def typesetter() -> Iterator[Typesetter]:
-    """A typesetter whose folder lasts as long as the block. Raises ToolMissing without the engine."""
+    """A typesetter whose folder lasts as long as the block. Raises ToolMissingError without the engine."""
+    # One thread: measured on 100 sheets, the engine's own threads cost a third more CPU and save no time here;
+    # --jobs is the way to use more cores.
+    os.environ.setdefault("RAYON_NUM_THREADS", "1")
     try:
         import typst  # noqa: F401  (found here, so that the message comes before any work)
     except ImportError:
-        raise ToolMissing("PDF output needs the package typst: install it with  pip install typst") from None
+        raise ToolMissingError("PDF output needs the package typst: install it with  pip install typst") from None
     with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)

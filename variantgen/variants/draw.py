@@ -33,7 +33,7 @@ MAX_ATTEMPTS = 20_000
 _CHUNK = 24
 
 
-class VerificationFailed(VariantgenError):
+class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
 
 
@@ -50,7 +50,9 @@ class Tally:
         return f"of {self.attempts} draws rejected by " + "; ".join(parts)
 
 
-def draw(family: Family, ask: Sequence[str] | None, keys: Sequence[tuple[object, ...]], tally: Tally | None = None) -> list[Variant]:
+def draw(
+    family: Family, ask: Sequence[str] | None, keys: Sequence[tuple[object, ...]], tally: Tally | None = None
+) -> list[Variant]:
     """One variant per key, each depending on its key only (and on the family); keys may repeat variants.
 
     ``ask`` names the asked quantities (None: those of each form). Raises InputError when the ranges leave nothing.
@@ -139,7 +141,10 @@ class _Attempts:
 
     def take(self, chosen: NDArray[np.int64]) -> _Attempts:
         return _Attempts(
-            {name: i[chosen] for name, i in self.index.items()}, self.pose[chosen], self.owner[chosen], self.number[chosen]
+            {name: i[chosen] for name, i in self.index.items()},
+            self.pose[chosen],
+            self.owner[chosen],
+            self.number[chosen],
         )
 
 
@@ -155,8 +160,8 @@ class _FormDrawing:
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used."""
         width = len(self.names) + 1
-        for stream, used in zip(streams, done, strict=True):
-            stream.words(used * width)
+        for stream, skipped in zip(streams, done, strict=True):
+            stream.words(skipped * width)
         used = np.array(done)
         found: dict[int, Variant] = {}
         pending, chunk = list(range(len(streams))), _CHUNK
@@ -176,7 +181,8 @@ class _FormDrawing:
 
     def _attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> _Attempts:
         index = {
-            name: index_below(words[:, i + 1], len(self.form.parameters[name].printed)) for i, name in enumerate(self.names)
+            name: index_below(words[:, i + 1], len(self.form.parameters[name].printed))
+            for i, name in enumerate(self.names)
         }
         return _Attempts(index, index_below(words[:, 0], len(self.poses)), owner, number)
 
@@ -219,7 +225,7 @@ class _FormDrawing:
         return attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
 
     def _sound(self, attempts: _Attempts) -> NDArray[np.bool_]:
-        """Whether the answers are well conditioned. Raises VerificationFailed if the two computations disagree."""
+        """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
         parameters, on_paper = self._si(attempts), self._frame(attempts)
         motion = solve(self.form.scene(self.form.values(parameters), on_paper), self.order, self.form.plan)
         gain = sensitivity(self.form, parameters, on_paper, self.asked, motion)
@@ -230,7 +236,7 @@ class _FormDrawing:
             agrees = verification(motion.take(checked), self.order)
             if not np.all(agrees):
                 bad = self._variant(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
-                raise VerificationFailed(
+                raise VerificationError(
                     f"{self.family.name}: the solver and the independent computation disagree for "
                     + ", ".join(f"{k}={v}" for k, v in bad.printed.items())
                 )

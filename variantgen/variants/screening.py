@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.arithmetic import along
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Frame
@@ -112,7 +112,7 @@ def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:
         table = [np.abs(x) for x in motion.epsilon.values()] + [x * x for x in motion.omega.values()]
     else:
         table = [np.abs(x) for x in (motion.v if quantity.order == 1 else motion.a).values()]
-    return np.max(table, axis=0)
+    return np.asarray(np.max(table, axis=0))
 
 
 def sensitivity(
@@ -136,7 +136,7 @@ def sensitivity(
         for i, quantity in enumerate(asked):
             size = np.where(base[i] == 0, np.inf, np.abs(base[i]))
             total[i] += ((quantity.value(other) - base[i]) / size / 1e-6) ** 2
-    return np.sqrt(np.max(total, axis=0))
+    return np.asarray(np.sqrt(np.max(total, axis=0)))
 
 
 def verification(motion: Motion, order: int) -> Passed:

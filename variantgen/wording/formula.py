@@ -80,7 +80,9 @@ def to_typst(formula: Formula) -> str:
         case Number(text):
             return _quoted(text)
         case UnitText(parts):
-            return " ".join(_quoted(word) + (f"^({_quoted(_power(power))})" if power != 1 else "") for word, power in parts)
+            return " ".join(
+                _quoted(word) + (f"^({_quoted(_power(power))})" if power != 1 else "") for word, power in parts
+            )
         case Measured(number, unit):
             if unit.tight:
                 return _quoted(number.text + "".join(word for word, _ in unit.parts))

@@ -81,7 +81,7 @@ def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]
         (used if name in shown or name in form.figure.hidden else idle).update(names)
     for template in (*form.joints, *form.drivers):
         used |= {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
-    for derived, expression in reversed(form.derived.items()):
+    for derived, expression in reversed(list(form.derived.items())):
         if derived in used:
             used |= expression.names
         else:
@@ -95,7 +95,7 @@ def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     scene = form.sample
     count: dict[str, int] = {}
     for members in form.bodies.values():
-        for place, point in enumerate(members):
+        for point in members:
             count[point] = count.get(point, 0) + 1
     discs = {disc.body for disc in form.figure.discs}
     ends = {p for body, members in form.bodies.items() if body not in discs for p in members[:2]}
@@ -139,9 +139,7 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
             Problem(f"the template fails: {error}", file=str(path), remedy="see catalog/README.md for what it may use")
         ) from None
     text = re.sub(r"\s+", " ", text).strip()
-    return tuple(
-        formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2
-    )
+    return tuple(formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2)
 
 
 def template_path(variant: Variant, language: Language) -> Path:
@@ -151,7 +149,11 @@ def template_path(variant: Variant, language: Language) -> Path:
     if path is None or not path.is_file():
         where = str(path or variant.family.name)
         raise InputError(
-            Problem(f"no statement in the language {language.name}", file=where, remedy="write this file or change the language")
+            Problem(
+                f"no statement in the language {language.name}",
+                file=where,
+                remedy="write this file or change the language",
+            )
         )
     return path
 
@@ -173,7 +175,9 @@ def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:
     spelled = [letter + number for letter, number in letters(name)]
     if "".join(spelled) != name or any(part not in variant.form.points for part in spelled):
         raise InputError(
-            Problem("the template uses an unknown name", file=str(path), value=name, remedy="use points, bodies, parameters")
+            Problem(
+                "the template uses an unknown name", file=str(path), value=name, remedy="use points, bodies, parameters"
+            )
         )
     return Symbol(name)
 

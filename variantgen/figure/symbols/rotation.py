@@ -15,7 +15,9 @@ from variantgen.wording.formula import Symbol
 _SWEEP = math.radians(62)
 _RADII = (6.4, 8.8)
 # Above first: ties go to the place where a reader expects the arc.
-_ANGLES = tuple(math.radians(a) for a in (60, 80, 100, 120, 40, 140, 20, 160, 0, 180, 200, 220, 240, 260, 280, 300, 320, 340))
+_ANGLES = tuple(
+    math.radians(a) for a in (60, 80, 100, 120, 40, 140, 20, 160, 0, 180, 200, 220, 240, 260, 280, 300, 320, 340)
+)
 
 
 def draw(board: Board, driver: Rotation) -> None:

@@ -22,7 +22,9 @@ def draw(board: Board, joint: Thread) -> None:
     radius, pulley_radius = float(joint.radius) * sketch.scale, float(joint.pulley_radius) * sketch.scale
     side, pulley_side = sense * float(joint.side), sense * float(joint.pulley_side)
     way = complex(thread_direction(centre, radius, side, pulley, pulley_radius, pulley_side)[0])
-    sketch.path((centre + 1j * side * radius * way, pulley + 1j * pulley_side * pulley_radius * way), Layer.THREAD, MEDIUM)
+    sketch.path(
+        (centre + 1j * side * radius * way, pulley + 1j * pulley_side * pulley_radius * way), Layer.THREAD, MEDIUM
+    )
     if joint.load is None:
         return
     down = complex(board.frame.direction(joint.load_angle))

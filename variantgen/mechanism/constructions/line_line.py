@@ -39,9 +39,7 @@ class LineLine:
         return at[self.first] + reach * u, crosses
 
 
-def _direction(
-    at: Mapping[str, Complex], start: str, angle: Angle, towards: str | None
-) -> tuple[Complex, Flags]:
+def _direction(at: Mapping[str, Complex], start: str, angle: Angle, towards: str | None) -> tuple[Complex, Flags]:
     if towards is None:
         return unit(angle), True
     return unit_towards(at[start], at[towards])

@@ -26,7 +26,7 @@ class Rotation:
         return (ScalarRow({}, {self.body: at.frame.sense}),)
 
     def rates(self, order: int) -> tuple[Real, ...]:
-        """omega (rad/s) or epsilon (rad/s^2)."""
+        """Omega (rad/s) or epsilon (rad/s^2)."""
         return (self.omega if order == 1 else self.epsilon,)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:

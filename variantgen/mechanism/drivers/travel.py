@@ -27,7 +27,7 @@ class Travel:
         return (ScalarRow({self.point: at.frame.direction(self.angle)}),)
 
     def rates(self, order: int) -> tuple[Real, ...]:
-        """v (m/s) or a (m/s^2)."""
+        """V (m/s) or a (m/s^2)."""
         return (self.v if order == 1 else self.a,)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:

@@ -53,7 +53,11 @@ class _Part:
 
     def make(self, folder: Path, engine: Typesetter) -> Path:
         """Typeset the part; the path of its PDF."""
-        data = self.data(self.exam, self.sheets) if self.data is sheets_data else self.data(self.exam, self.sheets, self.first)
+        data = (
+            self.data(self.exam, self.sheets)
+            if self.data is sheets_data
+            else self.data(self.exam, self.sheets, self.first)
+        )
         path = folder / f"{self.name}.pdf"
         path.write_bytes(engine.compile(self.template, data)[0])
         return path
@@ -95,7 +99,9 @@ def build(
             path.unlink()
         parts_folder.rmdir()
         _write(folder / "key.csv", "\ufeff" + key_csv(made.sheets))
-        record = manifest(exam, made.sheets, seed, VERSION, _file_hash(exam_file), folder_hash(catalog_dir()), made.redrawn)
+        record = manifest(
+            exam, made.sheets, seed, VERSION, _file_hash(exam_file), folder_hash(catalog_dir()), made.redrawn
+        )
         _write(folder / "manifest.json", record)
     return Built(out, len(students), made.redrawn)
 
@@ -124,8 +130,6 @@ def _makers(jobs: int) -> Iterator[Runner]:
         if jobs <= 1:
             yield lambda parts, folder: ((part, part.make(folder, engine)) for part in parts)
             return
-        # The engine uses all cores by itself; with several processes one thread each is enough.
-        os.environ.setdefault("RAYON_NUM_THREADS", "1")
         with ProcessPoolExecutor(jobs) as pool:
 
             def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, Path]]:
