@@ -15,7 +15,7 @@ from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
-_DIGITS = 10  # significant digits kept, so that a last-bit difference between machines changes no byte
+_DIGITS = 8  # significant digits kept, so that a last-bit difference between machines changes no byte
 
 
 @dataclass(frozen=True)
