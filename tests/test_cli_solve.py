@@ -1,0 +1,110 @@
+"""``solve`` and ``show``: the document that scripts may rely on."""
+
+from __future__ import annotations
+
+import json
+from math import sqrt
+from pathlib import Path
+
+import pytest
+
+from variantgen.cli import main
+
+K27 = ["OA=200", "OC=100", "AB=200", "h=200", "phi=90", "sense=clockwise", "branch=ahead", "omega_OA=1", "epsilon_OA=0"]
+
+
+def solved(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, object]:
+    assert main(["solve", *arguments, "--json"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    document: dict[str, object] = json.loads(captured.out)
+    return document
+
+
+def test_document_of_a_worked_case(capsys: pytest.CaptureFixture[str]) -> None:
+    settings = [part for text in K27 for part in ("--set", text)]
+    found = solved(capsys, "sleeve_on_crank", *settings)
+    assert list(found) == ["family", "form", "parameters", "outcome", "points", "bodies", "relative", "answers"]
+    assert found["outcome"] == "solved"
+    assert found["parameters"]["OA"] == {"value": 200.0, "unit": "cm", "si": 2.0}
+    assert found["points"]["B"]["position"] == pytest.approx([2, 2])
+    assert found["points"]["B"]["velocity"] == pytest.approx([2, 0])
+    assert found["points"]["B"]["acceleration"] == pytest.approx([0, 0])
+    assert found["bodies"]["AB"]["omega"] == 0.0
+    assert found["bodies"]["AB"]["velocity_centre"] is None
+    relative = found["relative"]["C"]
+    assert relative["body"] == "BD"
+    assert sum(x * x for x in relative["velocity"]) == pytest.approx(4 / 5)
+    assert sum(x * x for x in relative["acceleration"]) == pytest.approx((6 * sqrt(5) / 25) ** 2)
+    answers = {answer["quantity"]: answer for answer in found["answers"]}
+    assert answers["v_rel_C"]["value"] == pytest.approx(200 / sqrt(5))
+    assert answers["v_rel_C"]["unit"] == "cm/s"
+    assert answers["v_rel_C"]["tolerance"] == pytest.approx(2 / sqrt(5), rel=1e-2)
+
+
+def test_parts_that_were_not_computed_are_absent(capsys: pytest.CaptureFixture[str]) -> None:
+    found = solved(capsys, "four_bar", "--ask", "v_B")
+    assert "relative" not in found
+    assert "acceleration" not in found["points"]["B"]
+    assert "epsilon" not in found["bodies"]["AB"]
+
+
+def test_same_seed_same_document(capsys: pytest.CaptureFixture[str]) -> None:
+    first = solved(capsys, "slider_crank", "--seed", "abc")
+    assert solved(capsys, "slider_crank", "--seed", "abc") == first
+    assert solved(capsys, "slider_crank", "--seed", "abd") != first
+
+
+SCENE = """
+length_unit = "cm"
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { polar = { origin = "O", distance = 20, angle = 90 } }
+B = { line_circle = { through = "O", centre = "A", distance = "0.4 m" } }
+[bodies]
+OA = ["O", "A"]
+AB = ["A", "B"]
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+guide = { point = "B" }
+[[drivers]]
+rotation = { body = "OA", omega = 2 }
+"""
+
+
+def test_a_scene_file_without_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE, encoding="utf-8")
+    found = solved(capsys, str(path))
+    # Crank across the line of the slider: the rod is in translation, v_B = v_A = 40 cm/s.
+    assert found["bodies"]["AB"]["omega"] == 0.0
+    assert {a["quantity"]: a["value"] for a in found["answers"]}["v_B"] == pytest.approx(40)
+
+
+def test_a_scene_that_does_not_assemble(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE.replace("0.4 m", "10 cm"), encoding="utf-8")
+    assert main(["solve", str(path), "--json"]) == 2
+    captured = capsys.readouterr()
+    assert json.loads(captured.out)["outcome"] == "not_assembled"
+    assert "does not assemble" in captured.err
+
+
+@pytest.mark.parametrize(("lang", "word"), [("en", "Given:"), ("ru", "Дано:")])
+def test_show_prints_a_problem(lang: str, word: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "four_bar", "--lang", lang, "--seed", "3"]) == 0
+    assert word in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("ending", "start"), [("pdf", b"%PDF"), ("png", b"\x89PNG"), ("svg", b"<svg")])
+def test_show_writes_a_page(ending: str, start: bytes, tmp_path: Path) -> None:
+    out = tmp_path / f"page.{ending}"
+    assert main(["show", "spool", "--out", str(out)]) == 0
+    assert out.read_bytes().startswith(start)
+
+
+def test_show_refuses_an_unknown_ending(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "spool", "--out", str(tmp_path / "page.docx")]) == 2
+    assert "unknown format" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())

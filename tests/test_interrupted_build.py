@@ -1,0 +1,129 @@
+"""A build that is interrupted leaves a complete folder or none, and the next run cleans up."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]
+EXAM = 'title = "Quiz"\nlanguage = "en"\n[[problem]]\nfamily = "spool"\n[[problem]]\nfamily = "four_bar"\n'
+
+
+def start(folder: Path, variants: int, *options: str) -> subprocess.Popen[str]:
+    (folder / "exam.toml").write_text(EXAM, encoding="utf-8")
+    command = [sys.executable, "-m", "variantgen", "build", "exam.toml", "--variants", str(variants), "--out", "out"]
+    return subprocess.Popen(
+        [*command, *options],
+        cwd=folder,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "TMPDIR": str(folder / "tmp")},
+    )
+
+
+def finish(process: subprocess.Popen[str]) -> str:
+    message = process.communicate(timeout=30)[1]
+    assert "Traceback" not in message, message
+    return message
+
+
+def partial(folder: Path) -> list[Path]:
+    return list(folder.glob(".out.partial-*"))
+
+
+def moments(folder: Path, process: subprocess.Popen[str], moment: str) -> None:
+    """Wait until the build has come to the moment, or has ended."""
+    if moment.endswith("s"):
+        time.sleep(float(moment[:-1]))
+        return
+    pattern = {"folder": ".out.partial-*", "part": ".out.partial-*/.parts/*.pdf", "second": "*/.parts/*-0000050.pdf"}
+    pattern |= {"joined": ".out.partial-*/sheets.pdf", "key": ".out.partial-*/key.csv"}
+    end = time.monotonic() + 20
+    while process.poll() is None and time.monotonic() < end and not any(folder.glob(pattern[moment])):
+        time.sleep(0.002)
+
+
+def complete_or_absent(folder: Path) -> bool:
+    out = folder / "out"
+    if not out.exists():
+        return False
+    assert sorted(path.name for path in out.iterdir()) == FILES
+    assert all(path.stat().st_size > 0 for path in out.iterdir())
+    return True
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Iterator[Path]:
+    (tmp_path / "tmp").mkdir()
+    yield tmp_path
+
+
+@pytest.mark.parametrize("moment", ["0.3s", "folder", "part", "second", "joined", "key"])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
+def test_interrupt_leaves_nothing_half_done(number: signal.Signals, moment: str, folder: Path) -> None:
+    process = start(folder, 300)
+    moments(folder, process, moment)
+    process.send_signal(number)
+    message = process.communicate(timeout=30)[1]
+    done = complete_or_absent(folder)
+    assert partial(folder) == []
+    assert list((folder / "tmp").iterdir()) == []
+    assert process.returncode != 0 or done
+    if moment != "0.3s":  # before that the interpreter itself may still be starting
+        assert "Traceback" not in message
+        if not done:
+            assert process.returncode in {128 + number, -number}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
+def test_interrupt_with_several_processes(number: signal.Signals, folder: Path) -> None:
+    process = start(folder, 300, "--jobs", "2")
+    moments(folder, process, "part")
+    process.send_signal(number)
+    finish(process)
+    complete_or_absent(folder)
+    assert partial(folder) == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
+def test_interrupt_with_force_keeps_the_old_folder(number: signal.Signals, folder: Path) -> None:
+    (folder / "out").mkdir()
+    (folder / "out" / "mine.txt").write_text("keep")
+    process = start(folder, 300, "--force")
+    moments(folder, process, "part")
+    process.send_signal(number)
+    finish(process)
+    assert [path.name for path in (folder / "out").iterdir()] == ["mine.txt"]
+    assert partial(folder) == []
+
+
+@pytest.mark.parametrize("moment", ["folder", "part", "joined", "key"])
+def test_the_run_after_a_kill_cleans_up(moment: str, folder: Path) -> None:
+    process = start(folder, 300)
+    moments(folder, process, moment)
+    process.kill()
+    process.communicate(timeout=30)
+    if not complete_or_absent(folder):
+        assert len(partial(folder)) == 1
+    again = start(folder, 2, "--force")
+    finish(again)
+    assert again.returncode == 0
+    assert complete_or_absent(folder)
+    assert partial(folder) == []
+
+
+def test_interrupt_says_that_nothing_was_written(folder: Path) -> None:
+    process = start(folder, 300)
+    moments(folder, process, "part")
+    process.send_signal(signal.SIGINT)
+    message = finish(process)
+    assert process.returncode == 130
+    assert "interrupted" in message
+    assert "nothing was written" in message
