@@ -22,7 +22,15 @@ from variantgen.mechanism.scene import Scene
 
 
 def four_bar(
-    a: Any, b: Any, c: Any, d: Any, phi: Any, omega: Any, epsilon: Any = 0.0, side: Any = 1.0, frame: Frame | None = None
+    a: Any,
+    b: Any,
+    c: Any,
+    d: Any,
+    phi: Any,
+    omega: Any,
+    epsilon: Any = 0.0,
+    side: Any = 1.0,
+    frame: Frame | None = None,
 ) -> Scene:
     """Crank a at O, coupler b, rocker c at C, base d along x; M is the midpoint of the coupler."""
     return Scene(

@@ -241,11 +241,18 @@ def test_impossible_ranges_name_file_and_problem(bench: Bench) -> None:
     assert "problem[2]" in message
 
 
-def test_more_students_than_variants(bench: Bench) -> None:
+@pytest.mark.parametrize("students", [2, 300])
+def test_more_students_than_variants(students: int, bench: Bench) -> None:
     """Everything is fixed, so there is one variant and its poses on paper."""
     fixed = "OA = 30, AB = 60, BC = 50, OC = 70, phi = 60, omega_OA = 2, epsilon_OA = 2"
-    message = bench.refused(GOOD + f'set = {{ {fixed}, sense = "clockwise", side = "left" }}\n', variants=20)
-    assert "four_bar" in message
+    message = bench.refused(GOOD + f'set = {{ {fixed}, sense = "clockwise", side = "left" }}\n', variants=students)
+    assert all(part in message for part in ("four_bar", "too few", str(students), "widen"))
+
+
+@pytest.mark.parametrize("ask", ["", 'ask = ["v_B", "omega_AB"]\n'], ids=["default", "velocities"])
+def test_mechanism_at_rest_is_no_problem(ask: str, bench: Bench) -> None:
+    """Velocities that are all zero are no answers."""
+    assert "omega_OA" in bench.refused(GOOD + ask + "set = { omega_OA = 0 }\n")
 
 
 def test_many_mistakes_are_all_reported(bench: Bench) -> None:

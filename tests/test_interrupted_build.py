@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -24,6 +25,7 @@ def start(folder: Path, variants: int, *options: str) -> subprocess.Popen[str]:
         cwd=folder,
         stderr=subprocess.PIPE,
         text=True,
+        start_new_session=True,
         env={**os.environ, "TMPDIR": str(folder / "tmp")},
     )
 
@@ -68,7 +70,7 @@ def folder(tmp_path: Path) -> Iterator[Path]:
 @pytest.mark.parametrize("moment", ["0.3s", "folder", "part", "second", "joined", "key"])
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
 def test_interrupt_leaves_nothing_half_done(number: signal.Signals, moment: str, folder: Path) -> None:
-    process = start(folder, 300)
+    process = start(folder, 120 if moment in {"joined", "key"} else 300)
     moments(folder, process, moment)
     process.send_signal(number)
     message = process.communicate(timeout=30)[1]
@@ -106,7 +108,7 @@ def test_interrupt_with_force_keeps_the_old_folder(number: signal.Signals, folde
 
 @pytest.mark.parametrize("moment", ["folder", "part", "joined", "key"])
 def test_the_run_after_a_kill_cleans_up(moment: str, folder: Path) -> None:
-    process = start(folder, 300)
+    process = start(folder, 120 if moment in {"joined", "key"} else 300)
     moments(folder, process, moment)
     process.kill()
     process.communicate(timeout=30)
@@ -117,6 +119,18 @@ def test_the_run_after_a_kill_cleans_up(moment: str, folder: Path) -> None:
     assert again.returncode == 0
     assert complete_or_absent(folder)
     assert partial(folder) == []
+
+
+def test_a_kill_with_several_processes_leaves_no_worker(folder: Path) -> None:
+    process = start(folder, 300, "--jobs", "2")
+    moments(folder, process, "part")
+    process.kill()
+    try:
+        process.communicate(timeout=5)  # ends when no process holds the pipe any more
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
 
 
 def test_interrupt_says_that_nothing_was_written(folder: Path) -> None:

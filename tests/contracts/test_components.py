@@ -1,4 +1,4 @@
-"""Every joint and driver has a symbol of the same stem, a docstring with its equation, and rows that match its residual."""
+"""Every joint and driver has a symbol of the same stem, an equation in its docstring, rows that match its residual."""
 
 from __future__ import annotations
 
@@ -60,7 +60,9 @@ def test_rows_are_the_derivative_of_the_residual(scene: Scene) -> None:
         slopes = [
             (np.asarray(a) - np.asarray(b)) / (2 * h)
             for a, b in zip(
-                constraint.residual(moved(h), start, np.zeros(1)), constraint.residual(moved(-h), start, np.zeros(1)), strict=True
+                constraint.residual(moved(h), start, np.zeros(1)),
+                constraint.residual(moved(-h), start, np.zeros(1)),
+                strict=True,
             )
         ]
         said: list[float] = []

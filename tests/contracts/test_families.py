@@ -18,7 +18,12 @@ from variantgen.wording.language import languages, load_language
 from variantgen.wording.statement import statement
 
 FAMILIES = family_names()
-GOLDEN = {"four_bar": {"K26", "M26", "M35"}, "sleeve_on_crank": {"K27"}, "rolling_wheel": {"M24", "M31"}, "spool": {"M34"}}
+GOLDEN = {
+    "four_bar": {"K26", "M26", "M35"},
+    "sleeve_on_crank": {"K27"},
+    "rolling_wheel": {"M24", "M31"},
+    "spool": {"M34"},
+}
 
 
 @pytest.mark.parametrize("name", FAMILIES)
@@ -63,8 +68,8 @@ def drawn(name: str, count: int) -> list[tuple[Variant, Drawing]]:
 
 def overlap(first: Label, second: Label) -> bool:
     gap = first.at - second.at
-    return (
-        abs(gap.real) < 0.5 * (first.size[0] + second.size[0]) and abs(gap.imag) < 0.5 * (first.size[1] + second.size[1])
+    return abs(gap.real) < 0.5 * (first.size[0] + second.size[0]) and abs(gap.imag) < 0.5 * (
+        first.size[1] + second.size[1]
     )
 
 
@@ -72,9 +77,9 @@ def overlap(first: Label, second: Label) -> bool:
 def test_labels_do_not_overlap_and_stay_on_the_paper(name: str) -> None:
     for variant, figure in drawn(name, 60):
         for i, label in enumerate(figure.labels):
-            assert 0 <= label.at.real - label.size[0] / 2
+            assert label.at.real - label.size[0] / 2 >= 0
             assert label.at.real + label.size[0] / 2 <= figure.width
-            assert 0 <= label.at.imag - label.size[1] / 2
+            assert label.at.imag - label.size[1] / 2 >= 0
             assert label.at.imag + label.size[1] / 2 <= figure.height
             for other in figure.labels[:i]:
                 assert not overlap(label, other), (variant.printed, to_plain(label.formula), to_plain(other.formula))

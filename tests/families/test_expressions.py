@@ -40,7 +40,13 @@ def test_no_value_is_nan_or_raises(text: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "dimension"),
-    [("OA", (1, 0)), ("OA * omega", (1, -1)), ("OA * omega**2", (1, -2)), ("OA / (2*OA)", (0, 0)), ("sqrt(OA * OA)", (1, 0))],
+    [
+        ("OA", (1, 0)),
+        ("OA * omega", (1, -1)),
+        ("OA * omega**2", (1, -2)),
+        ("OA / (2*OA)", (0, 0)),
+        ("sqrt(OA * OA)", (1, 0)),
+    ],
 )
 def test_dimensions(text: str, dimension: tuple[int, int]) -> None:
     assert parse(text).dimension(DIMENSIONS) == dimension

@@ -27,7 +27,17 @@ ANGLE = st.floats(-math.pi, math.pi)
 
 
 def test_every_construction_of_the_folder_is_tested_here() -> None:
-    tested = {"circle_circle", "coordinates", "foot", "fraction", "line_circle", "line_line", "on_body", "polar", "tangent"}
+    tested = {
+        "circle_circle",
+        "coordinates",
+        "foot",
+        "fraction",
+        "line_circle",
+        "line_line",
+        "on_body",
+        "polar",
+        "tangent",
+    }
     assert set(discover("variantgen.mechanism.constructions")) == tested
 
 

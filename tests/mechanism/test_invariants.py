@@ -25,7 +25,7 @@ LENGTHS = st.tuples(st.floats(0.1, 0.6), st.floats(0.3, 1.2), st.floats(0.3, 1.2
 
 def scenes() -> st.SearchStrategy[Scene]:
     four = st.builds(
-        lambda l, phi, w, e, side: four_bar(*l, phi, w, e, side),
+        lambda sides, phi, w, e, side: four_bar(*sides, phi, w, e, side),
         LENGTHS, st.floats(-3.1, 3.1), RATE, RATE, st.sampled_from([1.0, -1.0]),
     )  # fmt: skip
     slider = st.builds(
@@ -108,7 +108,9 @@ def test_independent_computation_agrees(scene: Scene) -> None:
 
 def all_rates(motion: Motion) -> dict[str, Any]:
     rates = {f"v_{k}": v[0] for k, v in motion.v.items()} | {f"a_{k}": v[0] for k, v in motion.a.items()}
-    return rates | {f"w_{k}": v[0] for k, v in motion.omega.items()} | {f"e_{k}": v[0] for k, v in motion.epsilon.items()}
+    return (
+        rates | {f"w_{k}": v[0] for k, v in motion.omega.items()} | {f"e_{k}": v[0] for k, v in motion.epsilon.items()}
+    )
 
 
 @given(LENGTHS, st.floats(-3, 3), RATE, RATE, st.floats(-6, 6))

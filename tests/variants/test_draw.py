@@ -16,9 +16,7 @@ from variantgen.variants.draw import Drawing, Entry, Tally, draw, draw_distinct
 from variantgen.variants.seeding import Stream, digest, index_below
 from variantgen.variants.variant import solve_variants
 
-SMALL = restrict(
-    load_family("spool"), {"thread": "above", "a_B": 100, "v_B": 40}, {"r": [18, 22], "R": [40, 44]}
-)
+SMALL = restrict(load_family("spool"), {"thread": "above", "a_B": 100, "v_B": 40}, {"r": [18, 22], "R": [40, 44]})
 
 
 def test_raw_words_are_the_promised_ones() -> None:

@@ -91,7 +91,7 @@ class Screens:
     """What a variant must meet. Angles in rad, the others relative to the size or rates of the mechanism.
 
     ``transmission``: distance from dead points (see Motion.transmission); ``spacing``: smallest distance of two
-    hinges, and half of it of a hinge from a foreign link; ``aspect``: largest ratio of the sides of the figure;
+    hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides;
     ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
     ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
     change of the data.

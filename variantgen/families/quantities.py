@@ -15,7 +15,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
-from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.scene import Scene, fixed_points
 
 _PATTERN = re.compile(r"(v_rel|a_rel|a_cor|v|a|omega|epsilon)_([A-Za-z][A-Za-z0-9]*)(?:\.([xy]))?")
 _ORDER = {"v": 1, "omega": 1, "v_rel": 1, "a": 2, "epsilon": 2, "a_rel": 2, "a_cor": 2}
@@ -89,7 +89,7 @@ def quantity_names(scene: Scene) -> list[str]:
     """Names of all quantities that a scene can be asked for."""
     moving = {p for members in scene.bodies.values() for p in members}
     moving |= {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
-    fixed = {s.lead for c in scene.joints for s in c.shapes() if s.lead and not s.bodies and len(s.points) == 1}
+    fixed = fixed_points(scene)
     points = [p for p in scene.points if p in moving and p not in fixed]
     sliding = list(sliding_points(scene))
     names = [f"{kind}_{p}{part}" for kind in ("v", "a") for p in points for part in ("", ".x", ".y")]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from variantgen.families.family import Form
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.rows import Frame
-from variantgen.mechanism.scene import Scene, references
+from variantgen.mechanism.scene import Scene, fixed_points
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 
@@ -50,8 +50,6 @@ class Board:
 
     def pivot_of(self, body: str) -> str:
         """The fixed point of a body, or its first point."""
-        fixed = {
-            name for joint in self.scene.joints if not references(joint, "body") for name in references(joint, "point")
-        }
+        fixed = fixed_points(self.scene)
         members = self.scene.bodies[body]
         return next((name for name in members if name in fixed), members[0])

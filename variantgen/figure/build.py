@@ -52,13 +52,17 @@ def statement_figure(
         if angle.name in given:
             draw_angle(board, angle)
     for joint in board.scene.joints:
-        _draw_symbol(board, joint)
+        if not _seeks_room(joint):
+            _draw_symbol(board, joint)
     for length in form.figure.lengths:
         if length.name in given:
             draw_length(board, length)
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.name in given:
             draw_radius(board, disc, radius * scale)
+    for joint in board.scene.joints:
+        if _seeks_room(joint):
+            _draw_symbol(board, joint)
     _draw_points(board, shown)
     # Last, because the arrows of given motion go where there is room left.
     for driver in board.scene.drivers:
@@ -67,7 +71,16 @@ def statement_figure(
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:
-    _symbol_module(type(item).__module__.rsplit(".", 1)[-1]).draw(board, item)
+    _symbol_of(item).draw(board, item)
+
+
+def _symbol_of(item: Constraint) -> ModuleType:
+    return _symbol_module(type(item).__module__.rsplit(".", 1)[-1])
+
+
+def _seeks_room(item: Constraint) -> bool:
+    """Whether a symbol is free to choose its side, and so waits until what has no choice is drawn."""
+    return bool(getattr(_symbol_of(item), "SEEKS_ROOM", False))
 
 
 def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) -> float:

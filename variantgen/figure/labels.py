@@ -88,10 +88,10 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     half_width, half_height = beside.box
     support = half_width * abs(way.real) + half_height * abs(way.imag)
     ahead = end + way * (np.array([1.0, 2.5, 5.0]) + support)
-    far = along_line(formula, start, end, clear=4.0)
+    far, farther = (along_line(formula, start, end, clear) for clear in (3.5, 7.0))
     near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
-    costs = np.concatenate((beside.costs + near_head, [1.5, 3.0, 5.0], far.costs + 7.0))
-    return Request(formula, end, np.concatenate((beside.places, ahead, far.places)), costs)
+    costs = np.concatenate((beside.costs + near_head, [1.5, 3.0, 5.0], far.costs + 7.0, farther.costs + 10.0))
+    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs)
 
 
 def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:

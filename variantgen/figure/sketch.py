@@ -100,13 +100,6 @@ class Sketch:
         taken = self.busy.get(point, [])
         return min((abs(math.remainder(angle - other, math.tau)) for other in taken), default=math.pi)
 
-    def freest(self, point: str, angles: Sequence[float], enough: float) -> float:
-        """The first of the angles with enough room on both sides, or else the one with most."""
-        for angle in angles:
-            if self.freedom(point, angle) >= enough:
-                return angle
-        return max(angles, key=lambda angle: self.freedom(point, angle))
-
     def crossings(self, places: Sequence[complex], half_sides: tuple[float, float]) -> NDArray[np.int64]:
         """How many of the lines drawn so far cross the box about each place, shape (P,)."""
         return boxes_crossed(np.array(places), half_sides, self._segments())

@@ -66,6 +66,12 @@ def references(component: Any, kind: str) -> tuple[str, ...]:
     return tuple(names)
 
 
+def fixed_points(scene: Scene) -> set[str]:
+    """Points that a joint holds in place by itself."""
+    shapes = [shape for joint in scene.joints for shape in joint.shapes()]
+    return {shape.lead for shape in shapes if shape.lead and not shape.bodies and len(shape.points) == 1}
+
+
 def label(component: Any) -> str:
     """How messages call a joint or driver: its kind and what it acts on, ``guide of B``."""
     named = [getattr(component, f.name) for f in fields(component)]

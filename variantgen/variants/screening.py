@@ -18,6 +18,7 @@ from variantgen.mechanism.arithmetic import along
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.verify import invariants, recompute
 
@@ -26,12 +27,15 @@ Values = Mapping[str, NDArray[np.float64]]
 
 # A variant reaches paper only if the two computations agree this well (relative to the fastest point).
 VERIFIED = 1e-7
+# How far a point stays from a link that it does not belong to, in spacings of hinges: a fixed hinge has a base.
+_OFF_LINKS, _BASE_OFF_LINKS = 0.75, 1.3
 _MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
 
 
 def _at_least(value: Any, limit: Any) -> Passed:
     """``value >= limit``, with room for rounding: grids of round numbers meet limits exactly, and the last bit of a
-    sine differs between machines (and between batches), which must not decide about a variant."""
+    sine differs between machines (and between batches), which must not decide about a variant.
+    """
     return np.asarray(value >= limit * (1 - 1e-9))
 
 
@@ -56,7 +60,7 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
     found = {
         "assembles": motion.solved,
         "hinges apart": _at_least(np.min(gaps[first, second], axis=0, initial=np.inf), spacing),
-        "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, 0.5 * spacing),
+        "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, spacing),
         "aspect": _at_least(np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect, size),
     }
     for point, start, end in form.screens.inside:
@@ -87,8 +91,8 @@ def links(form: Form) -> list[tuple[str, str, str]]:
 
 
 def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.float64]:
-    """Smallest distance of a point from a bar that it does not belong to and does not slide on (m)."""
-    slides = sliding_points(motion.scene)
+    """Smallest distance of a point from a bar that it does not belong to and does not slide on (m), over its need."""
+    slides, fixed = sliding_points(motion.scene), fixed_points(motion.scene)
     smallest = np.full(motion.size, np.inf)
     for body, start, end in links(form):
         line = motion.z[end] - motion.z[start]
@@ -98,7 +102,8 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
                 continue
             step = motion.z[point] - motion.z[start]
             part = np.clip(along(line, step) / square, 0.0, 1.0)
-            smallest = np.minimum(smallest, np.abs(step - part * line))
+            need = _BASE_OFF_LINKS if point in fixed else _OFF_LINKS
+            smallest = np.minimum(smallest, np.abs(step - part * line) / need)
     return smallest
 
 

@@ -10,6 +10,7 @@ from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.joints.pivot import Pivot
 
+SEEKS_ROOM = True
 _HEIGHT, _HALF_LEGS, _HALF_BASE = 4.0, 2.4, 3.7
 # Down first: that is where a base is expected.
 _SIDES = (-math.pi / 2, math.pi / 2, math.pi, 0.0)
@@ -19,7 +20,7 @@ def draw(board: Board, joint: Pivot) -> None:
     """Add the symbol."""
     sketch = board.sketch
     centre = sketch.at[joint.point]
-    angle = sketch.freest(joint.point, _SIDES, math.radians(58))
+    angle = _roomiest_side(board, joint.point)
     down = cmath.rect(1.0, angle)
     left, foot = -1j * down, centre + _HEIGHT * down
     for side in (1, -1):
@@ -33,3 +34,17 @@ def draw(board: Board, joint: Pivot) -> None:
     sketch.hatch(start, end, down)
     sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     board.sized(joint.point, HINGE)
+
+
+def _roomiest_side(board: Board, point: str) -> float:
+    """The side on which the base covers least of what is drawn already and is far from the links at the hinge."""
+    sketch = board.sketch
+    depth, half = _HEIGHT + 1.7, _HALF_BASE + 1.0
+
+    def cost(angle: float) -> float:
+        down = cmath.rect(1.0, angle)
+        sides = (half, 0.5 * depth) if abs(down.imag) > 0.5 else (0.5 * depth, half)
+        covered = int(sketch.crossings([sketch.at[point] + (HINGE + 0.5 * depth) * down], sides)[0])
+        return 2.0 * covered + max(0.0, math.radians(58) - sketch.freedom(point, angle))
+
+    return min(_SIDES, key=cost)
