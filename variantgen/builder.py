@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import multiprocessing
+import multiprocessing.connection
 import os
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
@@ -11,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
@@ -81,7 +85,10 @@ def build(
     check_free(out, force)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))
-    made = assemble(exam, students, seed)
+    try:
+        made = assemble(exam, students, seed)
+    except InputError as error:
+        raise error.located(str(exam_file)) from None
     with whole_folder(out, force) as folder:
         parts_folder = folder / ".parts"
         parts_folder.mkdir()
@@ -130,7 +137,7 @@ def _makers(jobs: int) -> Iterator[Runner]:
         if jobs <= 1:
             yield lambda parts, folder: ((part, part.make(folder, engine)) for part in parts)
             return
-        with ProcessPoolExecutor(jobs) as pool:
+        with ProcessPoolExecutor(jobs, initializer=_leave_with_parent) as pool:
 
             def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, Path]]:
                 made = pool.map(_make, parts, [folder] * len(parts), [engine] * len(parts))
@@ -141,6 +148,15 @@ def _makers(jobs: int) -> Iterator[Runner]:
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise
+
+
+def _leave_with_parent() -> None:
+    """Let a worker end when the program is killed, so that nothing is left running."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(
+            target=lambda: (multiprocessing.connection.wait([parent.sentinel]), os._exit(1)), daemon=True
+        ).start()
 
 
 def _make(part: _Part, folder: Path, engine: Typesetter) -> Path:

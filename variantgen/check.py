@@ -12,7 +12,9 @@ from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
+from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.verify import invariants, recompute
+from variantgen.single import one_variant
 from variantgen.variants.draw import Drawing, Tally
 from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
@@ -69,6 +71,10 @@ def check_family(name_or_path: str, seeds: int = 200) -> Report:
     if any(form.parameters for form in family.forms.values()):
         for form_name in family.forms:
             _check_draws(family, form_name, seeds, report)
+    else:
+        outcome = Outcome(int(solve_variants([one_variant(name_or_path)], 1).outcome[0]))
+        if outcome is not Outcome.SOLVED:
+            report.failures.append(outcome.text)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 

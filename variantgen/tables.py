@@ -12,20 +12,30 @@ from typing import Any, TypeVar
 from variantgen.errors import InputError, Problem, nearest
 
 T = TypeVar("T")
-_MAX_BYTES = 1_000_000
+_MAX_BYTES = 200_000
+
+
+def read_limited(path: Path, limit: int) -> bytes:
+    """The bytes of a file; InputError if there are more than ``limit``, also for a device without an end."""
+    with path.open("rb") as file:
+        content = file.read(limit + 1)
+    if len(content) > limit:
+        raise InputError(
+            Problem(f"the file is larger than {limit // 1000} kB", file=str(path), remedy="is it the right file?")
+        )
+    return content
 
 
 def read_toml(path: Path) -> dict[str, Any]:
     """The content of a TOML file, numbers with a decimal point as Decimal. Raises InputError."""
     try:
-        if path.stat().st_size > _MAX_BYTES:
-            raise InputError(Problem("the file is larger than 1 MB", file=str(path), remedy="is it the right file?"))
-        return tomllib.loads(path.read_bytes().decode("utf-8-sig"), parse_float=Decimal)
+        content = read_limited(path, _MAX_BYTES)
+        return tomllib.loads(content.decode("utf-8-sig"), parse_float=Decimal)
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     except UnicodeDecodeError:
         raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError, ArithmeticError) as error:
+    except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:
         raise InputError(
             Problem(f"is not valid TOML: {error}", file=str(path), remedy="compare it with a file of the catalogue")
         ) from None
@@ -48,7 +58,7 @@ class Table:
 
     def problem(self, message: str, name: str, value: Any = "", remedy: str = "") -> None:
         """Note a mistake in this table."""
-        self.problems.append(Problem(message, key=self.key(name), value=_short(value), remedy=remedy))
+        self.problems.append(Problem(message, key=self.key(name), value=shown(value), remedy=remedy))
 
     @contextmanager
     def collecting(self, name: str) -> Iterator[None]:
@@ -82,6 +92,10 @@ class Table:
             return default
         return self.take(name, kind, default, expected)
 
+    def expect(self, *names: str) -> None:
+        """Note keys that the table may have, so that a mistyped one is compared with them."""
+        self._seen.update(names)
+
     def number(self, name: str, default: int | Decimal) -> Decimal:
         """A number as it is written in the file."""
         value: Any = self.take(name, (int, Decimal), default, "a number")
@@ -89,8 +103,9 @@ class Table:
 
     def strings(self, name: str, default: tuple[str, ...] = ()) -> tuple[str, ...]:
         """A list of strings."""
-        value = self.take(name, list, list(default), "a list of strings")
-        if any(not isinstance(item, str) for item in value):
+        self._seen.add(name)
+        value = self.data.get(name, list(default))
+        if not isinstance(value, list) or any(not isinstance(item, str) for item in value):
             self.problem("expected a list of strings", name, value)
             return default
         return tuple(value)
@@ -128,6 +143,7 @@ def _kind_name(kind: Any) -> str:
     return " or ".join(dict.fromkeys(words.get(k, k.__name__) for k in kinds))
 
 
-def _short(value: Any) -> str:
-    text = value if isinstance(value, str) else repr(value) if value != "" else ""
+def shown(value: Any) -> str:
+    """A value as its author wrote it, shortened."""
+    text = str(value).lower() if isinstance(value, bool) else str(value)
     return text if len(text) <= 60 else text[:57] + "..."

@@ -81,12 +81,12 @@ def _task(table: Table, number: int) -> Task | None:
         names = (table.take("family", str, ""),)
     elif not names:
         table.problem("missing, expected the name of a family", "family")
-    forms = table.data.get("form", [])
-    table.take("form", (str, list), "", "a form of the family or a list of forms")
-    forms = (forms,) if isinstance(forms, str) else tuple(str(form) for form in forms)
+    forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
+    table.expect("ask", "families")
     ask = table.strings("ask") if "ask" in table.data else None
+    unread = ask == () and table.data["ask"] != []
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
@@ -95,7 +95,7 @@ def _task(table: Table, number: int) -> Task | None:
     for name in names:
         with _Under(table):
             family = restrict(load_family(name), fixed, ranges, forms)
-            _check_ask(family, ask)
+            _check_ask(family, None if unread else ask)
             families.append(family)
     if len(table.problems) > before:
         return None

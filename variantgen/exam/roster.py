@@ -6,10 +6,12 @@ import csv
 import io
 import unicodedata
 import zipfile
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.tables import read_limited
 
 COLUMNS = {
     "id": ("id", "student id", "student", "number", "no", "№", "номер", "ид", "идентификатор", "зачётка", "зачетка",
@@ -20,6 +22,11 @@ COLUMNS = {
 }  # fmt: skip
 _MAX_BYTES = 50_000_000
 _MAX_CELL = 20_000
+# What the reader of workbooks raises on damaged ones, as found by damaging them.
+_BROKEN_WORKBOOK = (
+    zipfile.BadZipFile, zlib.error, LookupError, ValueError, TypeError, AttributeError, SyntaxError, EOFError, OSError,
+    NotImplementedError,
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -39,9 +46,7 @@ def numbered(count: int) -> list[Student]:
 def read_roster(path: Path) -> list[Student]:
     """Read and check a roster. Raises InputError with every problem found (row numbers as in the file)."""
     try:
-        if path.stat().st_size > _MAX_BYTES:
-            raise InputError(Problem("the file is larger than 50 MB", file=str(path)))
-        content = path.read_bytes()
+        content = read_limited(path, _MAX_BYTES)
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     try:
@@ -93,7 +98,7 @@ def _xlsx_rows(content: bytes) -> list[tuple[int, list[str]]]:
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
         sheet = book.worksheets[0]
         rows = [(i, [_cell(cell) for cell in row]) for i, row in enumerate(sheet.iter_rows(values_only=True), start=1)]
-    except (zipfile.BadZipFile, KeyError, ValueError, IndexError, TypeError, SyntaxError, EOFError, OSError) as error:
+    except _BROKEN_WORKBOOK as error:
         raise InputError(
             Problem(f"is not a readable XLSX workbook ({type(error).__name__})", remedy="save it again, or as CSV")
         ) from None

@@ -64,7 +64,7 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     entries: list[Entry] = []
     owners: list[tuple[int, Task]] = []
     for task in exam.tasks:
-        drawings = [Drawing(family, task.ask) for family in task.families]
+        drawings = [Drawing(family, task.ask, where=f"problem[{task.number}]") for family in task.families]
         for i, student in enumerate(students):
             drawing = drawings[_pool_choice(seed, student, task)]
             key = (seed, student.id, task.number)

@@ -22,6 +22,7 @@ def read_screens(table: Table, expression: ExpressionReader) -> Screens:
     """The screens; numbers that are not given keep their defaults."""
     screens = Screens()
     numbers: dict[str, float] = {}
+    table.expect("transmission", "spacing", "aspect", "trivial", "sensitivity")
     for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
         if key in table.data:
             value = float(table.number(key, 0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from decimal import Decimal
 from functools import cache
 from pathlib import Path
@@ -13,10 +14,10 @@ from variantgen.families.family import Family, Form, Parameter, Template
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.parameters import read_parameter, unknown_name
 from variantgen.families.quantities import parse_quantity, quantity_names
-from variantgen.families.units import UNITS, Unit, parse_value, unit
+from variantgen.families.units import UNITS, Unit, is_number_with_unit, parse_value, sound, unit
 from variantgen.mechanism.component import DIMENSIONS, FieldSpec, discover, field_specs
 from variantgen.resources import catalog_dir
-from variantgen.tables import Table, read_toml
+from variantgen.tables import Table, read_toml, shown
 
 SCHEMA = 1
 _SECTIONS = ("parameters", "derived", "points", "bodies", "joints", "drivers", "screens", "pose", "figure", "symbols")
@@ -30,15 +31,16 @@ def family_names() -> list[str]:
 @cache
 def load_family(name_or_path: str) -> Family:
     """A family of the catalogue by name, or from a family folder or file by path. Raises InputError."""
-    folder = catalog_dir() / name_or_path
-    path = Path(name_or_path)
     if name_or_path in family_names():
-        return read_family(folder / "family.toml")
-    if path.is_dir() and (path / "family.toml").exists():
-        return read_family(path / "family.toml")
-    if path.suffix == ".toml" or path.exists():
-        return read_family(path)
-    raise InputError(Problem("unknown family", value=name_or_path, remedy=nearest(name_or_path, family_names())))
+        return read_family(catalog_dir() / name_or_path / "family.toml")
+    path = Path(name_or_path)
+    with suppress(OSError, ValueError):  # a name no file can have is just unknown
+        if (path / "family.toml").is_file():
+            return read_family(path / "family.toml")
+        if path.suffix == ".toml" or path.is_file():
+            return read_family(path)
+    remedy = nearest(name_or_path, family_names())
+    raise InputError(Problem("unknown family", key="family", value=name_or_path, remedy=remedy))
 
 
 def read_family(path: Path) -> Family:
@@ -162,7 +164,12 @@ class _FormReader:
         if len(set(self.ask)) < len(self.ask):
             raise InputError(Problem("a quantity is asked twice", key="ask", value=", ".join(self.ask)))
         if not self.ask:
-            object.__setattr__(form, "ask", tuple(n for n in quantity_names(form.sample) if "." not in n))
+            names = tuple(name for name in quantity_names(form.sample) if "." not in name)
+            if not names:
+                raise InputError(
+                    Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")
+                )
+            object.__setattr__(form, "ask", names)
 
     def _read_derived(self, table: Table) -> None:
         waiting = dict(table.data)
@@ -238,6 +245,7 @@ class _FormReader:
             table.problem("unknown kind", "", kind, nearest(kind, kinds))
             return None
         inner = table.table(kind)
+        inner.expect(*(spec.name for spec in field_specs(kinds[kind])))
         fields: dict[str, Any] = {}
         for spec in field_specs(kinds[kind]):
             if spec.name not in inner.data:
@@ -245,12 +253,12 @@ class _FormReader:
                     inner.problem(f"missing, expected {spec.expects}", spec.name)
                 continue
             with inner.collecting(spec.name):
-                fields[spec.name] = self._field(spec, inner.take(spec.name, object, None))
+                fields[spec.name] = self._field(spec, inner.data[spec.name])
         inner.finish()
         return Template(kinds[kind], fields)
 
     def _field(self, spec: FieldSpec, value: Any) -> Any:
-        wrong = InputError(Problem(f"expected {spec.expects}", value=repr(value)))
+        wrong = InputError(Problem(f"expected {spec.expects}", value=shown(value)))
         if spec.flag:
             if not isinstance(value, bool):
                 raise wrong
@@ -273,8 +281,8 @@ class _FormReader:
     def _number(self, spec: FieldSpec, value: int | Decimal | str) -> Expression:
         default = self._printed_unit(spec.dimension)
         if not isinstance(value, str):
-            return number(default.to_si(Decimal(value)))
-        if value.strip()[:1].isdigit() and value.strip().rsplit(" ", 1)[-1] in UNITS:
+            return number(default.to_si(sound(Decimal(value), "")))
+        if is_number_with_unit(value):
             return number(default.to_si(parse_value(value, default, "")))
         return self.comparison_side(value, spec.dimension)
 

@@ -6,9 +6,9 @@ import re
 from decimal import Decimal
 from typing import Any
 
-from variantgen.errors import Problem, nearest
+from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Parameter
-from variantgen.families.units import UNITS, unit
+from variantgen.families.units import UNITS, sound, unit
 from variantgen.tables import Table
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
@@ -53,7 +53,7 @@ def _grid(table: Table, name: str, symbol: str) -> Parameter:
 
 def _listed(table: Table) -> tuple[Decimal, ...]:
     values = table.take("values", list, [], "a list of numbers")
-    wrong = [v for v in values if isinstance(v, bool) or not isinstance(v, int | Decimal) or not Decimal(v).is_finite()]
+    wrong = [v for v in values if isinstance(v, bool) or not isinstance(v, int | Decimal) or not _is_sound(v)]
     if wrong or not values:
         table.problem("expected a list of numbers", "values", values)
         return (Decimal(1),)
@@ -66,8 +66,8 @@ def _stepped(table: Table) -> tuple[Decimal, ...]:
         if key not in table.data:
             table.problem("missing, expected a number", key)
         value = table.number(key, 1)
-        if not value.is_finite():
-            table.problem("expected a finite number", key, str(value))
+        if not _is_sound(value):
+            table.problem("expected a number of ordinary size", key, str(value))
             value = Decimal(1)
         numbers[key] = value
     low, high, step = numbers["from"], numbers["to"], numbers["step"]
@@ -81,6 +81,14 @@ def _stepped(table: Table) -> tuple[Decimal, ...]:
         table.problem(f"more than {_MAX_GRID} values", "step", str(step), "take a larger step")
         return (low,)
     return tuple(low + i * step for i in range(count))
+
+
+def _is_sound(value: int | Decimal) -> bool:
+    try:
+        sound(Decimal(value), "")
+    except InputError:
+        return False
+    return True
 
 
 def unknown_name(name: str, known: list[str], text: str) -> Problem:

@@ -9,7 +9,7 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form, Parameter
-from variantgen.families.units import parse_value
+from variantgen.families.units import parse_value, sound
 
 
 def restrict(
@@ -76,13 +76,15 @@ def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str,
                 "no value of the family's grid lies in this range",
                 key=key,
                 value=f"[{limits[0]}, {limits[1]}]",
-                remedy=_possible(parameter),
+                remedy="the lowest comes first" if low > high else _possible(parameter),
             )
         )
     return replace(parameter, printed=kept)
 
 
 def _choose(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
+    if not words:
+        raise InputError(Problem("expected at least one word", key=key, remedy="of: " + ", ".join(parameter.words)))
     for word in words:
         if word not in parameter.words:
             raise InputError(
@@ -98,13 +100,23 @@ def _choose(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
 
 def _value(parameter: Parameter, value: Any, key: str) -> Decimal:
     assert parameter.unit is not None
+    found = _decimal(parameter, value, key)
+    if parameter.unit.measures == "length" and min(parameter.printed) > 0 >= found:
+        raise InputError(Problem("expected a length above 0", key=key, value=str(value), remedy=_possible(parameter)))
+    return found
+
+
+def _decimal(parameter: Parameter, value: Any, key: str) -> Decimal:
+    assert parameter.unit is not None
     if isinstance(value, str):
         return parse_value(value, parameter.unit, key)
     if isinstance(value, bool) or not isinstance(value, int | Decimal | float) or not Decimal(value).is_finite():
         raise InputError(Problem("expected a number", key=key, value=str(value), remedy=_possible(parameter)))
-    return Decimal(str(value)) if isinstance(value, float) else Decimal(value)
+    return sound(Decimal(str(value)) if isinstance(value, float) else Decimal(value), key)
 
 
 def _possible(parameter: Parameter) -> str:
     assert parameter.unit is not None
-    return f"the family draws from {min(parameter.printed)} to {max(parameter.printed)} {parameter.unit.name}"
+    values = ", ".join(str(value) for value in parameter.printed[:4])
+    more = f", ... {max(parameter.printed)}" if len(parameter.printed) > 4 else ""
+    return f"the family draws {values}{more} {parameter.unit.name}"

@@ -51,6 +51,7 @@ def _table() -> dict[str, Unit]:
 
 
 UNITS = _table()
+_LARGEST_EXPONENT = 12
 _NUMBER_WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z][A-Za-z0-9/^-]*)?\s*")
 
 
@@ -59,6 +60,19 @@ def unit(name: str, key: str = "unit") -> Unit:
     if name not in UNITS:
         raise InputError(Problem("unknown unit", key=key, value=name, remedy=nearest(name, UNITS)))
     return UNITS[name]
+
+
+def sound(value: Decimal, key: str) -> Decimal:
+    """The value itself; InputError if it is not finite or far beyond anything that can be drawn or built."""
+    if not value.is_finite() or (value != 0 and abs(value.adjusted()) > _LARGEST_EXPONENT):
+        raise InputError(Problem("expected a number of ordinary size", key=key, value=str(value)[:40]))
+    return value
+
+
+def is_number_with_unit(text: str) -> bool:
+    """Whether a text is a number followed by a unit (and not an expression)."""
+    match = _NUMBER_WITH_UNIT.fullmatch(text)
+    return match is not None and match[2] is not None
 
 
 def parse_value(text: str, default: Unit, key: str) -> Decimal:
@@ -72,7 +86,7 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
         raise InputError(
             Problem("expected a number", key=key, value=text, remedy=f'write it like "30" or "30 {default.name}"')
         )
-    value, name = Decimal(match[1]), match[2]
+    value, name = sound(Decimal(match[1]), key), match[2]
     if name is None or name == default.name:
         return value
     given = unit(name, key)

@@ -76,10 +76,11 @@ def draw_distinct(entries: Sequence[Entry]) -> tuple[list[Variant], list[int]]:
     the next of its own valid draws. The result does not depend on the order of the entries (it is the stable
     matching of deferred acceptance). Raises InputError if there are fewer distinct variants than entries.
     """
+    _check_room(entries)
     found = _drawn(entries, [0] * len(entries))
-    again: Counter[int] = Counter()
-    # One free variant among n is missed by 30 n draws with a probability of 1e-13.
-    limit = 100 + 30 * len(entries)
+    again: set[int] = set()
+    seen = {variant.identity for variant in found}
+    idle = 0
     while True:
         holders: dict[object, int] = {}
         losers = []
@@ -89,17 +90,30 @@ def draw_distinct(entries: Sequence[Entry]) -> tuple[list[Variant], list[int]]:
         if not losers:
             return found, sorted(again)
         again.update(losers)
-        if max(again.values()) > limit:
-            raise InputError(_too_few(entries[losers[0]], len(entries)))
         replaced = _drawn([entries[i] for i in losers], [found[i].attempt for i in losers])
         for i, variant in zip(losers, replaced, strict=True):
             found[i] = variant
+        new = {variant.identity for variant in replaced} - seen
+        seen |= new
+        idle = 0 if new else idle + len(losers)
+        # One unseen variant among n is missed by 20 n draws with a probability of 2e-9.
+        if idle > 100 + 20 * len(seen):
+            raise InputError(_too_few(entries[losers[0]].drawing, len(entries), len(seen)))
 
 
-def _too_few(entry: Entry, wanted: int) -> Problem:
+def _check_room(entries: Sequence[Entry]) -> None:
+    """Raise InputError where there are more entries than points of the grid, without drawing anything."""
+    wanted = Counter(id(entry.drawing) for entry in entries)
+    for drawing in {id(entry.drawing): entry.drawing for entry in entries}.values():
+        room = sum(form.grid_size for form in drawing.forms)
+        if room < wanted[id(drawing)]:
+            raise InputError(_too_few(drawing, wanted[id(drawing)], room))
+
+
+def _too_few(drawing: Drawing, wanted: int, found: int) -> Problem:
     return Problem(
-        f"the ranges leave too few distinct variants for {wanted} sheets",
-        key=entry.drawing.family.name,
+        f"the ranges leave too few distinct variants: {wanted} sheets need as many, at most {found} were found",
+        key=drawing.where,
         remedy="widen a range, fix fewer parameters or add another family to the pool",
     )
 
@@ -120,8 +134,9 @@ def _drawn(entries: Sequence[Entry], done: Sequence[int]) -> list[Variant]:
 class Drawing:
     """The drawing of one family for one list of asked quantities."""
 
-    def __init__(self, family: Family, ask: Sequence[str] | None, tally: Tally | None = None) -> None:
+    def __init__(self, family: Family, ask: Sequence[str] | None, tally: Tally | None = None, where: str = "") -> None:
         self.family = family
+        self.where = f"{where}: {family.name}" if where else family.name
         self.forms = list(family.forms.values())
         self.asked = {
             form.name: [parse_quantity(text, form.sample) for text in (ask or form.ask)] for form in self.forms
@@ -136,7 +151,7 @@ class Drawing:
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
             if members:
-                batch = _FormDrawing(self.family, form, self.asked[form.name], self.tally)
+                batch = _FormDrawing(self, form)
                 drawn = batch.run([streams[i] for i in members], [done[i] for i in members])
                 found.update(zip(members, drawn, strict=True))
         return [found[i] for i in range(len(keys))]
@@ -163,11 +178,13 @@ class _Attempts:
 class _FormDrawing:
     """Attempts of many students at one form."""
 
-    def __init__(self, family: Family, form: Form, asked: Sequence[Quantity], tally: Tally) -> None:
-        self.family, self.form, self.asked, self.tally = family, form, asked, tally
+    def __init__(self, drawing: Drawing, form: Form) -> None:
+        self.family, self.form, self.where = drawing.family, form, drawing.where
+        self.asked: list[Quantity] = drawing.asked[form.name]
+        self.tally = drawing.tally
         self.names = sorted(form.parameters)
         self.poses = form.pose.frames()
-        self.order = max(q.order for q in asked)
+        self.order = max(q.order for q in self.asked)
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used."""
@@ -278,6 +295,6 @@ class _FormDrawing:
         which = ", ".join(narrow or [name for name, p in self.form.parameters.items() if p.given])
         return Problem(
             "no valid variant found: " + self.tally.report(),
-            key=f"{self.family.name}{'/' + self.form.name if self.form.name else ''}",
+            key=f"{self.where}{'/' + self.form.name if self.form.name else ''}",
             remedy=f"widen the range of one of: {which}",
         )

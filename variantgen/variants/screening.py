@@ -112,7 +112,9 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
     found = {"away from dead points": motion.solved & _at_least(motion.transmission, np.sin(form.screens.transmission))}
     for quantity in asked:
         size = np.abs(quantity.value(motion))
-        found[f"{quantity.name} not trivial"] = _at_least(size, form.screens.trivial * _scale(motion, quantity))
+        found[f"{quantity.name} not trivial"] = (size > 0) & _at_least(
+            size, form.screens.trivial * _scale(motion, quantity)
+        )
     return found
 
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import jinja2
 import jinja2.meta
+from jinja2.exceptions import SecurityError
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from variantgen.errors import InputError, Problem
@@ -134,7 +135,7 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
     try:
         text = template.render(marked)
-    except (jinja2.TemplateError, TypeError, ValueError, OverflowError, ArithmeticError) as error:
+    except _TEMPLATE_ERRORS as error:
         raise InputError(
             Problem(f"the template fails: {error}", file=str(path), remedy="see catalog/README.md for what it may use")
         ) from None
@@ -182,9 +183,26 @@ def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:
     return Symbol(name)
 
 
+# What a faulty template can raise while it is filled.
+_TEMPLATE_ERRORS = (
+    jinja2.TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError,
+    MemoryError,
+)  # fmt: skip
+
+
+class _Sandbox(ImmutableSandboxedEnvironment):
+    """No attribute tricks, no writing, and no products and powers, which could eat all memory."""
+
+    intercepted_binops = frozenset({"*", "**"})
+
+    def call_binop(self, context: Any, operator: str, left: Any, right: Any) -> Any:
+        """Refuse the operators that are intercepted."""
+        raise SecurityError(f"the operator {operator} is not allowed in a statement")
+
+
 @cache
 def _environment() -> ImmutableSandboxedEnvironment:
-    return ImmutableSandboxedEnvironment(undefined=jinja2.StrictUndefined, autoescape=False)
+    return _Sandbox(undefined=jinja2.StrictUndefined, autoescape=False)
 
 
 @cache
