@@ -87,7 +87,7 @@ def test_folder(bench: Bench) -> None:
         ("title = 'a'\ntitle = 'b'\n", "line 2"),
         (HEAD + "x = " + "[" * 5000, "not valid TOML"),
         (HEAD + "seed = " + "9" * 5000, "not valid TOML"),
-        (GOOD + "#" * 1_000_001, "larger than 1 MB"),
+        (GOOD + "#" * 1_000_001, "larger than"),
     ],
     ids=["png", "utf-16", "cp1251", "no value", "twice", "deep", "long number", "large"],
 )
@@ -157,7 +157,7 @@ def test_bad_tolerance(value: str, bench: Bench) -> None:
         ('phi = "30 cm"', ["set.phi", "cm measures length", "angle is due", "use deg"]),
         ('OA = "thirty"', ["set.OA", "thirty", 'like "30"']),
         ('OA = ""', ["set.OA", "expected a number"]),
-        ("OA = nan", ["set.OA", "expected a number", "NaN", "from 16 to 50 cm"]),
+        ("OA = nan", ["set.OA", "expected a number", "NaN", "the family draws 16, 18"]),
         ("OA = inf", ["set.OA", "expected a number"]),
         ("OA = true", ["set.OA", "expected a number"]),
         ("OA = [1]", ["set.OA", "expected a number"]),
@@ -200,8 +200,8 @@ def test_value_of_impossible_size(name: str, value: str, bench: Bench) -> None:
 @pytest.mark.parametrize(
     ("setting", "said"),
     [
-        ("OA = [17, 17]", ["range.OA", "grid", "[17, 17]", "from 16 to 50 cm"]),
-        ("OA = [500, 600]", ["range.OA", "grid", "from 16 to 50 cm"]),
+        ("OA = [17, 17]", ["range.OA", "grid", "[17, 17]", "the family draws 16, 18"]),
+        ("OA = [500, 600]", ["range.OA", "grid", "the family draws 16, 18"]),
         ("OA = [20, 16]", ["range.OA", "[20, 16]"]),
         ("OA = [16]", ["range.OA", "expected [lowest, highest]"]),
         ("OA = [16, 20, 30]", ["range.OA", "expected [lowest, highest]"]),

@@ -86,7 +86,10 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
         raise InputError(
             Problem("expected a number", key=key, value=text, remedy=f'write it like "30" or "30 {default.name}"')
         )
-    value, name = sound(Decimal(match[1]), key), match[2]
+    try:
+        value, name = sound(Decimal(match[1]), key), match[2]
+    except ArithmeticError:
+        raise InputError(Problem("expected a number of ordinary size", key=key, value=text[:40])) from None
     if name is None or name == default.name:
         return value
     given = unit(name, key)
