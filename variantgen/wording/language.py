@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from decimal import ROUND_HALF_EVEN, Decimal
+from decimal import Decimal
 from functools import cache
 from typing import Any
 
@@ -72,10 +72,8 @@ def round_text(value: float, digits: int) -> str:
     """A value rounded to significant digits as a plain decimal string; zero is ``0``."""
     if value == 0:
         return "0"
-    exact = Decimal(value)
-    step = Decimal(1).scaleb(exact.adjusted() - digits + 1)
-    rounded = exact.quantize(step, rounding=ROUND_HALF_EVEN)
-    return f"{rounded:f}" if step < 1 else f"{rounded.to_integral_value():f}"
+    # Rounding may carry into a new leading digit, so the exponent is taken after it.
+    return f"{Decimal(f'{value:.{digits - 1}e}'):f}"
 
 
 def languages() -> list[str]:

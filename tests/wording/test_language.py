@@ -1,0 +1,60 @@
+"""Numbers, units and symbols as each language prints them."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from variantgen.families.units import UNITS
+from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
+from variantgen.wording.language import languages, load_language, round_text
+
+EN, RU = load_language("en"), load_language("ru")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"), (1234.567, "1235"), (0.0123456, "0.01235"), (-2.5, "-2.500"), (99.996, "100.0"),
+        (1e-7, "0.0000001000"), (123456.0, "123500"), (0.5, "0.5000"),
+    ],
+)  # fmt: skip
+def test_four_significant_digits_without_exponents(value: float, text: str) -> None:
+    assert round_text(value, 4) == text
+
+
+@given(st.floats(1e-6, 1e6))
+def test_a_printed_answer_is_within_its_rounding(value: float) -> None:
+    assert abs(float(round_text(value, 4)) / value - 1) <= 0.5e-3
+    assert "e" not in round_text(value, 4)
+
+
+def test_decimal_mark_and_minus() -> None:
+    assert RU.decimal(Decimal("-0.250")).text == "\N{MINUS SIGN}0,25"
+    assert EN.decimal(Decimal("1E+2")).text == "100"
+
+
+def test_a_number_and_its_unit_are_not_separated() -> None:
+    value = Measured(RU.decimal(Decimal("3.5")), RU.unit(UNITS["rad/s^2"]))
+    assert to_plain(Equation(Symbol("omega"), value)) == "ω = 3,5\N{NO-BREAK SPACE}рад/с²"
+    assert to_plain(Measured(EN.decimal(Decimal(60)), EN.unit(UNITS["deg"]))) == "60°"
+
+
+def test_every_language_has_the_same_words_and_all_units() -> None:
+    shape = {name: {key: set(words) for key, words in load_language(name).tables.items()} for name in languages()}
+    assert all(tables == shape["en"] for tables in shape.values())
+    assert shape["en"]["units"] == set(UNITS)
+
+
+@pytest.mark.parametrize(
+    ("name", "typst"),
+    [
+        ("omega_OA", "omega_(O A)"), ("v_O1", "v_(O_(1))"), ("OC", "O C"), ("phi", "phi"), ("v_rel_C", 'v_("rel" C)'),
+        ("a_B.x", "a_(B x)"), ("omega_wheel", "omega"),
+    ],
+)  # fmt: skip
+def test_symbols(name: str, typst: str) -> None:
+    assert to_typst(EN.symbol(name, {"wheel": ""})) == typst
