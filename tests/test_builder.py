@@ -126,14 +126,42 @@ def test_names_and_groups_are_printed(tmp_path: Path) -> None:
 
 def test_force_replaces_the_folder_whole(tmp_path: Path) -> None:
     out = tmp_path / "exam"
-    out.mkdir()
-    (out / "old.txt").write_text("old")
-    arguments = ["build", str(small_exam(tmp_path)), "--variants", "1", "--out", str(out)]
-    assert main(arguments) == 2
-    assert {path.name for path in out.iterdir()} == {"old.txt"}
-    assert main([*arguments, "--force"]) == 0
-    assert {path.name for path in out.iterdir()} == FILES
+    arguments = ["build", str(small_exam(tmp_path)), "--out", str(out), "--variants"]
+    assert main([*arguments, "1"]) == 0
+    before = content(out)
+    assert main([*arguments, "2"]) == 2
+    assert content(out) == before
+    assert main([*arguments, "2", "--force"]) == 0
+    assert content(out).keys() == FILES
+    assert content(out) != before
     assert {path.name for path in tmp_path.iterdir()} == {"exam", "exam.toml"}
+
+
+def test_force_does_not_touch_a_folder_with_anything_else(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "exam"
+    out.mkdir()
+    (out / "thesis.txt").write_text("mine")
+    arguments = ["build", str(small_exam(tmp_path)), "--variants", "1", "--force", "--out"]
+    assert main([*arguments, str(out)]) == 2
+    assert "thesis.txt" in capsys.readouterr().err
+    assert (out / "thesis.txt").read_text() == "mine"
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    monkeypatch.chdir(empty)
+    assert main([*arguments, "."]) == 2
+    assert "working folder" in capsys.readouterr().err
+
+
+def test_a_replacement_cut_short_is_put_back(tmp_path: Path) -> None:
+    # Killed between the two renamings: the earlier output stands beside under its hidden name.
+    out = tmp_path / "exam"
+    arguments = ["build", str(small_exam(tmp_path)), "--variants", "1", "--out", str(out)]
+    assert main(arguments) == 0
+    out.rename(tmp_path / ".exam.replaced")
+    assert main(arguments) == 2
+    assert content(out).keys() == FILES
 
 
 def test_pools_give_each_student_one_of_the_families(tmp_path: Path) -> None:

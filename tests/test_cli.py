@@ -108,3 +108,40 @@ def test_show_refuses_an_unknown_ending(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(["show", "spool", "--out", str(tmp_path / "page.docx")]) == 2
     assert "unknown format" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_a_given_quantity_cannot_be_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "four_bar", "--form", "crank", "--ask", "omega_OA"]) == 2
+    assert "is given" in capsys.readouterr().err
+
+
+def test_show_screens_for_what_is_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "rolling_wheel", "--set", "a_O=0", "--ask", "a_A"]) == 0
+    out = capsys.readouterr().out
+    assert "constant" in out
+    assert "a_O" not in out
+    assert main(["show", "rolling_wheel", "--ask", "v_P"]) == 2
+    assert "v_P not trivial" in capsys.readouterr().err
+
+
+def test_a_parameter_set_twice(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "four_bar", "--set", "OA=20", "--set", "OA=22"]) == 2
+    assert "set twice" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("family", ["four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool"])
+def test_output_that_cannot_be_written(family: str) -> None:
+    import subprocess
+    import sys
+
+    with open("/dev/full", "w") as full:  # noqa: PTH123  (a device)
+        done = subprocess.run(
+            [sys.executable, "-m", "variantgen", "solve", family, "--json"],
+            check=False,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert "writing failed" in done.stderr

@@ -27,10 +27,11 @@ from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.resources import catalog_dir, folder_hash
 from variantgen.version import VERSION
 
-# One document costs about 3.5 MB of memory per student, so a part stays near 100 MB. The size does not depend on
-# the number of processes: the same parts give the same bytes.
-SHEETS_PER_PART = 50
-KEYS_PER_PART = 200
+# The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
+# below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
+# does not depend on the number of processes: the same parts give the same bytes.
+SHEETS_PER_PART = 8
+KEYS_PER_PART = 40
 
 Progress = Callable[[str, int, int], None]
 
@@ -48,22 +49,18 @@ class Built:
 class _Part:
     """One document of a few students, made in one go."""
 
-    name: str
+    target: str
+    number: int
     template: str
-    data: Callable[..., dict[str, Any]]
+    data: Callable[[Exam, Sequence[Sheet], bool], dict[str, Any]]
     exam: Exam
     sheets: tuple[Sheet, ...]
     first: bool
 
     def make(self, folder: Path, engine: Typesetter) -> Path:
         """Typeset the part; the path of its PDF."""
-        data = (
-            self.data(self.exam, self.sheets)
-            if self.data is sheets_data
-            else self.data(self.exam, self.sheets, self.first)
-        )
-        path = folder / f"{self.name}.pdf"
-        path.write_bytes(engine.compile(self.template, data)[0])
+        path = folder / f"{self.target}-{self.number:07}.pdf"
+        path.write_bytes(engine.compile(self.template, self.data(self.exam, self.sheets, self.first))[0])
         return path
 
 
@@ -97,8 +94,8 @@ def build(
         done = 0
         with _makers(jobs) as run:
             for part, path in run(parts, parts_folder):
-                paths[part.name.split("-")[0]].append(path)
-                done += len(part.sheets) if part.template == "sheets.typ" else 0
+                paths[part.target].append(path)
+                done += len(part.sheets) if part.target == "sheets" else 0
                 progress("typesetting", done, len(students))
         join_pdfs(paths["sheets"], folder / "sheets.pdf", exam.title, exam.language, exam.duplex)
         join_pdfs(paths["key"], folder / "key.pdf", exam.title, exam.language, False)
@@ -115,15 +112,16 @@ def build(
 
 def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
     """All parts in the order in which they are joined."""
-    parts = []
-    wanted: list[tuple[str, str, Callable[..., dict[str, Any]], int]] = [
+    parts: list[_Part] = []
+    wanted: list[tuple[str, str, Callable[[Exam, Sequence[Sheet], bool], dict[str, Any]], int]] = [
         ("sheets", "sheets.typ", sheets_data, SHEETS_PER_PART),
-        ("key-student", "key.typ", key_by_student, KEYS_PER_PART),
-        ("key-problem", "key.typ", key_by_problem, KEYS_PER_PART),
+        ("key", "key.typ", key_by_student, KEYS_PER_PART),
+        ("key", "key.typ", key_by_problem, KEYS_PER_PART),
     ]
-    for name, template, data, size in wanted:
+    for target, template, data, size in wanted:
         for i in range(0, len(sheets), size):
-            parts.append(_Part(f"{name}-{i:07}", template, data, exam, tuple(sheets[i : i + size]), i == 0))
+            chunk = tuple(sheets[i : i + size])
+            parts.append(_Part(target, len(parts), template, data, exam, chunk, i == 0))
     return parts
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -28,7 +29,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = _parser().parse_args(argv)
     try:
         run: Callable[[argparse.Namespace], int] = arguments.run
-        return run(arguments)
+        code = run(arguments)
+        sys.stdout.flush()
+        return code
     except VariantgenError as error:
         print(f"variantgen: {error}", file=sys.stderr)
         return error.exit_code
@@ -36,7 +39,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("variantgen: interrupted, nothing was written", file=sys.stderr)
         return 130
     except BrokenPipeError:
+        # The reader has gone; nothing more can be said to it, not even when Python flushes at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        print(f"variantgen: writing failed: {error.strerror}; free some space or choose another file", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 2
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -120,7 +129,9 @@ def _parser() -> argparse.ArgumentParser:
 
 def _list(arguments: argparse.Namespace) -> int:
     from variantgen.families.load import family_names, load_family
+    from variantgen.wording.language import load_language
 
+    load_language(arguments.lang)
     families = [load_family(name) for name in family_names()]
     if arguments.json:
         rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
@@ -139,6 +150,8 @@ def _settings(arguments: argparse.Namespace) -> dict[str, str]:
         name, equals, value = text.partition("=")
         if not equals or not name.strip() or not value.strip():
             raise InputError(Problem("expected NAME=VALUE", key="--set", value=text, remedy="for example --set OA=30"))
+        if name.strip() in settings:
+            raise InputError(Problem("the parameter is set twice", key="--set", value=text, remedy="keep one of them"))
         settings[name.strip()] = value.strip()
     return settings
 
@@ -147,7 +160,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import one_variant, solution_document
 
-    variant = one_variant(arguments.family, _settings(arguments), arguments.seed, arguments.form)
+    variant = one_variant(arguments.family, _settings(arguments), arguments.seed, arguments.form, arguments.ask)
     document = solution_document(variant, arguments.ask)
     if arguments.json:
         print(json.dumps(document, ensure_ascii=False, indent=2))
@@ -169,7 +182,7 @@ def _show(arguments: argparse.Namespace) -> int:
     from variantgen.wording.language import load_language
     from variantgen.wording.plain import plain_problem
 
-    variant = one_variant(arguments.family, _settings(arguments), arguments.seed, arguments.form)
+    variant = one_variant(arguments.family, _settings(arguments), arguments.seed, arguments.form, arguments.ask)
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
@@ -231,7 +244,7 @@ def _build(arguments: argparse.Namespace) -> int:
 
 
 class _Progress:
-    """A progress line on stderr, for work that takes longer than a second; only on a terminal."""
+    """Progress on stderr for long work: a living line on a terminal, elsewhere a line every five seconds."""
 
     def __init__(self) -> None:
         self._start = time.perf_counter()
@@ -241,9 +254,12 @@ class _Progress:
     def show(self, stage: str, done: int, total: int) -> None:
         """Show how far a stage is, at most five times a second."""
         now = time.perf_counter()
-        if not self._live or (done < total and now - self._last < 0.2) or now - self._start < 1.0:
+        if now - self._last < (0.2 if self._live else 5.0) and not (
+            self._live and done == total and now - self._start > 1
+        ):
             return
         self._last = now
         rate = done / (now - self._start)
         rest = f", {(total - done) / rate:.0f} s left" if rate and done < total else ""
-        print(f"\r{stage}: {done} of {total}{rest}   ", end="\n" if done == total else "", file=sys.stderr, flush=True)
+        start, end = ("\r", "\n" if done == total else "") if self._live else ("", "\n")
+        print(f"{start}{stage}: {done} of {total}{rest}   ", end=end, file=sys.stderr, flush=True)

@@ -66,7 +66,7 @@ class ToolMissingError(VariantgenError):
 def nearest(word: str, known: Iterable[str]) -> str:
     """A remedy that names the known words closest to a mistyped one."""
     names = sorted(known)
-    close = difflib.get_close_matches(word, names, n=3, cutoff=0.5)
+    close = difflib.get_close_matches(word, names, n=3, cutoff=0.5 if len(word) <= 2 else 0.6)
     if close:
         return "did you mean " + " or ".join(close) + "?"
     return "known: " + ", ".join(names) if names else "nothing is known here"

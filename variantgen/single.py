@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from variantgen.exam.sheets import Answer, answer_variants
+from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
-from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import Motion
@@ -22,17 +23,22 @@ TOLERANCE = 0.01
 
 
 def one_variant(
-    family_or_file: str, fixed: Mapping[str, Any] | None = None, seed: str = "0", form: str = ""
+    family_or_file: str,
+    fixed: Mapping[str, Any] | None = None,
+    seed: str = "0",
+    form: str = "",
+    ask: Sequence[str] = (),
 ) -> Variant:
     """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
 
-    When nothing is left to draw, the values are taken as they are, without screens. Raises InputError.
+    It is screened for the asked quantities (none: those of the form). When nothing is left to draw, the values are
+    taken as they are, without screens. Raises InputError.
     """
     family = restrict(load_family(family_or_file), fixed, None, (form,) if form else ())
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
         return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
-    return draw(family, None, [(seed, "single", 0)])[0]
+    return draw(family, tuple(ask) or None, [(seed, "single", 0)])[0]
 
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
@@ -42,7 +48,7 @@ def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
 
 def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:
     """The asked quantities of a variant: those named, or those of its form."""
-    return [parse_quantity(text, variant.form.sample) for text in (ask or variant.form.ask)]
+    return read_ask(variant.form, tuple(ask) or None)
 
 
 def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from variantgen.families.cases import load_cases
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
-from variantgen.figure.drawing import Drawing, Label
+from variantgen.figure.drawing import Arc, Drawing, Label, Layer
 from variantgen.variants.draw import Drawing as VariantDrawing
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import to_plain, to_typst
@@ -112,6 +112,49 @@ def test_a_velocity_problem_says_nothing_about_accelerations(name: str) -> None:
             assert not any("ε" in to_plain(e.left) or to_plain(e.left).startswith("a_") for e in said.given)
             figure = statement_figure(variant, solve_variants([variant], 0), 0, velocities, language)
             assert not any(to_plain(label.formula)[0] in "εa" for label in figure.labels)
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_arcs_of_omega_and_epsilon_cannot_be_taken_for_each_other(name: str) -> None:
+    """Each label is nearer to its own arc than to the other, and the arcs lie in different directions."""
+    for variant, figure in drawn(name, 60):
+        arcs = [line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
+        labels = [label for label in figure.labels if to_plain(label.formula)[0] in "ωε"]
+        assert len(arcs) == len(labels)
+        if len(arcs) < 2:
+            continue
+        turn = np.angle(np.exp(1j * (arcs[0].start + arcs[0].sweep / 2 - arcs[1].start - arcs[1].sweep / 2)))
+        assert abs(turn) > np.radians(90), variant.printed
+        inner, outer = sorted(arcs, key=lambda arc: arc.radius)
+        for label in labels:
+            gaps = [min(abs(label.at - arc.at(t)) for t in np.linspace(0, 1, 20)) for arc in (inner, outer)]
+            own = 0 if to_plain(label.formula)[0] == "ω" else 1
+            assert gaps[own] < gaps[1 - own], (variant.printed, to_plain(label.formula))
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_the_sense_of_arcs_is_the_solved_one(name: str) -> None:
+    for variant, figure in drawn(name, 20):
+        motion = solve_variants([variant], 2)
+        arcs = sorted(
+            (line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR),
+            key=lambda a: a.radius,
+        )
+        driver = motion.scene.drivers[0]
+        if not arcs:
+            continue
+        body = driver.body  # type: ignore[attr-defined]
+        rates = [r for r in (motion.omega[body][0], motion.epsilon[body][0]) if r != 0]
+        assert [np.sign(arc.sweep) for arc in arcs] == [np.sign(rate) for rate in rates]
+        for language_name, words in (("en", ("speeds up", "slows down")), ("ru", ("ускоренное", "замедленное"))):
+            asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
+            said = statement(variant, asked, load_language(language_name))
+            text = "".join(part if isinstance(part, str) else "" for part in said.text)
+            if len(rates) == 2:
+                assert (words[0] in text, words[1] in text) == (
+                    (rates[0] > 0) == (rates[1] > 0),
+                    (rates[0] > 0) != (rates[1] > 0),
+                )
 
 
 def test_figures_are_to_scale() -> None:

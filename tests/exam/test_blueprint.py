@@ -125,7 +125,7 @@ def test_not_a_toml_text(content: str | bytes, said: str, bench: Bench) -> None:
         (HEAD + '[[problem]]\nfamilies = "spool"\n', ["problem[1].families: expected a list of strings"]),
         (GOOD + 'families = ["spool"]\n', ["problem[1].families", "keep one"]),
         (GOOD + 'ask = ["v_Q"]\n', ["problem[1].ask[1]", "v_Q", "did you mean"]),
-        (GOOD + 'ask = ["v_B", "v_B"]\n', ["problem[1].ask", "different quantities"]),
+        (GOOD + 'ask = ["v_B", "v_B"]\n', ["problem[1].ask", "asked twice"]),
         (GOOD + "ask = []\n", ["problem[1].ask", "at least one"]),
         (GOOD + 'ask = "v_B"\n', ["problem[1].ask: expected a list of strings"]),
         (GOOD + "points = -1\n", ["problem[1].points", "from 0 to 1000", "-1"]),
@@ -335,7 +335,7 @@ def test_existing_folder_needs_force(bench: Bench) -> None:
 
 def test_force_replaces_the_whole_folder(bench: Bench) -> None:
     bench.out.mkdir()
-    (bench.out / "mine.txt").write_text("old")
+    (bench.out / "key.csv").write_text("old")
     code, message = bench.build(GOOD, "--force")
     assert code == 0, message
     assert sorted(p.name for p in bench.out.iterdir()) == ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
-from variantgen.families.quantities import parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.tables import Table, read_toml
 from variantgen.wording.language import languages, load_language
@@ -106,14 +106,11 @@ def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
     if ask is None:
         return
     problems: list[Problem] = []
-    if not ask or len(set(ask)) < len(ask):
-        problems.append(Problem("expected different quantities, at least one", key="ask", value=", ".join(ask)))
     for form in family.forms.values():
-        for i, text in enumerate(ask):
-            try:
-                parse_quantity(text, form.sample, f"ask[{i + 1}]")
-            except InputError as error:
-                problems += error.problems
+        try:
+            read_ask(form, ask)
+        except InputError as error:
+            problems += error.problems
     if problems:
         raise InputError(dict.fromkeys(problems))
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.roster import Student
-from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.asking import read_ask
+from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.variants.draw import Drawing, Entry, draw_distinct
@@ -116,10 +117,7 @@ def answer_variants(
     variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: float
 ) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
-    asked = [
-        [parse_quantity(text, variant.form.sample) for text in (ask or variant.form.ask)]
-        for variant, ask in zip(variants, asks, strict=True)
-    ]
+    asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     values: dict[tuple[int, Quantity], Field] = {}
     found = []
     for variant, quantities, (motion, place) in zip(variants, asked, solve_all(variants, asked), strict=True):

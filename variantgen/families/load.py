@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.asking import read_ask
 from variantgen.families.expressions import Dimension, Expression, dimension_name, number, parse
 from variantgen.families.family import Family, Form, Parameter, Template
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.parameters import read_parameter, unknown_name
-from variantgen.families.quantities import parse_quantity, quantity_names
+from variantgen.families.quantities import quantity_names
 from variantgen.families.units import UNITS, Unit, is_number_with_unit, parse_value, sound, unit
 from variantgen.mechanism.component import DIMENSIONS, FieldSpec, discover, field_specs
 from variantgen.resources import catalog_dir
@@ -159,11 +160,9 @@ class _FormReader:
         return form if len(self.problems) == before else None
 
     def _check_ask(self, form: Form) -> None:
-        for i, text in enumerate(self.ask):
-            parse_quantity(text, form.sample, f"ask[{i + 1}]")
-        if len(set(self.ask)) < len(self.ask):
-            raise InputError(Problem("a quantity is asked twice", key="ask", value=", ".join(self.ask)))
-        if not self.ask:
+        if self.ask:
+            read_ask(form)
+        else:
             names = tuple(name for name in quantity_names(form.sample) if "." not in name)
             if not names:
                 raise InputError(

@@ -92,7 +92,10 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
         raise InputError(Problem("expected a number of ordinary size", key=key, value=text[:40])) from None
     if name is None or name == default.name:
         return value
-    given = unit(name, key)
+    if name not in UNITS:
+        fitting = [other.name for other in UNITS.values() if other.measures == default.measures]
+        raise InputError(Problem("unknown unit", key=key, value=name, remedy="use one of: " + ", ".join(fitting)))
+    given = UNITS[name]
     if given.measures != default.measures:
         raise InputError(
             Problem(

@@ -20,7 +20,7 @@ from variantgen.figure.metrics import size
 from variantgen.wording.formula import Formula
 
 GAP = 0.8  # free space around a label, u
-_LINE, _LABEL, _STRANGER = 20.0, 300.0, 3.0
+_LINE, _LABEL, _STRANGER = 20.0, 300.0, 12.0
 _SWEEPS = 3
 
 Segments = NDArray[np.complex128]

@@ -6,6 +6,7 @@ import os
 import shutil
 import signal
 import tempfile
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,20 +14,26 @@ from types import FrameType
 
 from variantgen.errors import InputError, Problem
 
+KNOWN_FILES = {"sheets.pdf", "key.pdf", "key.csv", "manifest.json"}
+
 
 def check_free(target: Path, force: bool) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made."""
-    if target.exists() and not force:
-        raise InputError(
-            Problem(
-                "the output folder exists",
-                key="--out",
-                value=str(target),
-                remedy="choose another, or --force replaces it whole",
-            )
-        )
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
+    if target.exists() and not force:
+        remedy = "choose another, or --force replaces an earlier output"
+        raise InputError(Problem("the output folder exists", key="--out", value=str(target), remedy=remedy))
+    if target.exists():
+        foreign = sorted(path.name for path in target.iterdir() if path.name not in KNOWN_FILES)
+        if foreign or target.resolve() in (Path.cwd(), *Path.cwd().parents):
+            remedy = "--force replaces only an empty folder or an earlier output; choose another folder"
+            what = ", ".join(foreign[:3]) or "the working folder"
+            raise InputError(
+                Problem(
+                    f"the output folder holds something else ({what})", key="--out", value=str(target), remedy=remedy
+                )
+            )
     parent = target.resolve().parent
     if not parent.is_dir():
         raise InputError(
@@ -41,41 +48,61 @@ def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
-    ``.NAME.partial-*`` is left behind, which the next run removes.
+    ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
+    the name ``.NAME.replaced`` for the moment of the change; the next run puts it back if the change was cut short.
     """
-    check_free(target, force)
     target = target.resolve()
-    for stale in target.parent.glob(f".{target.name}.partial-*"):
-        shutil.rmtree(stale, ignore_errors=True)
+    replaced = target.with_name(f".{target.name}.replaced")
+    _tidy(target, replaced)
+    check_free(target, force)
     try:
-        work = Path(tempfile.mkdtemp(prefix=f".{target.name}.partial-", dir=target.parent))
+        work = Path(tempfile.mkdtemp(prefix=f".{target.name}.partial-{os.getpid()}-", dir=target.parent))
     except OSError as error:
-        raise InputError(
-            Problem(f"the output folder cannot be made: {error.strerror}", key="--out", value=str(target))
-        ) from None
+        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
     work.chmod(0o755)
-    previous = signal.signal(signal.SIGTERM, _terminate)
+    main = threading.current_thread() is threading.main_thread()
+    previous = signal.signal(signal.SIGTERM, _terminate) if main else None
     try:
         yield work
-        old = work.with_name(work.name + ".old")
         if target.exists():
-            target.rename(old)
+            target.rename(replaced)
         work.rename(target)
-        shutil.rmtree(old, ignore_errors=True)
+        shutil.rmtree(replaced, ignore_errors=True)
     except OSError as error:
         if error.strerror is None:
             raise
+        remedy = "free some space or choose another folder"
         raise InputError(
-            Problem(
-                f"writing failed: {error.strerror}",
-                key="--out",
-                value=str(target),
-                remedy="free some space or choose another folder",
-            )
+            Problem(f"writing failed: {error.strerror}", key="--out", value=str(target), remedy=remedy)
         ) from None
     finally:
-        signal.signal(signal.SIGTERM, previous)
+        if main:
+            signal.signal(signal.SIGTERM, previous)
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _tidy(target: Path, replaced: Path) -> None:
+    """Clear away what a killed run has left beside the target, but nothing of a run that is still going on."""
+    if replaced.is_dir() and not target.exists():
+        replaced.rename(target)
+    shutil.rmtree(replaced, ignore_errors=True)
+    for stale in target.parent.glob(f".{target.name}.partial-*"):
+        number = stale.name.split(".partial-")[1].split("-")[0]
+        if not (number.isdigit() and _is_running(int(number))):
+            shutil.rmtree(stale, ignore_errors=True)
+
+
+def _is_running(process: int) -> bool:
+    """Whether a process of that number exists (where the system can tell without harm)."""
+    if os.name != "posix":
+        return False
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        return True
+    return True
 
 
 def _terminate(number: int, frame: FrameType | None) -> None:

@@ -12,13 +12,13 @@ from variantgen.mechanism.motion import Motion
 from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Symbol, UnitText, to_typst
 from variantgen.wording.language import Language, load_language
-from variantgen.wording.statement import Text, statement
+from variantgen.wording.statement import Text, sign_notes, statement
 
 _SHORT_NAME = 48
 
 
-def sheets_data(exam: Exam, sheets: Sequence[Sheet]) -> dict[str, Any]:
-    """Data for ``sheets.typ``."""
+def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict[str, Any]:
+    """Data for ``sheets.typ``; a first part is like the others."""
     language = load_language(exam.language)
     items = [item for sheet in sheets for item in sheet.items]
     placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
@@ -46,18 +46,10 @@ def _student(sheet: Sheet, problems: list[dict[str, Any]], language: Language, l
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
         "group": f"{language.words('sheet')['group']} {student.group}" if student.group else "",
         "code": sheet.code,
-        "notes": _notes(sheet, language),
+        "notes": sign_notes([q for item in sheet.items for q in item.asked], language),
         "problems": problems,
         "last": last,
     }
-
-
-def _notes(sheet: Sheet, language: Language) -> list[str]:
-    """Conventions of sign that the answers of this sheet need."""
-    words = language.words("sheet")
-    asked = [quantity for item in sheet.items for quantity in item.asked]
-    needed = {"signs": any(q.of_body for q in asked), "components": any(q.component for q in asked)}
-    return [words[key] for key, wanted in needed.items() if wanted]
 
 
 def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict[str, Any]:

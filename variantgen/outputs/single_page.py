@@ -15,7 +15,7 @@ from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured, to_typst
 from variantgen.wording.language import load_language
-from variantgen.wording.statement import statement
+from variantgen.wording.statement import sign_notes, statement
 
 FORMATS = ("pdf", "png", "svg")
 
@@ -43,6 +43,7 @@ def write_single(
         "asked": [to_typst(symbol) for symbol in said.asked],
         "answers-title": language.words("key")["title"] + ":",
         "answers": found,
+        "notes": sign_notes(asked, language),
         "figure": figure_data(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form, frame
-from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
 from variantgen.variants.screening import (
@@ -46,7 +47,7 @@ class Tally:
 
     def report(self) -> str:
         """The screens that rejected most, in words."""
-        parts = [f"{name}: {count}" for name, count in self.rejected.most_common(4)]
+        parts = [f"{name}: {count}" for name, count in self.rejected.most_common(4) if count]
         return f"of {self.attempts} draws rejected by " + "; ".join(parts)
 
 
@@ -138,9 +139,7 @@ class Drawing:
         self.family = family
         self.where = f"{where}: {family.name}" if where else family.name
         self.forms = list(family.forms.values())
-        self.asked = {
-            form.name: [parse_quantity(text, form.sample) for text in (ask or form.ask)] for form in self.forms
-        }
+        self.asked = {form.name: read_ask(form, ask) for form in self.forms}
         self.tally = tally or Tally()
 
     def after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:

@@ -10,7 +10,7 @@ from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Measured, to_plain
 from variantgen.wording.language import Language
-from variantgen.wording.statement import statement
+from variantgen.wording.statement import sign_notes, statement
 
 
 def plain_problem(
@@ -30,5 +30,6 @@ def plain_problem(
         f"{words['given']} {', '.join(to_plain(equation) for equation in said.given)}.",
         f"{words['find']} {', '.join(to_plain(symbol) for symbol in said.asked)}.",
         f"{key['title']}: {'; '.join(found)}.",
+        " ".join(sign_notes(asked, language)),
     ]
     return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)

@@ -49,6 +49,17 @@ def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -
     )
 
 
+def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+    """The conventions of sign that these answers need, a sentence each."""
+    words = language.words("sheet")
+    needed = {
+        "signs": any(q.of_body for q in asked),
+        "magnitudes": any(not q.signed for q in asked),
+        "components": any(q.component for q in asked),
+    }
+    return [words[key] for key, wanted in needed.items() if wanted]
+
+
 def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[Equation]:
     """The printed data: every parameter that the asked quantities need, as ``symbol = value unit``.
 
@@ -137,10 +148,31 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
         text = template.render(marked)
     except _TEMPLATE_ERRORS as error:
         raise InputError(
-            Problem(f"the template fails: {error}", file=str(path), remedy="see catalog/README.md for what it may use")
+            Problem(
+                f"the template fails: {error}", file=str(path), remedy="compare it with a template of the catalogue"
+            )
         ) from None
     text = re.sub(r"\s+", " ", text).strip()
-    return tuple(formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2)
+    runs = tuple(formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2)
+    _check_data(runs, variant, asked, language, path)
+    return runs
+
+
+def _check_data(runs: Text, variant: Variant, asked: Sequence[Quantity], language: Language, path: Path) -> None:
+    """Raise InputError if the text names a datum that is not given (a zero acceleration, say)."""
+    said = set(runs)
+    known = given_names(variant, asked)
+    for name, parameter in variant.form.parameters.items():
+        symbol = language.symbol(parameter.symbol, variant.form.symbols)
+        if parameter.given and name not in known and name not in variant.form.bodies and symbol in said:
+            raise InputError(
+                Problem(
+                    "the text names a quantity that is not given here",
+                    file=str(path),
+                    value=name,
+                    remedy=f'put it under {{% if not zero("{name}") %}} or {{% if accelerations %}}',
+                )
+            )
 
 
 def template_path(variant: Variant, language: Language) -> Path:
@@ -167,8 +199,16 @@ def _context(variant: Variant, asked: Sequence[Quantity], language: Language) ->
     context["relative"] = any("_" in q.kind for q in asked)
     context["shown"] = shown_points(variant, asked)
     context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if not p.given}
+    context["speeding"] = _is_speeding(variant)
     context["zero"] = lambda name: variant.printed[name] == 0
     return context
+
+
+def _is_speeding(variant: Variant) -> bool:
+    """Whether the given motion gets faster: velocity and acceleration of the first driver have the same sense."""
+    values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
+    drivers = [template.build(values) for template in variant.form.drivers]
+    return bool(drivers) and float(drivers[0].rates(1)[0]) * float(drivers[0].rates(2)[0]) > 0
 
 
 def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:

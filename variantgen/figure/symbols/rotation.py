@@ -26,12 +26,15 @@ def draw(board: Board, driver: Rotation) -> None:
     pivot = board.pivot_of(driver.body)
     sense = float(board.frame.sense)
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
+    # The two arcs never lie side by side: which label and which sense belong together must be plain.
+    placed: float | None = None
     for radius, (kind, rate) in zip(_RADII, rates, strict=True):
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
         turn = math.copysign(_SWEEP, rate)
         formula = board.symbol(f"{kind}_{driver.body}")
-        middle = _roomiest(board, pivot, radius, turn, formula)
+        middle = _roomiest(board, pivot, radius, turn, formula, placed)
+        placed = middle
         request = along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn)
         sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
         sketch.label(request)
@@ -39,7 +42,7 @@ def draw(board: Board, driver: Rotation) -> None:
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
 
 
-def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol) -> float:
+def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol, other: float | None) -> float:
     """The direction in which the arc and the label at its middle cross least of what is drawn already."""
     sketch = board.sketch
     centre = sketch.at[pivot]
@@ -52,4 +55,6 @@ def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Sym
     crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, 5).sum(axis=1)
     covered = np.minimum(sketch.crossings(names, (0.5 * width + GAP, 0.5 * height + GAP)), 3)
     room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
-    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room))]
+    apart = [math.pi if other is None else abs(math.remainder(angle - other, math.tau)) for angle in _ANGLES]
+    too_close = np.array(apart) < _SWEEP + math.radians(50)
+    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room + 100 * too_close))]

@@ -1,0 +1,36 @@
+"""Which quantities may be asked of a form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity, parse_quantity
+
+
+def read_ask(form: Form, ask: Sequence[str] | None = None, key: str = "ask") -> list[Quantity]:
+    """The asked quantities by name (None: those of the form).
+
+    Raises InputError with every unknown quantity, every one that is given, repetition, and an empty list.
+    """
+    names = form.ask if ask is None else ask
+    problems: list[Problem] = []
+    if not names:
+        problems.append(Problem("expected at least one quantity", key=key, remedy='for example ["v_B"]'))
+    if len(set(names)) < len(names):
+        problems.append(Problem("a quantity is asked twice", key=key, value=", ".join(names)))
+    given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
+    found = []
+    for i, text in enumerate(names):
+        place = f"{key}[{i + 1}]"
+        if text in given:
+            problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy="remove it"))
+            continue
+        try:
+            found.append(parse_quantity(text, form.sample, place))
+        except InputError as error:
+            problems += error.problems
+    if problems:
+        raise InputError(problems)
+    return found
