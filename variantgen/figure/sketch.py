@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,7 @@ class Sketch:
     busy: dict[str, list[float]] = field(default_factory=dict)
     reach: dict[str, float] = field(default_factory=dict)
     _obstacles: list[tuple[complex, complex]] = field(default_factory=list)
+    _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
@@ -100,12 +102,16 @@ class Sketch:
         taken = self.busy.get(point, [])
         return min((abs(math.remainder(angle - other, math.tau)) for other in taken), default=math.pi)
 
-    def crossings(self, places: Sequence[complex], half_sides: tuple[float, float]) -> NDArray[np.int64]:
+    def crossings(
+        self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[float, float]
+    ) -> NDArray[np.int64]:
         """How many of the lines drawn so far cross the box about each place, shape (P,)."""
-        return boxes_crossed(np.array(places), half_sides, self._segments())
+        return boxes_crossed(np.asarray(places), half_sides, self._segments())
 
     def _segments(self) -> NDArray[np.complex128]:
-        return np.array(self._obstacles, dtype=complex).reshape(-1, 2)
+        if len(self._known) != len(self._obstacles):
+            self._known = np.array(self._obstacles, dtype=complex).reshape(-1, 2)
+        return self._known
 
     def label(self, request: Request) -> None:
         """Ask for a label."""

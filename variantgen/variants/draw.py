@@ -31,7 +31,7 @@ from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
 MAX_ATTEMPTS = 20_000
-_CHUNK = 24
+_CHUNK = 12
 
 
 class VerificationError(VariantgenError):

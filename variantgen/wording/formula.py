@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TypeAlias
 
 GREEK = {
@@ -72,6 +73,7 @@ def letters(text: str) -> list[tuple[str, str]]:
     return [(match[1], match[2]) for match in _LETTERS.finditer(text)]
 
 
+@lru_cache(maxsize=10_000)
 def to_typst(formula: Formula) -> str:
     """Typst math markup, without the dollar signs."""
     match formula:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 
 import numpy as np
@@ -47,11 +46,10 @@ def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Sym
     sketch = board.sketch
     centre = sketch.at[pivot]
     width, height = label_size(formula)
-    arcs, names = [], []
-    for angle in _ANGLES:
-        arcs += [centre + cmath.rect(radius, angle + part * turn) for part in (-0.5, -0.25, 0.0, 0.25, 0.55)]
-        way = cmath.rect(1.0, angle)
-        names.append(centre + way * (radius + 0.7 + 0.5 * (width * abs(way.real) + height * abs(way.imag))))
+    ways = np.exp(1j * np.array(_ANGLES))
+    parts = np.exp(1j * turn * np.array([-0.5, -0.25, 0.0, 0.25, 0.55]))
+    arcs = (centre + radius * ways[:, None] * parts[None, :]).ravel()
+    names = centre + ways * (radius + 0.7 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag)))
     crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, 5).sum(axis=1)
     covered = np.minimum(sketch.crossings(names, (0.5 * width + GAP, 0.5 * height + GAP)), 3)
     room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
