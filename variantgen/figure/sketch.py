@@ -102,9 +102,7 @@ class Sketch:
         taken = self.busy.get(point, [])
         return min((abs(math.remainder(angle - other, math.tau)) for other in taken), default=math.pi)
 
-    def crossings(
-        self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[float, float]
-    ) -> NDArray[np.int64]:
+    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[float, float]) -> NDArray[np.int64]:
         """How many of the lines drawn so far cross the box about each place, shape (P,)."""
         return boxes_crossed(np.asarray(places), half_sides, self._segments())
 

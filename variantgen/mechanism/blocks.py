@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from variantgen.errors import Problem
+
 
 def triangular_blocks(
     depends: Sequence[set[int]], unknown_count: int
@@ -77,3 +79,27 @@ def _surplus_part(depends: Sequence[set[int]], owner: dict[int, int], start: set
         front = {owner[u] for u in unknowns if u in owner} - found
         found |= front
     return found
+
+
+def indeterminate(free: Sequence[str], surplus: Sequence[str]) -> list[Problem]:
+    """What to tell the author of a scene whose equations do not determine its motion, by the names of the parts."""
+    problems = []
+    if free:
+        problems.append(
+            Problem(
+                "the motion is not determined: more unknowns than equations",
+                key="scene",
+                value=", ".join(free),
+                remedy="add a driver or a joint that fixes one of these",
+            )
+        )
+    if surplus:
+        problems.append(
+            Problem(
+                "joints or drivers repeat or contradict each other: more equations than unknowns",
+                key="scene",
+                value=", ".join(dict.fromkeys(surplus)),
+                remedy="remove one of these",
+            )
+        )
+    return problems

@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from variantgen.errors import InputError, Problem
-from variantgen.mechanism.blocks import triangular_blocks
+from variantgen.mechanism.blocks import indeterminate, triangular_blocks
 from variantgen.mechanism.rows import Shape
 from variantgen.mechanism.scene import Scene, label, references
 
@@ -78,6 +78,16 @@ class Closure:
 Equation = RowEquation | Closure
 
 
+def _equation_name(scene: Scene, equation: Equation) -> str:
+    """How messages call an equation."""
+    if isinstance(equation, RowEquation):
+        return label(scene.constraints[equation.constraint])
+    step = equation.step
+    if isinstance(step, Lead):
+        return label(scene.constraints[step.constraint])
+    return f"hinge {step.point} of {step.body}"
+
+
 @dataclass(frozen=True)
 class Block:
     """Equations and unknowns (numbers) that are solved together."""
@@ -110,7 +120,12 @@ def analyse(scene: Scene) -> Plan:
     depends = _dependencies(scene, reach)
     blocks, free, surplus = triangular_blocks(depends, len(reach.unknowns))
     if free or surplus:
-        raise InputError(_indeterminate(scene, reach, free, surplus))
+        raise InputError(
+            indeterminate(
+                [reach.unknowns[i] for i in sorted(free)],
+                [_equation_name(scene, reach.equations[i]) for i in sorted(surplus)],
+            )
+        )
     return Plan(
         placing,
         tuple(reach.steps),
@@ -272,38 +287,3 @@ def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
             shape = scene.constraints[equation.constraint].shapes()[equation.row]
             found.append({reach.omega[b] for b in shape.bodies}.union(*(forms[p] for p in shape.points)))
     return found
-
-
-def equation_name(scene: Scene, equation: Equation) -> str:
-    """How messages call an equation."""
-    if isinstance(equation, RowEquation):
-        return label(scene.constraints[equation.constraint])
-    step = equation.step
-    if isinstance(step, Lead):
-        return label(scene.constraints[step.constraint])
-    return f"hinge {step.point} of {step.body}"
-
-
-def _indeterminate(scene: Scene, reach: _Reach, free: set[int], surplus: set[int]) -> list[Problem]:
-    problems = []
-    if free:
-        names = ", ".join(reach.unknowns[i] for i in sorted(free))
-        problems.append(
-            Problem(
-                "the motion is not determined: more unknowns than equations",
-                key="scene",
-                value=names,
-                remedy="add a driver or a joint that fixes one of these",
-            )
-        )
-    if surplus:
-        names = ", ".join(dict.fromkeys(equation_name(scene, reach.equations[i]) for i in sorted(surplus)))
-        problems.append(
-            Problem(
-                "joints or drivers repeat or contradict each other: more equations than unknowns",
-                key="scene",
-                value=names,
-                remedy="remove one of these",
-            )
-        )
-    return problems
