@@ -11,9 +11,12 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeAlias
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.version import VERSION
+
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 _EPILOG = """\
 examples:
@@ -57,7 +60,14 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"variantgen {VERSION}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    _add_list(commands)
+    _add_single(commands)
+    _add_check(commands)
+    _add_build(commands)
+    return parser
 
+
+def _add_list(commands: Commands) -> None:
     listing = commands.add_parser(
         "list", help="list the problem families", description="List the problem families of the catalogue."
     )
@@ -65,6 +75,9 @@ def _parser() -> argparse.ArgumentParser:
     listing.add_argument("--json", action="store_true", help="print one JSON document")
     listing.set_defaults(run=_list)
 
+
+def _add_single(commands: Commands) -> None:
+    """``show`` and ``solve``: one problem, with the same ways to choose it."""
     one = argparse.ArgumentParser(add_help=False)
     one.add_argument("family", metavar="FAMILY_OR_FILE", help="name of a family, or path of a family or scene file")
     one.add_argument(
@@ -95,6 +108,8 @@ def _parser() -> argparse.ArgumentParser:
     solve.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
     solve.set_defaults(run=_solve)
 
+
+def _add_check(commands: Commands) -> None:
     check = commands.add_parser(
         "check",
         help="check families",
@@ -108,6 +123,8 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("--json", action="store_true", help="print one JSON document")
     check.set_defaults(run=_check)
 
+
+def _add_build(commands: Commands) -> None:
     build = commands.add_parser(
         "build",
         help="build an exam",
@@ -122,9 +139,8 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     build.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
     build.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
-    build.add_argument("--force", action="store_true", help="replace the output folder if it exists")
+    build.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
     build.set_defaults(run=_build)
-    return parser
 
 
 def _list(arguments: argparse.Namespace) -> int:

@@ -8,18 +8,13 @@ import unicodedata
 import zipfile
 import zlib
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem, ToolMissingError, nearest
 from variantgen.tables import read_limited
+from variantgen.wording.language import languages, load_language
 
-COLUMNS = {
-    "id": ("id", "student id", "student", "number", "no", "№", "номер", "ид", "идентификатор", "зачётка", "зачетка",
-           "номер зачётной книжки", "номер зачетной книжки", "логин", "login"),
-    "name": ("name", "full name", "student name", "фио", "ф.и.о.", "имя", "студент", "фамилия имя отчество",
-             "фамилия имя"),
-    "group": ("group", "class", "группа", "класс", "поток"),
-}  # fmt: skip
 _MAX_BYTES = 50_000_000
 _MAX_CELL = 20_000
 # What the reader of workbooks raises on damaged ones, as found by damaging them.
@@ -147,10 +142,21 @@ def _students(rows: list[tuple[int, list[str]]]) -> list[Student]:
     return students
 
 
+@cache
+def _column_words() -> dict[str, str]:
+    """The words that may head a column in any language (table ``[roster]`` of its words), with the column's name."""
+    return {
+        word.strip(): column
+        for language in languages()
+        for column, words in load_language(language).words("roster").items()
+        for word in words.split(",")
+    }
+
+
 def _header(cells: list[str]) -> dict[str, int]:
     columns: dict[str, int] = {}
     problems: list[Problem] = []
-    known = {word: column for column, words in COLUMNS.items() for word in words}
+    known = _column_words()
     for i, cell in enumerate(cells):
         word = " ".join(cell.casefold().replace("_", " ").split())
         if not word:
