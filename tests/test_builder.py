@@ -13,6 +13,7 @@ from pathlib import Path
 import pikepdf
 import pytest
 
+from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.exam.samples import samples_dir
 
@@ -82,12 +83,6 @@ def test_roster_order_does_not_matter_and_a_new_student_changes_nobody(tmp_path:
     assert record(lines[::-1], "two") == one
     more = record(["5;New Student;", *lines], "three")
     assert {key: more[key] for key in one} == one
-
-
-def page_texts(path: Path) -> list[str]:
-    """Text per page, by poppler where it is there; pages without text are empty strings."""
-    done = subprocess.run(["pdftotext", "-layout", str(path), "-"], capture_output=True, check=True)
-    return done.stdout.decode("utf-8").split("\f")[:-1]
 
 
 def test_every_student_starts_on_an_odd_page(tmp_path: Path) -> None:

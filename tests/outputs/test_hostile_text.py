@@ -5,11 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import json
-import subprocess
 from pathlib import Path
 
 import pytest
 
+from tests.pdf_text import page_texts
 from variantgen.cli import main
 
 FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]
@@ -61,8 +61,7 @@ def build(folder: Path, title: str, course: str, rows: list[tuple[str, str, str]
 
 def printed(pdf: Path) -> str:
     """The text of a PDF without blanks (lines may be broken anywhere) and with straight quotes."""
-    done = subprocess.run(["pdftotext", "-raw", str(pdf), "-"], capture_output=True, text=True, check=True)
-    return squeezed(done.stdout)
+    return squeezed("".join(page_texts(pdf)))
 
 
 def squeezed(text: str) -> str:
