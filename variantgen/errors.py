@@ -39,10 +39,6 @@ class VariantgenError(Exception):
     exit_code = 1
 
 
-class CheckError(VariantgenError):
-    """A check was run to the end and found something wrong (exit code 1)."""
-
-
 class InputError(VariantgenError):
     """The input is wrong (exit code 2); holds every problem found, not just the first."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, TypeVar
@@ -62,16 +63,19 @@ class Table:
 
     @contextmanager
     def collecting(self, name: str) -> Iterator[None]:
-        """Collect the problems of an InputError raised inside, under this key."""
+        """Collect the problems of an InputError raised inside, under this key.
+
+        Without a name the problems keep their own keys, put under this table's; those of another file stay as they are.
+        """
         try:
             yield
         except InputError as error:
-            self.problems += [
-                Problem(
-                    p.message, p.file, p.key if p.key.startswith(self.key(name)) else self.key(name), p.value, p.remedy
-                )
-                for p in error.problems
-            ]
+            self.problems += [self._placed(problem, name) for problem in error.problems]
+
+    def _placed(self, problem: Problem, name: str) -> Problem:
+        if problem.file or (name and problem.key.startswith(self.key(name))):
+            return problem
+        return replace(problem, key=self.key(name or problem.key))
 
     def take(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
         """A value of the given type, or the default when the key is absent or wrong (which is noted)."""

@@ -198,3 +198,10 @@ def test_verification_notices_a_wrong_number() -> None:
     motion = solve(FOUR_BAR)
     wrong = replace(motion, omega={**motion.omega, "BC": motion.omega["BC"] * (1 + 1e-5)})
     assert recompute(wrong).velocity_error[0] > 1e-6
+
+
+def test_verification_of_a_batch_with_unsolvable_variants() -> None:
+    # A dead point has a singular Jacobian; the ordinary variant beside it is verified all the same.
+    motion = solve(four_bar(0.25, np.array([0.5, 0.75]), 0.25, 1.0, 0.0, 1.0, 1.0))
+    again = recompute(motion)
+    assert again.acceleration_error[1] < 1e-7

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
@@ -93,7 +92,7 @@ def _task(table: Table, number: int) -> Task | None:
     table.finish()
     families = []
     for name in names:
-        with _Under(table):
+        with table.collecting(""):
             family = restrict(load_family(name), fixed, ranges, forms)
             _check_ask(family, None if unread else ask)
             families.append(family)
@@ -113,22 +112,3 @@ def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
             problems += error.problems
     if problems:
         raise InputError(dict.fromkeys(problems))
-
-
-class _Under:
-    """Collect problems of an InputError with their own keys put under the table's."""
-
-    def __init__(self, table: Table) -> None:
-        self.table = table
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: Any, error: Any, trace: Any) -> bool:
-        if not isinstance(error, InputError):
-            return False
-        self.table.problems += [
-            Problem(p.message, p.file, p.key if p.file else self.table.key(p.key), p.value, p.remedy)
-            for p in error.problems
-        ]
-        return True

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -207,8 +206,3 @@ def dimension_name(dimension: Dimension) -> str:
         (1, -2): "an acceleration",
     }
     return names.get((int(dimension[0]), int(dimension[1])), f"length^{dimension[0]:g} time^{dimension[1]:g}")
-
-
-def decimal_number(value: int | Decimal) -> Expression:
-    """A number from a TOML file as an expression."""
-    return number(float(value))

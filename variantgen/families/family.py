@@ -118,7 +118,7 @@ class AngleMark:
 
 @dataclass(frozen=True)
 class LengthMark:
-    """A length to be drawn as a dimension line between two points (``across`` a direction, if it is given)."""
+    """A length to be drawn as a dimension line between two points."""
 
     name: str
     start: str

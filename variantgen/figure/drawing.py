@@ -13,7 +13,6 @@ from typing import TypeAlias
 
 from variantgen.wording.formula import Formula
 
-WIDTH = 100.0
 BOLD, MEDIUM, THIN = 0.75, 0.45, 0.3  # line weights, u
 LETTER = 4.3  # size of the lettering, u
 

@@ -49,10 +49,13 @@ class Recomputed:
 
 
 def recompute(motion: Motion) -> Recomputed:
-    """Velocities and accelerations of a solved motion again, independently; all arrays of shape (N,)."""
+    """Velocities and accelerations of a solved motion again, independently; all arrays of shape (N,).
+
+    The entries of variants that are not solved have no meaning.
+    """
     chain = _Chain(motion)
     h = _time_step(motion, chain.length)
-    inverse = np.linalg.inv(chain.jacobian())
+    inverse = np.linalg.inv(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
     q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))
     times = _OFFSETS[:, None] * h
     for _ in range(_ITERATIONS):
