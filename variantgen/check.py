@@ -19,11 +19,12 @@ from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import one_variant
 from variantgen.variants.draw import Drawing, Tally
+from variantgen.variants.needed import given_names
 from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
 from variantgen.wording.language import languages, load_language
-from variantgen.wording.statement import given_names, statement
+from variantgen.wording.statement import statement
 
 _FIGURES = 20  # variants per form whose figure is drawn and compared with the statement
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.exam.blueprint import DEFAULT_TOLERANCE
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
@@ -18,8 +19,6 @@ from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
-
-TOLERANCE = 0.01
 
 
 def one_variant(
@@ -43,7 +42,7 @@ def one_variant(
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
     """The answers of a variant in printed units."""
-    return answer_variants([variant], [tuple(ask) or None], TOLERANCE)[0]
+    return answer_variants([variant], [tuple(ask) or None], DEFAULT_TOLERANCE)[0]
 
 
 def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:

@@ -15,6 +15,7 @@ from variantgen.tables import Table, read_toml
 from variantgen.wording.language import languages, load_language
 
 SCHEMA = 1
+DEFAULT_TOLERANCE = 0.01  # relative
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ class Exam:
     language: str
     tasks: tuple[Task, ...]
     seed: str = "0"
-    tolerance: float = 0.01
+    tolerance: float = DEFAULT_TOLERANCE
     duplex: bool = True
 
 
@@ -53,7 +54,7 @@ def read_exam(path: Path) -> Exam:
     with top.collecting("language"):
         load_language(language)
     seed = top.take("seed", (int, str), 0, "a whole number or a word")
-    tolerance = float(top.number("tolerance", Decimal("0.01")))
+    tolerance = float(top.number("tolerance", Decimal(str(DEFAULT_TOLERANCE))))
     if not 0 < tolerance < 0.2:
         top.problem("expected a number between 0 and 0.2", "tolerance", tolerance)
     page = top.table("page")

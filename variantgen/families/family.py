@@ -209,6 +209,12 @@ class Form:
         return analyse(self.sample)
 
     @property
+    def bars(self) -> list[tuple[str, str, str]]:
+        """Bodies drawn as bars, with the two ends (their first two points)."""
+        discs = {disc.body for disc in self.figure.discs}
+        return [(body, points[0], points[1]) for body, points in self.bodies.items() if body not in discs]
+
+    @property
     def grid_size(self) -> int:
         """Number of points of the parameter grid (poses not counted)."""
         size = 1

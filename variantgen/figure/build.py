@@ -15,10 +15,9 @@ from variantgen.figure.marks import draw_angle, draw_length, draw_radius
 from variantgen.figure.sketch import HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
-from variantgen.variants.screening import links
+from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
-from variantgen.wording.statement import given_names, shown_points
 
 _BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
 _DOT = 0.65
@@ -93,7 +92,7 @@ def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) ->
 
 def _draw_links(board: Board) -> None:
     sketch = board.sketch
-    for body, start, end in links(board.form):
+    for body, start, end in board.form.bars:
         a, b = sketch.at[start], sketch.at[end]
         sketch.path((a, b), Layer.LINK)
         sketch.occupy(start, b - a)
@@ -120,4 +119,4 @@ def _draw_points(board: Board, shown: Sequence[str]) -> None:
 
 
 def _is_free_end(board: Board, point: str) -> bool:
-    return any(point in (start, end) for _, start, end in links(board.form))
+    return any(point in (start, end) for _, start, end in board.form.bars)

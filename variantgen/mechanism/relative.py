@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from variantgen.mechanism.motion import ComplexField, Motion
-from variantgen.mechanism.scene import Scene, references
+from variantgen.mechanism.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -24,14 +24,8 @@ class Relative:
 
 
 def sliding_points(scene: Scene) -> dict[str, str]:
-    """Points that slide along a moving body, with the body: the joints that couple a point to a body not its own."""
-    found: dict[str, str] = {}
-    for joint in scene.joints:
-        points, bodies = references(joint, "point"), references(joint, "body")
-        line = [p for p in points[1:] if bodies and p in scene.bodies[bodies[0]]]
-        if len(line) == 2 and points[0] not in scene.bodies[bodies[0]]:
-            found[points[0]] = bodies[0]
-    return found
+    """Points that slide along a moving body, with the body."""
+    return {slide.point: slide.body for joint in scene.joints if (slide := joint.sliding())}
 
 
 def relative_motion(motion: Motion, point: str, body: str) -> Relative:

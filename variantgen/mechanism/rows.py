@@ -112,8 +112,25 @@ class Constraint(Protocol):
         ...
 
 
+@dataclass(frozen=True)
+class Sliding:
+    """A point slides on a body, along the line through two points of the body."""
+
+    point: str
+    body: str
+    line: tuple[str, str]
+
+
+class Pair(Constraint, Protocol):
+    """What a joint tells besides its constraint."""
+
+    def sliding(self) -> Sliding | None:
+        """Which point slides on which moving body, if any does."""
+        ...
+
+
 class Joint:
-    """Common part of the joints: nothing is prescribed, so all rates are zero."""
+    """Common part of the joints: nothing is prescribed, so all rates are zero; nothing slides on a body."""
 
     def shapes(self) -> tuple[Shape, ...]:
         """The structure of the rows (each joint says)."""
@@ -122,3 +139,7 @@ class Joint:
     def rates(self, order: int) -> tuple[Real, ...]:
         """Zero for each row: a joint does not prescribe motion."""
         return tuple(0.0 for _ in self.shapes())
+
+    def sliding(self) -> Sliding | None:
+        """Which point slides on which moving body (a sleeve or a slot says)."""
+        return None

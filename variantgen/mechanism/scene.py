@@ -10,7 +10,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.mechanism.arithmetic import Complex, Flags
 from variantgen.mechanism.component import FieldSpec, field_specs
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.rows import Constraint, Frame
+from variantgen.mechanism.rows import Constraint, Frame, Pair
 
 
 class Construction(Protocol):
@@ -36,7 +36,7 @@ class Scene:
 
     points: Mapping[str, Construction]
     bodies: Mapping[str, tuple[str, ...]]
-    joints: tuple[Constraint, ...] = ()
+    joints: tuple[Pair, ...] = ()
     drivers: tuple[Constraint, ...] = ()
     frame: Frame = Frame()
 
@@ -48,7 +48,7 @@ class Scene:
     @property
     def constraints(self) -> tuple[Constraint, ...]:
         """Joints, then drivers."""
-        return self.joints + self.drivers
+        return (*self.joints, *self.drivers)
 
 
 def _specs(component: Any) -> tuple[FieldSpec, ...]:

@@ -16,9 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import ComplexField, Field, Motion
+from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.rows import Placement
-from variantgen.mechanism.scene import references
 
 # Truncation grows as (h / R)^6 with R the way to the nearest dead point (about 0.3 rad in screened variants),
 # rounding of the second derivative as eps / h^2; 0.004 rad balances them near 1e-10.
@@ -192,10 +194,6 @@ def invariants(motion: Motion) -> Field:
     the rays from the velocity centre; the velocity of a sliding point relative to its carrier along the carrier; the
     Coriolis acceleration perpendicular to the relative velocity, turned with the carrier, of size 2 omega v_rel.
     """
-    from variantgen.mechanism.arithmetic import across, along
-    from variantgen.mechanism.centres import velocity_centre
-    from variantgen.mechanism.relative import relative_motion, sliding_points
-
     speed = np.max([np.abs(v) for v in motion.v.values()], axis=0)
     defects: list[Field] = [np.zeros(motion.size)]
     for body, members in motion.scene.bodies.items():
@@ -211,24 +209,16 @@ def invariants(motion: Motion) -> Field:
             for other in members[: members.index(point)]:
                 line = motion.z[point] - motion.z[other]
                 defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / np.abs(line))
-    for point, body in sliding_points(motion.scene).items():
-        relative = relative_motion(motion, point, body)
-        ray = _carrier_line(motion, point)
+    for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
+        relative = relative_motion(motion, slide.point, slide.body)
+        line = motion.z[slide.line[1]] - motion.z[slide.line[0]]
+        ray = line / np.abs(line)
         defects.append(np.abs(across(ray, relative.velocity)))
         if relative.acceleration is not None and relative.coriolis is not None:
-            turn = relative.coriolis - 2j * motion.omega[body] * relative.velocity
+            turn = relative.coriolis - 2j * motion.omega[slide.body] * relative.velocity
             acceleration = np.max([np.abs(a) for a in motion.a.values()], axis=0)
             scale = speed / np.where(acceleration > 0, acceleration, 1.0)
             defects += [np.abs(turn) * scale, np.abs(across(ray, relative.acceleration)) * scale]
     worst = np.max(defects, axis=0)
     result: Field = worst / np.where(speed > 0, speed, 1.0)
-    return result
-
-
-def _carrier_line(motion: Motion, point: str) -> ComplexField:
-    """Unit vector of the line on which a point slides."""
-    joint = next(j for j in motion.scene.joints if references(j, "point")[:1] == (point,) and references(j, "body"))
-    start, end = references(joint, "point")[1:3]
-    line = motion.z[end] - motion.z[start]
-    result: ComplexField = line / np.abs(line)
     return result

@@ -84,17 +84,11 @@ def _box(
     return low, np.max(every.real, axis=0) + 1j * np.max(every.imag, axis=0)
 
 
-def links(form: Form) -> list[tuple[str, str, str]]:
-    """Bodies drawn as bars, with the two ends (their first two points)."""
-    discs = {disc.body for disc in form.figure.discs}
-    return [(body, points[0], points[1]) for body, points in form.bodies.items() if body not in discs]
-
-
 def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.float64]:
     """Smallest distance of a point from a bar that it does not belong to and does not slide on (m), over its need."""
     slides, fixed = sliding_points(motion.scene), fixed_points(motion.scene)
     smallest = np.full(motion.size, np.inf)
-    for body, start, end in links(form):
+    for body, start, end in form.bars:
         line = motion.z[end] - motion.z[start]
         square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
         for point in shown:

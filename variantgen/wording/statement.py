@@ -20,6 +20,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity
+from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters
 from variantgen.wording.language import Language
@@ -67,57 +68,6 @@ def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> li
     velocities are asked, angles and lengths of points that are not shown too.
     """
     return [_given(variant, name, language) for name in given_names(variant, asked)]
-
-
-def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
-    """Names of the parameters that are printed."""
-    order = max((q.order for q in asked), default=1)
-    idle = unneeded_parameters(variant, asked)
-    return [
-        name
-        for name, parameter in variant.form.parameters.items()
-        if parameter.given
-        and name not in idle
-        and not (parameter.of_second_order and (order == 1 or variant.printed[name] == 0))
-    ]
-
-
-def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]:
-    """Parameters that place only points which nobody asks for."""
-    form = variant.form
-    shown = shown_points(variant, asked)
-    used: set[str] = set()
-    idle: set[str] = set()
-    for name, template in form.points.items():
-        names = {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
-        (used if name in shown or name in form.figure.hidden else idle).update(names)
-    for template in (*form.joints, *form.drivers):
-        used |= {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
-    for derived, expression in reversed(list(form.derived.items())):
-        if derived in used:
-            used |= expression.names
-        else:
-            idle |= expression.names
-    return idle - used
-
-
-def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
-    """Points that the figure shows: all but plain points of a body that nobody asks for."""
-    form = variant.form
-    scene = form.sample
-    count: dict[str, int] = {}
-    for members in form.bodies.values():
-        for point in members:
-            count[point] = count.get(point, 0) + 1
-    discs = {disc.body for disc in form.figure.discs}
-    ends = {p for body, members in form.bodies.items() if body not in discs for p in members[:2]}
-    named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
-    wanted = {q.target for q in asked}
-    return [
-        p
-        for p in form.points
-        if p not in form.figure.hidden and (count.get(p, 0) > 1 or p in ends or p in named or p in wanted)
-    ]
 
 
 def _given(variant: Variant, name: str, language: Language) -> Equation:

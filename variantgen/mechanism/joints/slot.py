@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from variantgen.mechanism.arithmetic import Complex, Real, across, along, unit, unit_towards
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,10 @@ class Slot(Joint):
         """One scalar row; a second one where the sleeve does not swivel."""
         line = Shape(points=(self.point, self.along[0]), bodies=(self.body,))
         return (line,) if self.sleeve is None else (line, Shape(bodies=(self.body, self.sleeve)))
+
+    def sliding(self) -> Sliding:
+        """The point slides on the body along its line."""
+        return Sliding(self.point, self.body, self.along)
 
     def direction(self, at: Placement) -> Complex:
         """Unit vector of the line, from the first towards the second of its points."""
