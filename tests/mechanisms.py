@@ -15,8 +15,8 @@ from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joints.rope import Bend, Rope
 from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.joints.thread import Thread
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 
@@ -110,7 +110,7 @@ def spool(r: Any, big: Any, v: Any, a: Any = 0.0, side: float = 1.0, pulley: Any
         (
             Rolling("spool", "O", "P"),
             Guide("B", math.pi / 2),
-            Thread("spool", "O", r, side, "K", 0.1, 1.0, "B", -math.pi / 2),
+            Rope((Bend("O", r, side, "spool"), Bend("K", 0.1, 1.0, fixed=True), Bend("B"))),
         ),
         (Travel("B", v, a, -math.pi / 2),),
     )

@@ -149,7 +149,7 @@ def _text_failures(variant: Variant, language_name: str, motion: Any, place: int
         symbol = language.symbol(variant.form.parameters[name].symbol, variant.form.symbols)
         if not _is_named(symbol, drawn):
             missing.append(f"{where}: the figure does not show {name}")
-    for point in {q.target for q in asked if not q.of_body}:
+    for point in sorted({q.point for q in asked} - {""}):
         if Symbol(point) not in drawn:
             missing.append(f"{where}: the figure does not name {point}")
     return missing + ([] if said.text else [f"{where}: the statement is empty"])

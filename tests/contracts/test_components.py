@@ -34,11 +34,11 @@ def test_docstring_states_the_constraint(kind: type) -> None:
     assert "=" in kind.__doc__
 
 
-@pytest.mark.parametrize("package", ["constructions", "joints", "drivers"])
+@pytest.mark.parametrize("package", ["constructions", "conditions", "joints", "drivers"])
 def test_fields_say_what_they_expect(package: str) -> None:
     for kind in discover(f"variantgen.mechanism.{package}").values():
         for spec in field_specs(kind):
-            assert spec.ref or spec.dimension or spec.flag, (kind, spec.name)
+            assert spec.ref or spec.dimension or spec.flag or spec.part, (kind, spec.name)
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -34,6 +34,7 @@ def test_every_construction_of_the_folder_is_tested_here() -> None:
         "fraction",
         "line_circle",
         "line_line",
+        "near",
         "on_body",
         "polar",
         "tangent",

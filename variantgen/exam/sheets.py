@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import degrees
 
 from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.roster import Student
@@ -113,6 +114,13 @@ def solve_all(
     return [found[i] for i in range(len(variants))]
 
 
+def _tolerance(quantity: Quantity, value: float, relative: float) -> float:
+    """Absolute tolerance in the printed unit: of an angle the like part of a radian; a sense is right or wrong."""
+    if quantity.component == "sense":
+        return 0.0
+    return float(f"{relative * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
+
+
 def answer_variants(
     variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: float
 ) -> list[tuple[Answer, ...]]:
@@ -127,6 +135,6 @@ def answer_variants(
                 values[id(motion), quantity] = quantity.value(motion)
             unit = quantity.unit(variant.family.length_unit)
             value = float(f"{unit.from_si(float(values[id(motion), quantity][place])):.{_DIGITS - 1}e}")
-            answers.append(Answer(quantity, unit, value, float(f"{tolerance * abs(value):.3g}")))
+            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance)))
         found.append(tuple(answers))
     return found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, parse_quantity
 
@@ -24,11 +24,15 @@ def read_ask(form: Form, ask: Sequence[str] | None = None, key: str = "ask") -> 
     found = []
     for i, text in enumerate(names):
         place = f"{key}[{i + 1}]"
-        if text in given:
+        if text in given or text.removesuffix(".abs").removesuffix(".sense") in given:
             problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy="remove it"))
             continue
         try:
-            found.append(parse_quantity(text, form.sample, place))
+            quantity = parse_quantity(text, form.sample, place)
+            if text not in form.askable:
+                problem = "the data of this problem do not determine it"
+                problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
+            found.append(quantity)
         except InputError as error:
             problems += error.problems
     if problems:

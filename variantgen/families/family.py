@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
+from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.expressions import Expression
+from variantgen.families.quantities import quantity_names
 from variantgen.families.units import Unit
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
@@ -24,7 +26,8 @@ from variantgen.mechanism.structure import Plan, analyse
 class Parameter:
     """A drawn parameter: its grid of printed values, and the same in SI.
 
-    A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``).
+    A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A
+    ``constant`` has the dimension of a rate but is none that the figure shows (g, the acceleration of free fall).
     """
 
     name: str
@@ -32,6 +35,7 @@ class Parameter:
     printed: tuple[Decimal, ...]
     words: tuple[str, ...] = ()
     symbol: str = ""
+    constant: bool = False
 
     @cached_property
     def si(self) -> NDArray[np.float64]:
@@ -48,12 +52,12 @@ class Parameter:
     @property
     def is_rate(self) -> bool:
         """Whether it is a velocity, acceleration or their angular kin, whose sign the figure shows."""
-        return self.unit is not None and self.unit.dimension[1] != 0
+        return self.unit is not None and self.unit.dimension[1] < 0 and not self.constant
 
     @property
     def of_second_order(self) -> bool:
         """Whether only accelerations depend on it."""
-        return self.unit is not None and self.unit.dimension[1] == -2
+        return self.unit is not None and self.unit.dimension[1] == -2 and not self.constant
 
 
 @dataclass(frozen=True)
@@ -65,10 +69,22 @@ class Template:
 
     def build(self, values: Mapping[str, Real]) -> Any:
         """The component with numbers in SI."""
-        made = {
-            name: item.value(values) if isinstance(item, Expression) else item for name, item in self.fields.items()
-        }
-        return self.component(**made)
+        return self.component(**{name: _built(item, values) for name, item in self.fields.items()})
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Parameters and derived quantities that it uses."""
+        every = [part for item in self.fields.values() for part in (item if isinstance(item, tuple) else (item,))]
+        used = [part.names for part in every if isinstance(part, Expression | Template)]
+        return frozenset().union(*used)
+
+
+def _built(item: Any, values: Mapping[str, Real]) -> Any:
+    if isinstance(item, Expression):
+        return item.value(values)
+    if isinstance(item, tuple):
+        return tuple(part.build(values) if isinstance(part, Template) else part for part in item)
+    return item
 
 
 @dataclass(frozen=True)
@@ -137,12 +153,23 @@ class DiscMark:
 
 @dataclass(frozen=True)
 class FigureHints:
-    """What the drawing cannot know from the scene: angles, lengths and discs with their names."""
+    """What the drawing cannot know from the scene.
+
+    ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
+    ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
+    links through points; ``walls``: hatched lines between two points; ``bare``: points whose guide is drawn as a wall.
+    """
 
     angles: tuple[AngleMark, ...] = ()
     lengths: tuple[LengthMark, ...] = ()
     discs: tuple[DiscMark, ...] = ()
     hidden: tuple[str, ...] = ()
+    plates: tuple[str, ...] = ()
+    plain: tuple[str, ...] = ()
+    slotted: tuple[str, ...] = ()
+    lines: tuple[tuple[str, ...], ...] = ()
+    walls: tuple[tuple[str, ...], ...] = ()
+    bare: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -175,6 +202,8 @@ class Form:
     joints: tuple[Template, ...]
     drivers: tuple[Template, ...]
     ask: tuple[str, ...]
+    conditions: tuple[Template, ...] = ()
+    may_ask: tuple[str, ...] = ()
     screens: Screens = Screens()
     pose: Pose = Pose()
     figure: FigureHints = FigureHints()
@@ -195,7 +224,14 @@ class Form:
             tuple(template.build(values) for template in self.joints),
             tuple(template.build(values) for template in self.drivers),
             on_paper or Frame(),
+            tuple(template.build(values) for template in self.conditions),
         )
+
+    @cached_property
+    def askable(self) -> list[str]:
+        """Names of the quantities that may be asked: those of the scene, or those of them that ``may_ask`` allows."""
+        names = quantity_names(self.sample)
+        return [name for name in names if not self.may_ask or any(fnmatchcase(name, p) for p in self.may_ask)]
 
     @cached_property
     def sample(self) -> Scene:
@@ -211,8 +247,8 @@ class Form:
     @property
     def bars(self) -> list[tuple[str, str, str]]:
         """Bodies drawn as bars, with the two ends (their first two points)."""
-        discs = {disc.body for disc in self.figure.discs}
-        return [(body, points[0], points[1]) for body, points in self.bodies.items() if body not in discs]
+        drawn = {disc.body for disc in self.figure.discs} | {*self.figure.plates, *self.figure.plain}
+        return [(body, points[0], points[1]) for body, points in self.bodies.items() if body not in drawn]
 
     @property
     def grid_size(self) -> int:

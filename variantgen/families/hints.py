@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from typing import Any
 
@@ -18,7 +18,7 @@ _COMPARISON = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)")
 DIRECTIONS = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
 
 
-def read_screens(table: Table, expression: ExpressionReader) -> Screens:
+def read_screens(table: Table, expression: ExpressionReader, points: Collection[str]) -> Screens:
     """The screens; numbers that are not given keep their defaults."""
     screens = Screens()
     numbers: dict[str, float] = {}
@@ -35,7 +35,8 @@ def read_screens(table: Table, expression: ExpressionReader) -> Screens:
         if not isinstance(item, list) or len(item) != 3 or any(not isinstance(n, str) for n in item):
             table.problem("expected three names of points: [point, end, end]", f"inside[{i + 1}]", item)
         else:
-            inside.append((item[0], item[1], item[2]))
+            first, second, third = (_known(table, f"inside[{i + 1}]", name, points) for name in item)
+            inside.append((first, second, third))
     require = []
     for i, text in enumerate(table.strings("require")):
         with table.collecting(f"require[{i + 1}]"):
@@ -74,16 +75,35 @@ def read_figure(
     angles = [_angle(item, points) for item in table.tables("angles")]
     lengths = [_length(item, points) for item in table.tables("lengths")]
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
-    hidden = table.strings("hidden")
-    for name in hidden:
-        _known(table, "hidden", name, points)
+    hidden, bare = (_names(table, key, points) for key in ("hidden", "bare"))
+    plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
+    lines, walls = (_paths(table, key, points) for key in ("lines", "walls"))
     table.finish()
-    return FigureHints(tuple(angles), tuple(lengths), tuple(discs), hidden)
+    return FigureHints(tuple(angles), tuple(lengths), tuple(discs), hidden, plates, plain, slotted, lines, walls, bare)
 
 
-def _known(table: Table, key: str, name: str, known: set[str]) -> str:
+def _names(table: Table, key: str, known: set[str], kind: str = "point") -> tuple[str, ...]:
+    """A list of names of points or bodies."""
+    names = table.strings(key)
+    for name in names:
+        _known(table, key, name, known, kind)
+    return names
+
+
+def _paths(table: Table, key: str, points: set[str]) -> tuple[tuple[str, ...], ...]:
+    """A list of lists of points."""
+    found = []
+    for i, item in enumerate(table.take(key, list, [], "a list of lists of points")):
+        if not isinstance(item, list) or len(item) < 2 or any(not isinstance(name, str) for name in item):
+            table.problem("expected a list of at least two points", f"{key}[{i + 1}]", item)
+            continue
+        found.append(tuple(_known(table, f"{key}[{i + 1}]", name, points) for name in item))
+    return tuple(found)
+
+
+def _known(table: Table, key: str, name: str, known: Collection[str], kind: str = "point") -> str:
     if name not in known:
-        table.problem("unknown point", key, name, nearest(name, known))
+        table.problem(f"unknown {kind}", key, name, nearest(name, known))
     return name
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -26,7 +27,9 @@ def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
     before = len(parent.problems)
     table = Table(value, parent.key(name), parent.problems)
     symbol = table.take("symbol", str, name)
+    constant = table.take("constant", bool, False)
     parameter = _choices(table, name) if "choices" in table.data else _grid(table, name, symbol)
+    parameter = replace(parameter, constant=constant)
     table.finish()
     return parameter if len(parent.problems) == before else None
 

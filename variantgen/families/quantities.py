@@ -1,29 +1,47 @@
 """The quantities that may be asked: their names, dimensions and values.
 
-``v_B a_B`` (magnitudes of a point's velocity and acceleration), ``v_B.x a_B.y`` (components, on paper), ``omega_AB
-epsilon_AB`` (of a body, positive counter-clockwise), ``v_rel_C a_rel_C a_cor_C`` (magnitudes for a sliding point).
+========================  ==============================================================================
+name                      meaning
+========================  ==============================================================================
+``v_B  a_B``              magnitude of the velocity, acceleration of a point
+``v_B.x  a_B.y``          component on paper (x to the right, y up)
+``v_B.angle``             direction: angle from the x axis, -180 to 180 degrees, positive counter-clockwise
+``omega_AB  epsilon_AB``  angular velocity, angular acceleration of a body, positive counter-clockwise
+``omega_AB.abs``          its magnitude
+``omega_AB.sense``        its sense: +1 counter-clockwise, -1 clockwise
+``v_rel_C a_rel_C``       magnitude of the relative velocity, relative acceleration of a sliding point
+``a_cor_C``               magnitude of its Coriolis acceleration (components and angle as above)
+``P_AB.A``                distance of a point from the velocity centre P of a body
+``Q_AB.A``                distance of a point from the acceleration centre Q of a body
+``mu_AB``                 angle between accelerations and rays from Q: ``tan mu = |epsilon| / omega^2``
+========================  ==============================================================================
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.units import Unit, unit
-from variantgen.mechanism.motion import Field, Motion
+from variantgen.mechanism.centres import acceleration_centre, velocity_centre
+from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.scene import Scene, fixed_points
 
-_PATTERN = re.compile(r"(v_rel|a_rel|a_cor|v|a|omega|epsilon)_([A-Za-z][A-Za-z0-9]*)(?:\.([xy]))?")
-_ORDER = {"v": 1, "omega": 1, "v_rel": 1, "a": 2, "epsilon": 2, "a_rel": 2, "a_cor": 2}
+_PATTERN = re.compile(
+    r"(v_rel|a_rel|a_cor|v|a|omega|epsilon|mu|P|Q)_([A-Za-z][A-Za-z0-9]*)(?:\.([A-Za-z][A-Za-z0-9]*))?"
+)
+_ORDER = {"v": 1, "omega": 1, "v_rel": 1, "P": 1, "a": 2, "epsilon": 2, "a_rel": 2, "a_cor": 2, "Q": 2, "mu": 2}
+_OF_POINT = ("", ".x", ".y", ".angle")
+_OF_BODY = ("", ".abs", ".sense")
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """An asked quantity: ``kind`` (v, a, omega, epsilon, v_rel, a_rel, a_cor), point or body, component or ''."""
+    """An asked quantity: ``kind`` (v, a, omega, ...), point or body, and what of it (see the table of the module)."""
 
     kind: str
     target: str
@@ -35,44 +53,91 @@ class Quantity:
         return f"{self.kind}_{self.target}" + (f".{self.component}" if self.component else "")
 
     @property
+    def whole_name(self) -> str:
+        """The name without what is asked of it, ``v_B``."""
+        return f"{self.kind}_{self.target}"
+
+    @property
     def order(self) -> int:
         """1 if velocities are enough to know it, 2 if accelerations are needed."""
         return _ORDER[self.kind]
 
     @property
-    def of_body(self) -> bool:
-        """Whether it belongs to a body (and not to a point)."""
+    def is_vector(self) -> bool:
+        """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
+        return self.kind in ("v", "a", "v_rel", "a_rel", "a_cor")
+
+    @property
+    def is_rotation(self) -> bool:
+        """Whether it belongs to the rotation of a body."""
         return self.kind in ("omega", "epsilon")
 
     @property
-    def signed(self) -> bool:
-        """Whether the value carries a sign."""
-        return self.of_body or bool(self.component)
+    def is_centre(self) -> bool:
+        """Whether it is a distance from the velocity or acceleration centre."""
+        return self.kind in ("P", "Q")
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether it is an angle: a direction, or that of the acceleration centre."""
+        return self.component == "angle" or self.kind == "mu"
+
+    @property
+    def point(self) -> str:
+        """The point it speaks of, or ''."""
+        if self.is_centre:
+            return self.component
+        return self.target if self.is_vector else ""
+
+    @property
+    def whole(self) -> Quantity:
+        """The magnitude or signed rate whose direction or sense this is; else the quantity itself."""
+        return replace(self, component="") if self.component in ("angle", "sense") else self
 
     def unit(self, length: str) -> Unit:
         """The unit it is printed in, for a family that gives lengths in the unit ``length``."""
-        root = "rad" if self.of_body else length
+        if self.is_angle:
+            return unit("deg")
+        if self.component == "sense":
+            return unit("1")
+        if self.is_centre:
+            return unit(length)
+        root = "rad" if self.is_rotation else length
         return unit(root + ("/s" if self.order == 1 else "/s^2"))
 
     def value(self, motion: Motion) -> Field:
-        """Its value in SI, shape (N,)."""
-        if self.of_body:
-            return (motion.omega if self.kind == "omega" else motion.epsilon)[self.target]
-        if self.kind in ("v", "a"):
-            vector = (motion.v if self.kind == "v" else motion.a)[self.target]
-        else:
-            parts = relative_motion(motion, self.target, sliding_points(motion.scene)[self.target])
-            found = {"v_rel": parts.velocity, "a_rel": parts.acceleration, "a_cor": parts.coriolis}[self.kind]
-            if found is None:
-                raise ValueError(f"{self.name} needs accelerations, which were not computed")
-            vector = found
+        """Its value in SI, shape (N,); infinite for the distance from a centre at infinity."""
+        if self.is_rotation:
+            rate = (motion.omega if self.kind == "omega" else motion.epsilon)[self.target]
+            if self.component == "sense":
+                return np.sign(rate)
+            return np.abs(rate) if self.component == "abs" else rate
+        if self.is_centre:
+            centre = (velocity_centre if self.kind == "P" else acceleration_centre)(motion, self.target)
+            distance: Field = np.where(centre.finite, np.abs(motion.z[self.component] - centre.z), np.inf)
+            return distance
+        if self.kind == "mu":
+            slope: Field = np.arctan2(np.abs(motion.epsilon[self.target]), motion.omega[self.target] ** 2)
+            return slope
+        vector = self._vector(motion)
         match self.component:
             case "x":
                 return np.real(vector)
             case "y":
                 return np.imag(vector)
+            case "angle":
+                return np.asarray(np.angle(vector))
             case _:
                 return np.abs(vector)
+
+    def _vector(self, motion: Motion) -> ComplexField:
+        if self.kind in ("v", "a"):
+            return (motion.v if self.kind == "v" else motion.a)[self.target]
+        parts = relative_motion(motion, self.target, sliding_points(motion.scene)[self.target])
+        found = {"v_rel": parts.velocity, "a_rel": parts.acceleration, "a_cor": parts.coriolis}[self.kind]
+        if found is None:
+            raise ValueError(f"{self.name} needs accelerations, which were not computed")
+        return found
 
 
 def parse_quantity(text: str, scene: Scene, key: str = "ask") -> Quantity:
@@ -80,6 +145,11 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask") -> Quantity:
     known = quantity_names(scene)
     if text not in known:
         raise InputError(Problem("unknown quantity", key=key, value=text, remedy=nearest(text, known)))
+    return split_name(text)
+
+
+def split_name(text: str) -> Quantity:
+    """The quantity of a name that is known to be one."""
     match = _PATTERN.fullmatch(text)
     assert match is not None
     return Quantity(match[1], match[2], match[3] or "")
@@ -92,8 +162,8 @@ def quantity_names(scene: Scene) -> list[str]:
     fixed = fixed_points(scene)
     points = [p for p in scene.points if p in moving and p not in fixed]
     sliding = list(sliding_points(scene))
-    names = [f"{kind}_{p}{part}" for kind in ("v", "a") for p in points for part in ("", ".x", ".y")]
-    names += [f"{kind}_{body}" for kind in ("omega", "epsilon") for body in scene.bodies]
-    return names + [
-        f"{kind}_{p}{part}" for kind in ("v_rel", "a_rel", "a_cor") for p in sliding for part in ("", ".x", ".y")
-    ]
+    names = [f"{kind}_{p}{part}" for kind in ("v", "a") for p in points for part in _OF_POINT]
+    names += [f"{kind}_{body}{part}" for kind in ("omega", "epsilon") for body in scene.bodies for part in _OF_BODY]
+    names += [f"{kind}_{p}{part}" for kind in ("v_rel", "a_rel", "a_cor") for p in sliding for part in _OF_POINT]
+    names += [f"{kind}_{body}.{p}" for kind in ("P", "Q") for body, members in scene.bodies.items() for p in members]
+    return names + [f"mu_{body}" for body in scene.bodies]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from variantgen.families.family import Form
 from variantgen.figure.sketch import Sketch
-from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.rows import Constraint, Frame
 from variantgen.mechanism.scene import Scene, fixed_points
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
@@ -35,8 +35,26 @@ class Board:
 
     @property
     def loads(self) -> set[str]:
-        """Points that hang on a thread."""
-        return {name for joint in self.scene.joints for name in (getattr(joint, "load", None),) if name is not None}
+        """Points that hang on a rope and belong to no body."""
+        return {name for joint in self.scene.joints for name in joint.hanging() if not self.owners(name)}
+
+    def owners(self, point: str) -> list[str]:
+        """Bodies that a point belongs to."""
+        return [body for body, members in self.scene.bodies.items() if point in members]
+
+    def is_disc(self, point: str) -> bool:
+        """Whether a disc about the point is drawn."""
+        return any(disc.centre == point for disc in self.form.figure.discs)
+
+    def rate(self, driver: Constraint, field_name: str) -> Symbol:
+        """The symbol of the given rate that a field of a driver uses (``v`` of a travel, ``omega`` of a rotation)."""
+        template = self.form.drivers[next(i for i, own in enumerate(self.scene.drivers) if own is driver)]
+        parameters = self.form.parameters
+        names = template.fields[field_name].names & {name for name, p in parameters.items() if p.is_rate}
+        if names:
+            return self.symbol(parameters[min(names)].symbol)
+        point_or_body = next(value for value in template.fields.values() if isinstance(value, str))
+        return self.symbol(f"{field_name}_{point_or_body}")
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 from types import ModuleType
 
 from variantgen.families.quantities import Quantity
@@ -21,6 +22,7 @@ from variantgen.wording.language import Language
 
 _BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
 _DOT = 0.65
+_HALF_SLOT = 1.6
 
 
 @cache
@@ -45,6 +47,7 @@ def statement_figure(
     board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
+    _draw_walls(board)
     _draw_links(board)
     given = set(given_names(variant, asked))
     for angle in form.figure.angles:
@@ -94,12 +97,52 @@ def _draw_links(board: Board) -> None:
     sketch = board.sketch
     for body, start, end in board.form.bars:
         a, b = sketch.at[start], sketch.at[end]
-        sketch.path((a, b), Layer.LINK)
+        if body in board.form.figure.slotted:
+            _draw_slotted(sketch, a, b)
+        else:
+            sketch.path((a, b), Layer.LINK)
         sketch.occupy(start, b - a)
         sketch.occupy(end, a - b)
         for point in board.form.bodies[body][2:]:
             for far in (a, b):
                 sketch.occupy(point, far - sketch.at[point])
+    for names in board.form.figure.lines:
+        sketch.path([sketch.at[name] for name in names], Layer.LINK)
+        _occupy_both_ways(sketch, names)
+    for body in board.form.figure.plates:
+        names = board.form.bodies[body]
+        sketch.path([sketch.at[name] for name in names], Layer.DISC, closed=True, fill="shade")
+        _occupy_both_ways(sketch, (*names, names[0]))
+
+
+def _occupy_both_ways(sketch: Sketch, names: Sequence[str]) -> None:
+    for first, second in pairwise(names):
+        step = sketch.at[second] - sketch.at[first]
+        sketch.occupy(first, step)
+        sketch.occupy(second, -step)
+
+
+def _draw_slotted(sketch: Sketch, start: complex, end: complex) -> None:
+    """A slotted arm: a bar from its pivot to the slot, then two edges closed at the ends."""
+    way = (end - start) / abs(end - start)
+    side, near = _HALF_SLOT * 1j * way, start + min(6.0, 0.2 * abs(end - start)) * way
+    sketch.path((start, near), Layer.LINK)
+    sketch.path((near - side, end - side, end + side, near + side), Layer.LINK, MEDIUM, closed=True, fill="paper")
+
+
+def _draw_walls(board: Board) -> None:
+    """Hatched lines, on the side away from the mechanism."""
+    sketch = board.sketch
+    seen = [sketch.at[name] for name in board.shown]
+    middle = sum(seen) / len(seen)
+    for names in board.form.figure.walls:
+        for first, second in pairwise(names):
+            a, b = sketch.at[first], sketch.at[second]
+            normal = 1j * (b - a) / abs(b - a)
+            away = -normal if ((middle - a) * normal.conjugate()).real > 0 else normal
+            sketch.path((a, b), Layer.GROUND)
+            sketch.hatch(a, b, away)
+        _occupy_both_ways(sketch, names)
 
 
 def _draw_points(board: Board, shown: Sequence[str]) -> None:

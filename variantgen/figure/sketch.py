@@ -71,6 +71,20 @@ class Sketch:
             (start + far / 2, end + far / 2),
         ]
 
+    def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
+        """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
+        count = max(2, round((radius * sweep - 0.6) / _HATCH_STEP))
+        normal = 1.0 if outside else -1.0
+        strokes = []
+        for i in range(count):
+            ray = cmath.rect(1.0, start + sweep * (i + 0.5) / count)
+            foot = centre + radius * ray
+            strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
+        self.lines.append(Strokes(tuple(strokes), Layer.GROUND))
+        far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
+        pieces = max(4, math.ceil(sweep / 0.35))
+        self._obstacles += list(pairwise([far.at(i / pieces) for i in range(pieces + 1)]))
+
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
     ) -> None:

@@ -62,12 +62,15 @@ class FieldSpec:
         self.ref = next((str(mark) for mark in marks if isinstance(mark, Ref)), "")
         self.dimension = next((str(mark) for mark in marks if isinstance(mark, Dim)), "")
         self.words = dict(next((mark for mark in marks if isinstance(mark, Words)), ()))
-        self.many = get_origin(hint) is tuple
+        self.part = _part(hint)
+        self.many = get_origin(hint) is tuple and self.part is None
         self.flag = hint is bool
 
     @property
     def expects(self) -> str:
         """What a family file may write here, in words."""
+        if self.part:
+            return "a list of tables with the fields " + ", ".join(spec.name for spec in field_specs(self.part))
         if self.flag:
             return "true or false"
         if self.ref:
@@ -80,6 +83,19 @@ def _leaves(hint: Any) -> list[Any]:
     if get_origin(hint) is Annotated:
         return [hint]
     return [leaf for part in get_args(hint) for leaf in _leaves(part)]
+
+
+def _part(hint: Any) -> type | None:
+    """The dataclass of which a field holds a list, if it does: ``tuple[Bend, ...]``."""
+    inner = get_args(hint)
+    return inner[0] if get_origin(hint) is tuple and is_dataclass(inner[0]) and isinstance(inner[0], type) else None
+
+
+def parts(component: Any) -> list[Any]:
+    """A component and the parts it is made of (the bends of a rope, say)."""
+    kind: type = type(component)
+    inner = [part for spec in field_specs(kind) if spec.part for part in getattr(component, spec.name)]
+    return [component, *inner]
 
 
 @cache
@@ -96,7 +112,8 @@ def field_specs(component: type) -> tuple[FieldSpec, ...]:
 def discover(package: str) -> dict[str, type]:
     """Component classes of a package, by kind (= module name), in alphabetical order.
 
-    Every public module of the package defines exactly one public dataclass; there is no list to edit.
+    Every public module of the package defines exactly one public dataclass (besides the parts it is made of); there is
+    no list to edit.
     """
     home: ModuleType = importlib.import_module(package)
     found: dict[str, type] = {}
@@ -112,6 +129,7 @@ def discover(package: str) -> dict[str, type]:
             and not name.startswith("_")
             and item.__module__ == module.__name__
         ]
+        own = [item for item in own if item not in {spec.part for other in own for spec in field_specs(other)}]
         if len(own) != 1:
             raise TypeError(f"{module.__name__} must define exactly one public dataclass, not {len(own)}")
         found[info.name] = own[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 import numpy as np
 
@@ -72,7 +73,7 @@ def _solve_two(
 def _scale(equations: Sequence[Assembly], unknowns: Sequence[int]) -> Real:
     """Product of the column sizes and of the row sizes that remain after the columns are scaled to one."""
     columns = [_largest([e.sizes.get(u, 0.0) for e in equations]) for u in unknowns]
-    result: Real = np.multiply.reduce([np.asarray(column) for column in columns])
+    result: Real = reduce(np.multiply, columns)
     for equation in equations:
         relative = [
             equation.sizes[u] / np.where(column > 0, column, 1.0)

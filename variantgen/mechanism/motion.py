@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -80,12 +80,15 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
 
     def cut(item: Any) -> Any:
-        changes = {
-            name: value[index]
-            for name, value in vars(item).items()
-            if isinstance(value, np.ndarray) and value.shape == (size,)
-        }
+        changes = {name: short for name, value in vars(item).items() if (short := shortened(value)) is not value}
         return replace(item, **changes) if changes else item
+
+    def shortened(value: Any) -> Any:
+        if isinstance(value, np.ndarray) and value.shape == (size,):
+            return value[index]
+        if isinstance(value, tuple) and value and is_dataclass(value[0]):
+            return tuple(cut(part) for part in value)
+        return value
 
     return Scene(
         {name: cut(item) for name, item in scene.points.items()},
@@ -93,4 +96,5 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
         tuple(cut(item) for item in scene.joints),
         tuple(cut(item) for item in scene.drivers),
         cut(scene.frame),
+        tuple(cut(item) for item in scene.conditions),
     )

@@ -1,8 +1,8 @@
 """The form in which joints and drivers state their constraints at the levels of position, velocity, acceleration.
 
 Every constraint is linear in the velocities: a :class:`ScalarRow` is one real equation, a :class:`VectorRow` gives
-the velocity of one point by the angular velocities of bodies. At the level of accelerations the same coefficients
-stand before the accelerations, and a term quadratic in the velocities is added.
+the velocity of one point by that of a pole and the angular velocities of bodies. At the level of accelerations the
+same coefficients stand before the accelerations, and a term quadratic in the velocities is added.
 """
 
 from __future__ import annotations
@@ -56,11 +56,15 @@ class Speeds:
 
 @dataclass(frozen=True)
 class Shape:
-    """Which points and bodies a row couples; ``lead`` names the point whose velocity a vector row gives."""
+    """Which points and bodies a row couples.
+
+    ``lead`` names the point whose velocity a vector row gives, ``pole`` the point whose velocity it starts from.
+    """
 
     points: tuple[str, ...] = ()
     bodies: tuple[str, ...] = ()
     lead: str | None = None
+    pole: str | None = None
 
 
 @dataclass(frozen=True)
@@ -73,7 +77,10 @@ class ScalarRow:
 
 @dataclass(frozen=True)
 class VectorRow:
-    """``v_point = sum c_b omega_b`` with ``bodies`` c_b; at the level of accelerations plus the quadratic term."""
+    """``v_point = v_pole + sum c_b omega_b`` with ``bodies`` c_b (v_pole where the shape names a pole).
+
+    At the level of accelerations the quadratic term is added.
+    """
 
     point: str
     bodies: Mapping[str, Complex] = field(default_factory=dict)
@@ -114,15 +121,55 @@ class Constraint(Protocol):
 
 @dataclass(frozen=True)
 class Sliding:
-    """A point slides on a body, along the line through two points of the body."""
+    """A point slides on a body: along the line through two points of it or, without ``line``, about ``centre``."""
 
     point: str
     body: str
-    line: tuple[str, str]
+    line: tuple[str, str] | None = None
+    centre: str = ""
+
+    def tangent(self, at: Mapping[str, Complex]) -> Complex:
+        """Unit vector along the path on the body."""
+        if self.line is not None:
+            way = at[self.line[1]] - at[self.line[0]]
+        else:
+            way = 1j * (at[self.point] - at[self.centre])
+        return way / np.abs(way)
+
+    def curvature(self, at: Mapping[str, Complex]) -> Complex:
+        """Vector from the point to the centre of its path over the square of the radius (1/m); 0 for a line."""
+        if self.line is not None:
+            return 0.0
+        ray = at[self.centre] - at[self.point]
+        return ray / np.abs(ray) ** 2
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Two bodies touch at a place (m) without slip; each is given by its name and one of its points.
+
+    ``other`` is None where the first touches something at rest.
+    """
+
+    place: Complex
+    body: tuple[str, str]
+    other: tuple[str, str] | None = None
 
 
 class Pair(Constraint, Protocol):
     """What a joint tells besides its constraint."""
+
+    def contact_at(self, at: Placement) -> Contact | None:
+        """Where two bodies touch without slip, if they do."""
+        ...
+
+    def hanging(self) -> tuple[str, ...]:
+        """Points that hang free at the end of a rope, if any do."""
+        ...
+
+    def mistake(self) -> str:
+        """What an author got wrong that names and dimensions cannot tell, if anything."""
+        ...
 
     def sliding(self) -> Sliding | None:
         """Which point slides on which moving body, if any does."""
@@ -143,3 +190,15 @@ class Joint:
     def sliding(self) -> Sliding | None:
         """Which point slides on which moving body (a sleeve or a slot says)."""
         return None
+
+    def contact_at(self, at: Placement) -> Contact | None:
+        """Where two bodies touch without slip (rolling and gears say)."""
+        return None
+
+    def hanging(self) -> tuple[str, ...]:
+        """Points that hang free at the end of a rope (a rope says)."""
+        return ()
+
+    def mistake(self) -> str:
+        """Nothing (a rope checks its path)."""
+        return ""

@@ -8,7 +8,8 @@ from typing import Any, Protocol
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.mechanism.arithmetic import Complex, Flags
-from variantgen.mechanism.component import FieldSpec, field_specs
+from variantgen.mechanism.assembly import Condition
+from variantgen.mechanism.component import field_specs, parts
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint, Frame, Pair
 
@@ -31,7 +32,7 @@ class Scene:
     """Points by construction, rigid bodies as tuples of their points, joints, drivers, and the frame on paper.
 
     Numbers inside may be scalars or arrays over the batch (one entry per variant). A point that belongs to several
-    bodies is a hinge of them.
+    bodies is a hinge of them. ``conditions`` place the points that are only said to be ``near`` somewhere.
     """
 
     points: Mapping[str, Construction]
@@ -39,6 +40,7 @@ class Scene:
     joints: tuple[Pair, ...] = ()
     drivers: tuple[Constraint, ...] = ()
     frame: Frame = Frame()
+    conditions: tuple[Condition, ...] = ()
 
     def __post_init__(self) -> None:
         problems = list(_reference_problems(self))
@@ -51,18 +53,15 @@ class Scene:
         return (*self.joints, *self.drivers)
 
 
-def _specs(component: Any) -> tuple[FieldSpec, ...]:
-    kind: type = type(component)
-    return field_specs(kind)
-
-
 def references(component: Any, kind: str) -> tuple[str, ...]:
-    """Names of the given kind (``point`` or ``body``) that a component refers to."""
+    """Names of the given kind (``point`` or ``body``) that a component refers to, those of its parts included."""
     names: list[str] = []
-    for spec in _specs(component):
-        value = getattr(component, spec.name)
-        if spec.ref == kind and value is not None:
-            names.extend(value if spec.many else (value,))
+    for part in parts(component):
+        part_type: type = type(part)
+        for spec in field_specs(part_type):
+            value = getattr(part, spec.name)
+            if spec.ref == kind and value is not None:
+                names.extend(value if spec.many else (value,))
     return tuple(names)
 
 
@@ -74,8 +73,8 @@ def fixed_points(scene: Scene) -> set[str]:
 
 def label(component: Any) -> str:
     """How messages call a joint or driver: its kind and what it acts on, ``guide of B``."""
-    named = [getattr(component, f.name) for f in fields(component)]
-    first = next(name for name in named if isinstance(name, str))
+    named = [getattr(part, f.name) for part in parts(component) for f in fields(part)]
+    first = next((name for name in named if isinstance(name, str)), "nothing")
     kind = type(component).__name__
     words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in kind).strip()
     return f"{words} of {first}"
@@ -93,9 +92,32 @@ def _reference_problems(scene: Scene) -> list[Problem]:
     owners: list[tuple[str, Any]] = [(f"points.{name}", item) for name, item in scene.points.items()]
     owners += [(f"joints.{label(item)}", item) for item in scene.joints]
     owners += [(f"drivers.{label(item)}", item) for item in scene.drivers]
+    owners += [(f"conditions.{label(item)}", item) for item in scene.conditions]
     for key, item in owners:
         for kind, known in (("point", scene.points), ("body", scene.bodies)):
             found += [_unknown(kind, name, key, known) for name in references(item, kind) if name not in known]
+        found += _foreign(item, key, scene)
+    for joint in scene.joints:
+        if wrong := joint.mistake():
+            found.append(Problem(wrong, key=f"joints.{label(joint)}"))
+    return found
+
+
+def _foreign(component: Any, key: str, scene: Scene) -> list[Problem]:
+    """Points that must be points of a body (``belongs`` of the component says of which) and are not."""
+    found = []
+    for part in parts(component):
+        for points, owner in getattr(part, "belongs", {}).items():
+            body, named = getattr(part, owner), getattr(part, points)
+            if body not in scene.bodies or named is None:
+                continue
+            members = scene.bodies[body]
+            for name in (named,) if isinstance(named, str) else named:
+                if name in scene.points and name not in members:
+                    remedy = f"add it to the list of points of {body}, or take one of: {', '.join(members)}"
+                    found.append(
+                        Problem(f"is no point of the body {body}", key=f"{key}.{points}", value=name, remedy=remedy)
+                    )
     return found
 
 

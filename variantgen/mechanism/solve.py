@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
+from variantgen.mechanism.assembly import assemble
 from variantgen.mechanism.linear import Assembly, solve_block
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
@@ -36,12 +37,25 @@ def place(scene: Scene, plan: Plan) -> tuple[dict[str, Complex], Real]:
     """Positions on paper (m) and outcomes; the first failing construction decides the outcome."""
     at: dict[str, Complex] = {}
     outcome: Real = 0.0
-    for name in plan.placing:
-        construction = scene.points[name]
-        at[name], exists = construction.place(at)
-        if exists is not True:
-            outcome = np.where((outcome == 0) & np.logical_not(exists), float(construction.failure), outcome)
+    for name in (*plan.placing, *plan.together):
+        outcome = _construct(scene, name, at, outcome)
+    if plan.together:
+        picture = {name: at.pop(name) for name in plan.together}
+        places, found = assemble(picture, at, scene.conditions)
+        at.update(places)
+        outcome = np.where((outcome == 0) & np.logical_not(found), float(Outcome.NOT_ASSEMBLED), outcome)
+    for name in plan.later:
+        outcome = _construct(scene, name, at, outcome)
     return {name: scene.frame.place(z) for name, z in at.items()}, outcome
+
+
+def _construct(scene: Scene, name: str, at: dict[str, Complex], outcome: Real) -> Real:
+    """Place one point; returns the outcomes so far."""
+    construction = scene.points[name]
+    at[name], exists = construction.place(at)
+    if exists is True:
+        return outcome
+    return np.where((outcome == 0) & np.logical_not(exists), float(construction.failure), outcome)
 
 
 def _batch(scene: Scene, places: Mapping[str, Complex], outcome: Real) -> Motion:
@@ -112,22 +126,22 @@ def _through(step: Step, rows: list[tuple[Row, ...]], z: Mapping[str, Complex], 
     match step:
         case Carry(point, body, pole):
             return {plan.omega[body]: 1j * (z[point] - z[pole])}
-        case Lead(_, constraint, number):
+        case Lead(_, constraint, number, _):
             row = rows[constraint][number]
             assert isinstance(row, VectorRow)
             return {plan.omega[body]: c for body, c in row.bodies.items()}
-        case Slide(point, constraint, number, unknown):
+        case Slide(point, constraint, number, unknown, _):
             row = rows[constraint][number]
             assert isinstance(row, ScalarRow)
             return {unknown: -1j * row.points[point]}
-        case Loose(_, x, y):
+        case Loose(_, x, y, _):
             return {x: 1.0, y: 1.0j}
 
 
 def _form(
     step: Step, rows: list[tuple[Row, ...]], forms: Mapping[str, Form], z: Mapping[str, Complex], plan: Plan
 ) -> Form:
-    form = dict(forms[step.pole]) if isinstance(step, Carry) else {}
+    form = dict(forms[step.pole]) if step.pole else {}
     for unknown, coefficient in _through(step, rows, z, plan).items():
         form[unknown] = form[unknown] + coefficient if unknown in form else coefficient
     return form
@@ -202,7 +216,7 @@ def _point_rates(
     """Velocities (or, with the quadratic terms ``drift``, accelerations) of the points, pole by pole."""
     found: dict[str, Complex] = {}
     for step in plan.steps:
-        total: Complex = found[step.pole] if isinstance(step, Carry) else 0.0
+        total: Complex = found[step.pole] if step.pole else 0.0
         for unknown, c in _through(step, rows, z, plan).items():
             total = total + c * values[unknown]
         found[step.point] = total + drift[f"+{step.point}"] if drift else total
@@ -215,7 +229,7 @@ def _quadratic_terms(plan: Plan, extra: list[tuple[Complex, ...]], motion: Motio
     for step in plan.steps:
         own = _own_drift(step, extra, motion)
         drift[f"+{step.point}"] = own
-        drift[step.point] = own + drift[step.pole] if isinstance(step, Carry) else own
+        drift[step.point] = own + drift[step.pole] if step.pole else own
     return drift
 
 
@@ -223,7 +237,7 @@ def _own_drift(step: Step, extra: list[tuple[Complex, ...]], motion: Motion) -> 
     match step:
         case Carry(point, body, pole):
             return -(motion.omega[body] ** 2) * (motion.z[point] - motion.z[pole])
-        case Lead(_, constraint, number):
+        case Lead(_, constraint, number, _):
             return extra[constraint][number]
         case _:
             return 0.0
@@ -241,7 +255,7 @@ def _acceleration_side(
     if isinstance(equation, Closure):
         step = equation.step
         again = _own_drift(step, extra, motion)
-        if isinstance(step, Carry):
+        if step.pole:
             again = again + drift[step.pole]
         known = drift[step.point]
         part = np.imag if equation.part else np.real

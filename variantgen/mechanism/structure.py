@@ -13,19 +13,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError
 from variantgen.mechanism.blocks import indeterminate, triangular_blocks
+from variantgen.mechanism.placing import placing_order
 from variantgen.mechanism.rows import Shape
-from variantgen.mechanism.scene import Scene, label, references
+from variantgen.mechanism.scene import Scene, label
 
 
 @dataclass(frozen=True)
 class Lead:
-    """The velocity of ``point`` is given by a vector row: constraint and row numbers."""
+    """The velocity of ``point`` is given by a vector row: constraint and row numbers, and the pole if there is one."""
 
     point: str
     constraint: int
     row: int
+    pole: str | None = None
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,7 @@ class Slide:
     constraint: int
     row: int
     unknown: int
+    pole: None = None
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,7 @@ class Loose:
     point: str
     x: int
     y: int
+    pole: None = None
 
 
 @dataclass(frozen=True)
@@ -98,9 +102,15 @@ class Block:
 
 @dataclass(frozen=True)
 class Plan:
-    """Order of placing, of reaching and of solving; ``omega`` gives the unknown of each body."""
+    """Order of placing, of reaching and of solving; ``omega`` gives the unknown of each body.
+
+    ``placing`` are the points placed by themselves, then ``together`` those that the conditions of the scene place,
+    then ``later`` those that are constructed from these.
+    """
 
     placing: tuple[str, ...]
+    together: tuple[str, ...]
+    later: tuple[str, ...]
     steps: tuple[Step, ...]
     unknowns: tuple[str, ...]
     omega: dict[str, int]
@@ -114,7 +124,7 @@ def analyse(scene: Scene) -> Plan:
     Raises InputError when points are defined in a circle, and when the scene is under- or over-determined; then the
     message names what is free and which joints contradict or repeat each other.
     """
-    placing = _placing_order(scene)
+    placing, together, later = placing_order(scene)
     reach = _Reach(scene)
     reach.run()
     depends = _dependencies(scene, reach)
@@ -128,33 +138,14 @@ def analyse(scene: Scene) -> Plan:
         )
     return Plan(
         placing,
+        together,
+        later,
         tuple(reach.steps),
         tuple(reach.unknowns),
         reach.omega,
         tuple(reach.equations),
         tuple(Block(*block) for block in blocks),
     )
-
-
-def _placing_order(scene: Scene) -> tuple[str, ...]:
-    """Points in an order in which each is constructed from earlier ones."""
-    order: list[str] = []
-    waiting = list(scene.points)
-    while waiting:
-        ready = [name for name in waiting if all(p in order for p in references(scene.points[name], "point"))]
-        if not ready:
-            chain = " -> ".join(waiting)
-            raise InputError(
-                Problem(
-                    "points are defined through each other in a circle",
-                    key="points",
-                    value=chain,
-                    remedy="give one of them by coordinates or from a point outside the circle",
-                )
-            )
-        order += ready
-        waiting = [name for name in waiting if name not in ready]
-    return tuple(order)
 
 
 class _Reach:
@@ -226,7 +217,7 @@ class _Reach:
             ready = all(p in self.reached for p in shape.points if p != shape.lead)
             if ready and (not fixed or not shape.bodies) and shape.lead is not None:
                 self._open_leads.remove(item)
-                self._take(Lead(shape.lead, c, r))
+                self._take(Lead(shape.lead, c, r, shape.pole))
                 return self._lead(fixed) or True
         return False
 
@@ -266,13 +257,13 @@ def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
 
     def through(step: Step) -> set[int]:
         match step:
-            case Lead(_, c, r):
+            case Lead(_, c, r, _):
                 shape = scene.constraints[c].shapes()[r]
                 own = {reach.omega[b] for b in shape.bodies}
                 return own.union(*(forms[p] for p in shape.points if p != shape.lead))
-            case Slide(_, _, _, unknown):
+            case Slide(_, _, _, unknown, _):
                 return {unknown}
-            case Loose(_, x, y):
+            case Loose(_, x, y, _):
                 return {x, y}
             case Carry(_, body, pole):
                 return forms[pole] | {reach.omega[body]}

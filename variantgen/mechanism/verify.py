@@ -192,8 +192,10 @@ def invariants(motion: Motion) -> Field:
 
     Equal projections of the velocities of two points of a body on the line through them; velocities perpendicular to
     the rays from the velocity centre; the velocity of a sliding point relative to its carrier along the carrier; the
-    Coriolis acceleration perpendicular to the relative velocity, turned with the carrier, of size 2 omega v_rel.
+    Coriolis acceleration perpendicular to the relative velocity, turned with the carrier, of size 2 omega v_rel; the
+    two bodies at a contact without slip (a wheel and its rail, two gears) with one velocity there.
     """
+    at = Placement(motion.z, motion.frame)
     speed = np.max([np.abs(v) for v in motion.v.values()], axis=0)
     defects: list[Field] = [np.zeros(motion.size)]
     for body, members in motion.scene.bodies.items():
@@ -211,14 +213,24 @@ def invariants(motion: Motion) -> Field:
                 defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / np.abs(line))
     for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
         relative = relative_motion(motion, slide.point, slide.body)
-        line = motion.z[slide.line[1]] - motion.z[slide.line[0]]
-        ray = line / np.abs(line)
+        ray = slide.tangent(motion.z)
         defects.append(np.abs(across(ray, relative.velocity)))
         if relative.acceleration is not None and relative.coriolis is not None:
             turn = relative.coriolis - 2j * motion.omega[slide.body] * relative.velocity
             acceleration = np.max([np.abs(a) for a in motion.a.values()], axis=0)
             scale = speed / np.where(acceleration > 0, acceleration, 1.0)
-            defects += [np.abs(turn) * scale, np.abs(across(ray, relative.acceleration)) * scale]
+            normal = slide.curvature(motion.z) * np.abs(relative.velocity) ** 2
+            defects += [np.abs(turn) * scale, np.abs(across(ray, relative.acceleration - normal)) * scale]
+    for touch in [touch for joint in motion.scene.joints if (touch := joint.contact_at(at))]:
+        defects.append(np.abs(_material(motion, touch.body, touch.place) - _material(motion, touch.other, touch.place)))
     worst = np.max(defects, axis=0)
     result: Field = worst / np.where(speed > 0, speed, 1.0)
     return result
+
+
+def _material(motion: Motion, body: tuple[str, str] | None, place: Any) -> Any:
+    """Velocity of the point of a body (name, one of its points) that is at a place; zero for the ground."""
+    if body is None:
+        return 0.0
+    name, pole = body
+    return motion.v[pole] + 1j * motion.omega[name] * (place - motion.z[pole])

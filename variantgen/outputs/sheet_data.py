@@ -10,7 +10,7 @@ from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.outputs.typesetter import equals_data, figure_data
-from variantgen.wording.formula import Symbol, UnitText, to_typst
+from variantgen.wording.formula import Formula, UnitText, to_typst
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.statement import Text, sign_notes, statement
 
@@ -67,9 +67,9 @@ def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict
     }
 
 
-def heading(symbol: Symbol, unit: UnitText) -> str:
+def heading(symbol: Formula, unit: UnitText) -> str:
     """The head of a column of answers: ``v_B, cm/s``."""
-    return f"{to_typst(symbol)}, thin {to_typst(unit)}"
+    return f"{to_typst(symbol)}, thin {to_typst(unit)}" if unit.parts else to_typst(symbol)
 
 
 def text_data(text: Text) -> list[Any]:

@@ -28,10 +28,9 @@ def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]
     used: set[str] = set()
     idle: set[str] = set()
     for name, template in form.points.items():
-        names = {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
-        (used if name in shown or name in form.figure.hidden else idle).update(names)
-    for template in (*form.joints, *form.drivers):
-        used |= {n for item in template.fields.values() if hasattr(item, "names") for n in item.names}
+        (used if name in shown or name in form.figure.hidden else idle).update(template.names)
+    for template in (*form.conditions, *form.joints, *form.drivers):
+        used |= template.names
     for derived, expression in reversed(list(form.derived.items())):
         if derived in used:
             used |= expression.names
@@ -51,7 +50,7 @@ def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     discs = {disc.body for disc in form.figure.discs}
     ends = {p for body, members in form.bodies.items() if body not in discs for p in members[:2]}
     named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
-    wanted = {q.target for q in asked}
+    wanted = {q.point for q in asked}
     return [
         p
         for p in form.points

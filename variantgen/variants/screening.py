@@ -29,6 +29,8 @@ Values = Mapping[str, NDArray[np.float64]]
 VERIFIED = 1e-7
 # How far a point stays from a link that it does not belong to, in spacings of hinges: a fixed hinge has a base.
 _OFF_LINKS, _BASE_OFF_LINKS = 0.75, 1.3
+# How far a velocity or acceleration centre whose distance is asked may lie, in sizes of the mechanism.
+_FAR_CENTRE = 4.0
 _MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
 
 
@@ -105,15 +107,22 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
     """Away from dead points; answers neither trivial nor out of proportion to the rest of the motion."""
     found = {"away from dead points": motion.solved & _at_least(motion.transmission, np.sin(form.screens.transmission))}
     for quantity in asked:
-        size = np.abs(quantity.value(motion))
-        found[f"{quantity.name} not trivial"] = (size > 0) & _at_least(
-            size, form.screens.trivial * _scale(motion, quantity)
-        )
+        # A direction or a sense is as clear as its vector or rate is large.
+        size = np.abs(quantity.whole.value(motion))
+        scale = _scale(motion, quantity)
+        clear = (size > 0) & _at_least(size, form.screens.trivial * scale)
+        if quantity.is_centre:
+            clear &= size <= _FAR_CENTRE * scale
+        found[f"{quantity.name} not trivial"] = clear
     return found
 
 
 def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:
     """The largest quantity of the same kind in the mechanism."""
+    if quantity.is_centre:
+        return motion.length_scale()
+    if quantity.kind == "mu":
+        return np.ones(motion.size)
     if quantity.kind == "omega":
         table = [np.abs(x) for x in motion.omega.values()]
     elif quantity.kind == "epsilon":
@@ -142,9 +151,14 @@ def sensitivity(
         moved = form.values({**parameters, name: parameters[name] + step})
         other = solve(form.scene(moved, on_paper), order, form.plan)
         for i, quantity in enumerate(asked):
-            size = np.where(base[i] == 0, np.inf, np.abs(base[i]))
-            total[i] += ((quantity.value(other) - base[i]) / size / 1e-6) ** 2
+            size = 1.0 if quantity.is_angle else np.where(base[i] == 0, np.inf, np.abs(base[i]))
+            total[i] += (_change(quantity, quantity.value(other), base[i]) / size / 1e-6) ** 2
     return np.asarray(np.sqrt(np.max(total, axis=0)))
+
+
+def _change(quantity: Quantity, value: NDArray[np.float64], base: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Difference of two values; for an angle the turn between them."""
+    return np.angle(np.exp(1j * (value - base))) if quantity.is_angle else value - base
 
 
 def verification(motion: Motion, order: int) -> Passed:

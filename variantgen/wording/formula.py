@@ -65,7 +65,19 @@ class Equation:
     right: Formula
 
 
-Formula: TypeAlias = Symbol | Number | UnitText | Measured | Equation
+@dataclass(frozen=True)
+class About:
+    """What is asked of a symbol: its ``modulus``, its ``angle`` with the x axis, its ``sense``."""
+
+    what: str
+    symbol: Symbol
+
+
+Formula: TypeAlias = Symbol | Number | UnitText | Measured | Equation | About
+
+
+_TYPST_ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
+_PLAIN_ABOUT = {"modulus": "|{}|", "angle": "∠({}, x)", "sense": "sgn {}"}
 
 
 def letters(text: str) -> list[tuple[str, str]]:
@@ -88,9 +100,11 @@ def to_typst(formula: Formula) -> str:
         case Measured(number, unit):
             if unit.tight:
                 return _quoted(number.text + "".join(word for word, _ in unit.parts))
-            return f"{to_typst(number)} thin {to_typst(unit)}"
+            return f"{to_typst(number)} thin {to_typst(unit)}" if unit.parts else to_typst(number)
         case Equation(left, right):
             return f"{to_typst(left)} = {to_typst(right)}"
+        case About(what, symbol):
+            return _TYPST_ABOUT[what].format(to_typst(symbol))
 
 
 def _typst_base(base: str) -> str:
@@ -121,7 +135,9 @@ def to_plain(formula: Formula) -> str:
         case UnitText(parts):
             return " ".join(word + (_superscript(power) if power != 1 else "") for word, power in parts)
         case Measured(number, unit):
-            return to_plain(number) + ("" if unit.tight else "\N{NO-BREAK SPACE}") + to_plain(unit)
+            return to_plain(number) + ("" if unit.tight or not unit.parts else "\N{NO-BREAK SPACE}") + to_plain(unit)
+        case About(what, symbol):
+            return _PLAIN_ABOUT[what].format(to_plain(symbol))
         case Equation(left, right):
             return f"{to_plain(left)} = {to_plain(right)}"
 

@@ -14,8 +14,9 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import Index, Number, Symbol, UnitText
+from variantgen.wording.formula import About, Index, Number, Symbol, UnitText
 
+_ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
 
 
@@ -63,8 +64,13 @@ class Language:
             index.append(Index(component))
         return Symbol(kind, tuple(index))
 
-    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol:
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | About:
         """The symbol of an asked quantity."""
+        if quantity.is_centre:
+            body = bodies.get(quantity.target, quantity.target)
+            return Symbol(quantity.component + quantity.kind, (Index(body),) if body else ())
+        if quantity.component in _ABOUT:
+            return About(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
 
 

@@ -37,7 +37,7 @@ class Statement:
 
     text: Text
     given: tuple[Equation, ...]
-    asked: tuple[Symbol, ...]
+    asked: tuple[Formula, ...]
 
 
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
@@ -54,9 +54,13 @@ def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
     """The conventions of sign that these answers need, a sentence each."""
     words = language.words("sheet")
     needed = {
-        "signs": any(q.of_body for q in asked),
-        "magnitudes": any(not q.signed for q in asked),
-        "components": any(q.component for q in asked),
+        "signs": any(q.is_rotation and not q.component for q in asked),
+        "magnitudes": any(q.is_vector and not q.component for q in asked),
+        "components": any(q.component in ("x", "y") for q in asked),
+        "angles": any(q.component == "angle" for q in asked),
+        "senses": any(q.component == "sense" for q in asked),
+        "velocity_centre": any(q.kind == "P" for q in asked),
+        "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
     }
     return [words[key] for key, wanted in needed.items() if wanted]
 
@@ -149,16 +153,17 @@ def _context(variant: Variant, asked: Sequence[Quantity], language: Language) ->
     context["relative"] = any("_" in q.kind for q in asked)
     context["shown"] = shown_points(variant, asked)
     context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if not p.given}
-    context["speeding"] = _is_speeding(variant)
+    context["speeding"] = bool(form.drivers) and _is_speeding(variant, 0)
+    context["speeds"] = [_is_speeding(variant, number) for number in range(len(form.drivers))]
     context["zero"] = lambda name: variant.printed[name] == 0
     return context
 
 
-def _is_speeding(variant: Variant) -> bool:
-    """Whether the given motion gets faster: velocity and acceleration of the first driver have the same sense."""
+def _is_speeding(variant: Variant, number: int) -> bool:
+    """Whether the motion that a driver gives gets faster: its velocity and acceleration have the same sense."""
     values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
-    drivers = [template.build(values) for template in variant.form.drivers]
-    return bool(drivers) and float(drivers[0].rates(1)[0]) * float(drivers[0].rates(2)[0]) > 0
+    driver = variant.form.drivers[number].build(values)
+    return float(driver.rates(1)[0]) * float(driver.rates(2)[0]) > 0
 
 
 def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:

@@ -11,8 +11,8 @@ _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
 
 
 def draw(board: Board, joint: Guide) -> None:
-    """Add the symbol; a load on a thread has a symbol of its own and needs no block."""
-    if joint.point in board.loads:
+    """Add the symbol; a load on a rope has a symbol of its own, the end of a ladder needs no block."""
+    if joint.point in board.loads or joint.point in board.form.figure.bare:
         return
     sketch = board.sketch
     centre = sketch.at[joint.point]

@@ -1,21 +1,28 @@
-"""Ground line under a rolling wheel, tangent to it."""
+"""Ground line under a rolling wheel, or the rack or plank on which it rolls."""
 
 from __future__ import annotations
 
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import Layer
+from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.mechanism.joints.rolling import Rolling
+
+_THICKNESS = 2.2
 
 
 def draw(board: Board, joint: Rolling) -> None:
-    """Add the line through the contact, hatched on the far side, a little longer than the wheel."""
+    """Add the line through the contact, hatched on the far side, longer than the wheel; or the moving strip."""
     sketch = board.sketch
     contact, centre = sketch.at[joint.contact], sketch.at[joint.centre]
     down = (contact - centre) / abs(contact - centre)
-    half = 1.25 * abs(contact - centre)
-    start, end = contact - half * 1j * down, contact + half * 1j * down
-    sketch.path((start, end), Layer.GROUND)
-    sketch.hatch(start, end, down)
+    if joint.on is not None:
+        first, second = (sketch.at[name] for name in board.form.bodies[joint.on][:2])
+        strip = (first, second, second + _THICKNESS * down, first + _THICKNESS * down)
+        sketch.path(strip, Layer.SLIDER, MEDIUM, closed=True, fill="shade")
+    else:
+        half = 1.25 * abs(contact - centre)
+        start, end = contact - half * 1j * down, contact + half * 1j * down
+        sketch.path((start, end), Layer.GROUND)
+        sketch.hatch(start, end, down)
     sketch.occupy(joint.centre, down)
     for taken in (down, 1j * down, -1j * down):
         sketch.occupy(joint.contact, taken)

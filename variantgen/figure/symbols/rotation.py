@@ -31,7 +31,7 @@ def draw(board: Board, driver: Rotation) -> None:
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
         turn = math.copysign(_SWEEP, rate)
-        formula = board.symbol(f"{kind}_{driver.body}")
+        formula = board.rate(driver, kind)
         middle = _roomiest(board, pivot, radius, turn, formula, placed)
         placed = middle
         request = along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn)

@@ -1,44 +1,95 @@
-"""Rolling without slip on a fixed straight line."""
+"""Rolling without slip on a straight line, fixed or moving (ground, rail, rack, belt, plank)."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.arithmetic import Complex, Real, along, unit
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Joint, Placement, Shape, Speeds, VectorRow
+from variantgen.mechanism.rows import Contact, Joint, Placement, Row, ScalarRow, Shape, Speeds, VectorRow
 
 
 @dataclass(frozen=True)
 class Rolling(Joint):
-    """A wheel rolls on the fixed straight line that touches it at ``contact``.
+    """A wheel rolls on the straight line that touches it at ``contact``.
 
-    The point of the wheel at the contact is at rest, and the radius to the contact keeps its direction in space;
-    with ``w = z_centre - z_contact`` (constant)::
+    The line is at rest, or belongs to the body ``on``, of which ``on_point`` (Q) is any point. The two material points
+    at the contact K have the same velocity, and the radius to the contact turns with the line. With
+    ``w = z_centre - z_contact`` and Omega, E the angular velocity and acceleration of ``on``::
 
-        z_centre - z_centre_start = i w (phi - phi_start),   v_centre = i w omega,   a_centre = i w epsilon
+        v_centre = v_Q + i Omega (z_K - z_Q) + i omega w
+        a_centre = a_Q + i E (z_K - z_Q) + i epsilon w + i Omega (v_centre - v_Q) + Omega (Omega - omega) w
+
+    For a line at rest ``v_centre = i omega w``, ``a_centre = i epsilon w``. Where other joints keep the centre at its
+    distance from the line (the axle of a pinion, a second rack), ``axle_held`` leaves the components along the line.
     """
 
     body: BodyName
     centre: PointName
     contact: PointName
+    on: BodyName | None = None
+    on_point: PointName | None = None
+    axle_held: bool = False
+    belongs: ClassVar[Mapping[str, str]] = {"centre": "body", "on_point": "on"}
 
     def shapes(self) -> tuple[Shape, ...]:
-        """One vector row: the centre by the angular velocity."""
-        return (Shape(points=(self.centre,), bodies=(self.body,), lead=self.centre),)
+        """One vector row, the centre by the point of the line's body and the angular velocities; or a scalar row."""
+        points, bodies = (self.centre,), (self.body,)
+        if self.on is not None and self.on_point is not None:
+            points, bodies = (self.centre, self.on_point), (self.body, self.on)
+        return (Shape(points, bodies) if self.axle_held else Shape(points, bodies, self.centre, self.on_point),)
 
-    def rows(self, at: Placement) -> tuple[VectorRow, ...]:
-        """``v_centre = i w omega``."""
-        return (VectorRow(self.centre, {self.body: 1j * (at.z[self.centre] - at.z[self.contact])}),)
+    def _turning(self, at: Placement) -> dict[str, Complex]:
+        """Coefficients of the angular velocities in the velocity of the centre."""
+        found = {self.body: 1j * (at.z[self.centre] - at.z[self.contact])}
+        if self.on is not None and self.on_point is not None:
+            found[self.on] = 1j * (at.z[self.contact] - at.z[self.on_point])
+        return found
+
+    def _line(self, at: Placement) -> Complex:
+        """Unit vector along the line."""
+        w = at.z[self.centre] - at.z[self.contact]
+        return 1j * w / np.abs(w)
+
+    def rows(self, at: Placement) -> tuple[Row, ...]:
+        """The velocity row of the class docstring."""
+        turning = self._turning(at)
+        if not self.axle_held:
+            return (VectorRow(self.centre, turning),)
+        u = self._line(at)
+        points = {self.centre: u}
+        if self.on_point is not None:
+            points[self.on_point] = -u
+        return (ScalarRow(points, {body: -along(u, c) for body, c in turning.items()}),)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
-        """Nothing: the line is straight, so w does not turn."""
-        return (0.0,)
+        """``i Omega (v_centre - v_Q) + Omega (Omega - omega) w``: nothing if the line does not turn."""
+        if self.on is None or self.on_point is None:
+            return (0.0,)
+        turn, w = speeds.omega[self.on], at.z[self.centre] - at.z[self.contact]
+        shift = speeds.v[self.centre] - speeds.v[self.on_point]
+        extra = 1j * turn * shift + turn * (turn - speeds.omega[self.body]) * w
+        return (-along(self._line(at), extra) if self.axle_held else extra,)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
-        """Slip along the line and distance from it (m)."""
+        """Slip along the line and distance from it (m), seen from the line."""
         w = start.z[self.centre] - start.z[self.contact]
-        slip = moved.z[self.centre] - start.z[self.centre] - 1j * w * moved.turned[self.body]
+        if self.on is None or self.on_point is None:
+            slip = moved.z[self.centre] - start.z[self.centre] - 1j * w * moved.turned[self.body]
+        else:
+            turn = moved.turned[self.on]
+            before = start.z[self.centre] - start.z[self.on_point]
+            after = (moved.z[self.centre] - moved.z[self.on_point]) * np.conj(unit(turn))
+            slip = after - before - 1j * w * (moved.turned[self.body] - turn)
+        if self.axle_held:
+            return (along(self._line(start), slip),)
         return np.real(slip), np.imag(slip)
+
+    def contact_at(self, at: Placement) -> Contact:
+        """The contact of wheel and line."""
+        other = None if self.on is None or self.on_point is None else (self.on, self.on_point)
+        return Contact(at.z[self.contact], (self.body, self.centre), other)

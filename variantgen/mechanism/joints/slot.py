@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 from variantgen.mechanism.arithmetic import Complex, Real, across, along, unit, unit_towards
 from variantgen.mechanism.component import BodyName, PointName
@@ -28,6 +30,7 @@ class Slot(Joint):
     body: BodyName
     along: tuple[PointName, PointName]
     sleeve: BodyName | None = None
+    belongs: ClassVar[Mapping[str, str]] = {"along": "body"}
 
     def shapes(self) -> tuple[Shape, ...]:
         """One scalar row; a second one where the sleeve does not swivel."""

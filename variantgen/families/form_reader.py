@@ -1,0 +1,185 @@
+"""Reading of one form of a family: parameters, derived quantities, laws, scene, screens, figure hints."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+from typing import Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.asking import read_ask
+from variantgen.families.derivative import derivative
+from variantgen.families.expressions import Dimension, Expression, dimension_name, parse
+from variantgen.families.family import Form, Parameter, Template
+from variantgen.families.hints import read_figure, read_pose, read_screens
+from variantgen.families.parameters import read_parameter, unknown_name
+from variantgen.families.quantities import quantity_names
+from variantgen.families.templates import TemplateReader
+from variantgen.families.units import unit
+from variantgen.mechanism.component import DIMENSIONS
+from variantgen.tables import Table
+
+SECTIONS = (
+    "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
+    "symbols",
+)  # fmt: skip
+
+
+class FormReader:
+    """Reads one form; problems are collected, ``read`` returns None if there were any."""
+
+    def __init__(
+        self, name: str, data: dict[str, Any], length: str, ask: tuple[str, ...], problems: list[Problem]
+    ) -> None:
+        self.name = name
+        self.top = Table(data, f"forms.{name}" if name else "", problems)
+        self.ask = ask
+        self.problems = problems
+        self.parameters: dict[str, Parameter] = {}
+        self.derived: dict[str, Expression] = {}
+        self.dimensions: dict[str, Dimension] = {}
+        self._templates = TemplateReader(self.expression, unit(length))
+
+    def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
+        """The form, or None."""
+        before = len(self.problems)
+        parameters = self.top.table("parameters")
+        self.parameters = parameters.each(lambda key, value: read_parameter(parameters, key, value))
+        self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
+        self._read_derived(self.top.table("derived"))
+        self._read_laws(self.top.table("laws"))
+        points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
+        bodies_table = self.top.table("bodies")
+        bodies = {name: bodies_table.strings(name) for name in bodies_table.data}
+        conditions, joints, drivers = (
+            self._listed(name, f"variantgen.mechanism.{name}") for name in ("conditions", "joints", "drivers")
+        )
+        screens = read_screens(self.top.table("screens"), self.expression, points)
+        pose = read_pose(self.top.table("pose"))
+        figure = read_figure(self.top.table("figure"), set(points), bodies, self.expression)
+        symbols = self.top.table("symbols").each(lambda key, value: value if isinstance(value, str) else None)
+        self.top.finish()
+        if len(self.problems) > before:
+            return None
+        form = Form(
+            self.name,
+            self.parameters,
+            self.derived,
+            points,
+            bodies,
+            joints,
+            drivers,
+            self.ask,
+            conditions,
+            may_ask,
+            screens,
+            pose,
+            figure,
+            symbols,
+        )
+        with self.top.collecting(""):
+            _ = form.plan
+            self._check_ask(form)
+        return form if len(self.problems) == before else None
+
+    def _check_ask(self, form: Form) -> None:
+        names = quantity_names(form.sample)
+        for pattern in form.may_ask:
+            if not any(fnmatchcase(name, pattern) for name in names):
+                raise InputError(
+                    Problem(
+                        "fits no quantity of the scene",
+                        key="may_ask",
+                        value=pattern,
+                        remedy="known: " + ", ".join(names),
+                    )
+                )
+        if self.ask:
+            read_ask(form)
+            return
+        plain = tuple(name for name in form.askable if "." not in name)
+        if not plain:
+            raise InputError(
+                Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")
+            )
+        object.__setattr__(form, "ask", plain)
+
+    def _read_derived(self, table: Table) -> None:
+        waiting = dict(table.data)
+        while waiting:
+            for name, value in list(waiting.items()):
+                expression = self._parsed(table, name, value)
+                if expression is None:
+                    waiting.pop(name)
+                elif not (expression.names & waiting.keys()):
+                    waiting.pop(name)
+                    with table.collecting(name):
+                        self._define(name, expression)
+                    break
+            else:
+                if waiting:
+                    table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
+                return
+
+    def _read_laws(self, table: Table) -> None:
+        """Functions of time: ``x`` becomes the value at the instant, ``x_dot`` and ``x_ddot`` its derivatives."""
+        if not table.data:
+            return
+        time = table.need("time", str, "t", "the name of the parameter that is the instant")
+        if self.dimensions.get(time) != (0, 1):
+            table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
+            return
+        for name in [name for name in table.data if name != "time"]:
+            law = self._parsed(table, name, table.data[name])
+            table.expect(name)
+            if law is None:
+                continue
+            with table.collecting(name):
+                dimension = self._define(name, law)
+                for i, suffix in enumerate(("_dot", "_ddot"), start=1):
+                    law = derivative(law, time)
+                    self._define(name + suffix, law, (dimension[0], dimension[1] - i))
+        table.finish()
+
+    def _parsed(self, table: Table, name: str, value: Any) -> Expression | None:
+        if not isinstance(value, str):
+            table.problem("expected an expression in quotes", name, value)
+            return None
+        found: list[Expression] = []
+        with table.collecting(name):
+            found.append(parse(value))
+        return found[0] if found else None
+
+    def _define(self, name: str, expression: Expression, dimension: Dimension | None = None) -> Dimension:
+        """Make a name known; its dimension is that of the expression unless it is stated. Raises InputError."""
+        if name in self.dimensions:
+            raise InputError(Problem("the name is taken"))
+        self._known_names(expression)
+        found = dimension or expression.dimension(self.dimensions) or (0, 0)
+        self.dimensions[name] = found
+        self.derived[name] = expression
+        return found
+
+    def _known_names(self, expression: Expression) -> None:
+        for used in sorted(expression.names):
+            if used not in self.dimensions:
+                raise InputError(unknown_name(used, list(self.dimensions), expression.text))
+
+    def expression(self, text: str, dimension: str = "") -> Expression:
+        """An expression over the known names, of the given dimension if one is due. Raises InputError."""
+        expression = parse(text)
+        self._known_names(expression)
+        found = expression.dimension(self.dimensions)
+        if dimension and found is not None and found != DIMENSIONS[dimension]:
+            raise InputError(
+                Problem(f"is {dimension_name(found)}, expected {dimension_name(DIMENSIONS[dimension])}", value=text)
+            )
+        return expression
+
+    def _by_name(self, table: Table, package: str) -> dict[str, Template]:
+        return table.each(
+            lambda name, value: self._templates.read(Table(value, table.key(name), self.problems), package)
+        )
+
+    def _listed(self, name: str, package: str) -> tuple[Template, ...]:
+        found = [self._templates.read(table, package) for table in self.top.tables(name)]
+        return tuple(template for template in found if template is not None)

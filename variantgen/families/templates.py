@@ -1,0 +1,96 @@
+"""Reading of constructions, conditions, joints and drivers: ``{ kind = { field = value, ... } }``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+from typing import Any
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.expressions import Expression, number
+from variantgen.families.family import Template
+from variantgen.families.units import UNITS, Unit, is_number_with_unit, parse_value, sound
+from variantgen.mechanism.component import FieldSpec, discover, field_specs
+from variantgen.tables import Table, shown
+
+
+class TemplateReader:
+    """Reads components; the classes of a package say which fields there are and what they expect.
+
+    ``expression`` reads an expression of a given dimension, ``length`` is the unit of bare lengths.
+    """
+
+    def __init__(self, expression: Callable[[str, str], Expression], length: Unit) -> None:
+        self._expression = expression
+        self._length = length
+
+    def read(self, table: Table, package: str) -> Template | None:
+        """A component of a package from a table with one kind; None (and a problem noted) if it is wrong."""
+        kinds = discover(package)
+        if len(table.data) != 1:
+            table.problem("expected one kind with its fields", "", ", ".join(table.data), f"known: {', '.join(kinds)}")
+            return None
+        kind = next(iter(table.data))
+        if kind not in kinds:
+            table.problem("unknown kind", "", kind, nearest(kind, kinds))
+            return None
+        return self._fields(table.table(kind), kinds[kind])
+
+    def _fields(self, table: Table, component: type) -> Template:
+        specs = field_specs(component)
+        table.expect(*(spec.name for spec in specs))
+        fields: dict[str, Any] = {}
+        for spec in specs:
+            if spec.name not in table.data:
+                if spec.required:
+                    table.problem(f"missing, expected {spec.expects}", spec.name)
+            elif spec.part:
+                part: type = spec.part
+                fields[spec.name] = tuple(self._fields(item, part) for item in table.tables(spec.name))
+            else:
+                with table.collecting(spec.name):
+                    fields[spec.name] = self._field(spec, table.data[spec.name])
+        table.finish()
+        return Template(component, fields)
+
+    def _field(self, spec: FieldSpec, value: Any) -> Any:
+        wrong = InputError(Problem(f"expected {spec.expects}", value=shown(value)))
+        if spec.flag:
+            if not isinstance(value, bool):
+                raise wrong
+            return value
+        if spec.ref:
+            names = value if spec.many else [value]
+            if (
+                not isinstance(names, list)
+                or any(not isinstance(n, str) for n in names)
+                or (spec.many and len(names) != 2)
+            ):
+                raise wrong
+            return tuple(names) if spec.many else value
+        if isinstance(value, bool) or not isinstance(value, int | Decimal | str):
+            raise wrong
+        if isinstance(value, str) and value in spec.words:
+            return number(spec.words[value])
+        return self._number(spec, value)
+
+    def _number(self, spec: FieldSpec, value: int | Decimal | str) -> Expression:
+        default = self._printed_unit(spec.dimension)
+        if not isinstance(value, str):
+            return number(default.to_si(sound(Decimal(value), "")))
+        if is_number_with_unit(value):
+            return number(default.to_si(parse_value(value, default, "")))
+        return self._expression(value, spec.dimension)
+
+    def _printed_unit(self, dimension: str) -> Unit:
+        """The unit of a bare number in a file: the family's length unit, degrees, seconds."""
+        length = self._length.name
+        names = {
+            "length": length,
+            "velocity": f"{length}/s",
+            "acceleration": f"{length}/s^2",
+            "angle": "deg",
+            "angular velocity": "rad/s",
+            "angular acceleration": "rad/s^2",
+        }
+        return UNITS[names.get(dimension, "1")]

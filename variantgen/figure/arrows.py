@@ -1,0 +1,43 @@
+"""Arrows of given motion: velocity from the point, acceleration beside it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import MEDIUM, Layer
+from variantgen.figure.labels import along_arrow
+from variantgen.wording.formula import Symbol
+
+_LENGTH = 11.0
+_ASIDE = 3.6
+
+
+def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol) -> None:
+    """An arrow from the symbol at a point in the direction ``ahead`` (unit)."""
+    start = board.sketch.reach.get(point, 1.1)
+    place = board.sketch.at[point]
+    _arrow(board, point, place + ahead * start, place + ahead * (start + _LENGTH), symbol, 0.75)
+
+
+def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol, beside: bool = True) -> None:
+    """A thinner arrow; ``beside`` the point, so that neither hides a velocity along the same line."""
+    start = board.sketch.reach.get(point, 1.1)
+    place = board.sketch.at[point]
+    foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
+    _arrow(board, point, foot, foot + 0.8 * _LENGTH * ahead, symbol, MEDIUM)
+
+
+def _arrow(board: Board, point: str, foot: complex, tip: complex, symbol: Symbol, weight: float) -> None:
+    sketch = board.sketch
+    sketch.arrow(foot, tip, Layer.VECTOR, weight=weight)
+    sketch.label(along_arrow(symbol, foot, tip))
+    sketch.occupy(point, tip - sketch.at[point])
+
+
+def _roomier_side(board: Board, point: complex, ahead: complex, gap: float) -> complex:
+    """The way aside to a parallel arrow that crosses less of what is drawn already; below or right if equal."""
+    sides = sorted((gap * 1j * ahead, -gap * 1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
+    lanes = [[point + side + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for side in sides]
+    crossed = [int(np.sum(board.sketch.crossings(lane, (1.2, 1.2)))) for lane in lanes]
+    return sides[0] if crossed[0] <= crossed[1] else sides[1]

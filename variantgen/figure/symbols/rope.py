@@ -1,0 +1,91 @@
+"""Rope: straight pieces, wraps, pulleys with hinge or bracket, anchors, loads."""
+
+from __future__ import annotations
+
+import cmath
+from itertools import pairwise
+
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
+from variantgen.figure.sketch import HINGE
+from variantgen.mechanism.constructions.tangent import thread_direction
+from variantgen.mechanism.joints.rope import Bend, Rope
+
+_HALF_LOAD = 3.0
+_BRACKET = 4.5
+
+
+def draw(board: Board, joint: Rope) -> None:
+    """Add the rope and what carries it; drums and wheels that are bodies are drawn as discs."""
+    ways = [_straight(board, first, second) for first, second in pairwise(joint.path)]
+    last = len(joint.path) - 1
+    for i, bend in enumerate(joint.path):
+        if bend.body is not None:
+            continue
+        arriving = ways[i - 1] if i > 0 else None
+        leaving = ways[i] if i < last else None
+        if arriving is not None and leaving is not None:
+            _pulley(board, bend, arriving, leaving)
+        else:
+            _end(board, joint, bend, ways[0] if i == 0 else -ways[-1])
+
+
+def _circle(board: Board, bend: Bend) -> tuple[complex, float, float]:
+    """Centre and radius in u, and the side on paper."""
+    return board.sketch.at[bend.point], float(bend.radius) * board.sketch.scale, float(board.frame.sense * bend.side)
+
+
+def _straight(board: Board, first: Bend, second: Bend) -> complex:
+    """Draw a straight piece; returns its direction."""
+    start, radius, side = _circle(board, first)
+    end, end_radius, end_side = _circle(board, second)
+    way = complex(thread_direction(start, radius, side, end, end_radius, end_side)[0])
+    board.sketch.path((start + 1j * side * radius * way, end + 1j * end_side * end_radius * way), Layer.THREAD, MEDIUM)
+    return way
+
+
+def _pulley(board: Board, bend: Bend, arriving: complex, leaving: complex) -> None:
+    sketch = board.sketch
+    centre, radius, side = _circle(board, bend)
+    if radius > 0 and not board.is_disc(bend.point):
+        sketch.circle(centre, radius, Layer.DISC, MEDIUM)
+    sweep = cmath.phase(leaving / arriving)
+    sketch.arc(Arc(centre, radius, Layer.THREAD, BOLD, cmath.phase(1j * side * arriving), sweep))
+    sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
+    board.sized(bend.point, HINGE)
+    for taken in (1j * side * arriving, 1j * side * leaving):
+        sketch.occupy(bend.point, taken)
+    if bend.fixed:
+        # The bracket holds the pulley from the side towards which the rope does not pull.
+        pull = leaving - arriving
+        away = -pull / abs(pull) if abs(pull) > 0.2 else -1j * side * arriving
+        _support(board, centre, away, radius + _BRACKET)
+
+
+def _support(board: Board, centre: complex, away: complex, length: float) -> None:
+    sketch = board.sketch
+    foot = centre + length * away
+    sketch.path((centre + HINGE * away, foot), Layer.LINK, 0.8 * BOLD)
+    _base(board, foot, away)
+
+
+def _base(board: Board, foot: complex, away: complex) -> None:
+    sketch = board.sketch
+    start, end = foot - 3.0j * away, foot + 3.0j * away
+    sketch.path((start, end), Layer.LINK)
+    sketch.hatch(start, end, away)
+
+
+def _end(board: Board, joint: Rope, bend: Bend, along: complex) -> None:
+    """An anchor, a load, or nothing where the rope is tied to a point of a body; ``along`` leads into the rope."""
+    sketch = board.sketch
+    place = sketch.at[bend.point]
+    if bend.fixed:
+        _base(board, place, -along)
+    elif bend.point in joint.hanging() and not board.owners(bend.point):
+        # A load hangs straight down or is pulled along its guide: its block stands square to the rope.
+        corners = [place + _HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
+        board.sized(bend.point, _HALF_LOAD, box=corners)
+        for taken in (along, -along):
+            sketch.occupy(bend.point, taken)

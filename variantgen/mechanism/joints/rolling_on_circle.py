@@ -1,0 +1,82 @@
+"""Rolling without slip on a circle: outside or inside, fixed or belonging to a moving body."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Real, unit
+from variantgen.mechanism.component import BodyName, Length, PointName
+from variantgen.mechanism.rows import Contact, Joint, Placement, Shape, Speeds, VectorRow
+
+
+@dataclass(frozen=True)
+class RollingOnCircle(Joint):
+    """A wheel (centre O, ``radius`` r) rolls on the circle about the point ``around`` (C), outside it or ``inside``.
+
+    The radius of the circle follows from the distance d = z_O - z_C: |d| - r outside, |d| + r inside. The circle is at
+    rest (then C stays too) or belongs to the body ``on``, of which C is a point. With ``k = r/|d|`` (outside) or
+    ``k = -r/|d|`` (inside) the contact is K = O - k d, and the line of centres turns at the rate W::
+
+        v_O = v_C + i W d,   W = k omega + (1 - k) Omega
+        a_O = a_C + i (k epsilon + (1 - k) E) d - W^2 d
+
+    where Omega, E belong to ``on`` and are zero for a circle at rest.
+    """
+
+    body: BodyName
+    centre: PointName
+    radius: Length
+    around: PointName
+    inside: bool = False
+    on: BodyName | None = None
+    belongs: ClassVar[Mapping[str, str]] = {"centre": "body", "around": "on"}
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """One vector row: the centre by that of the circle and the angular velocities."""
+        if self.on is None:
+            return (Shape((self.centre,), (self.body,), lead=self.centre),)
+        return (Shape((self.centre, self.around), (self.body, self.on), lead=self.centre, pole=self.around),)
+
+    def ratio(self, at: Placement) -> tuple[Complex, Real]:
+        """The vector d and the number k of the class docstring."""
+        d = at.z[self.centre] - at.z[self.around]
+        distance = np.abs(d)
+        k = self.radius / np.where(distance > 0, distance, 1.0)
+        return d, -k if self.inside else k
+
+    def rows(self, at: Placement) -> tuple[VectorRow, ...]:
+        """The velocity row of the class docstring."""
+        d, k = self.ratio(at)
+        turning = {self.body: 1j * k * d}
+        if self.on is not None:
+            turning[self.on] = 1j * (1.0 - k) * d
+        return (VectorRow(self.centre, turning),)
+
+    def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
+        """``-W^2 d``: the centre goes round the centre of the circle."""
+        d, k = self.ratio(at)
+        rate = k * speeds.omega[self.body]
+        if self.on is not None:
+            rate = rate + (1.0 - k) * speeds.omega[self.on]
+        return (-rate * rate * d,)
+
+    def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
+        """The centre's place (m) less the place that the rotations give it: ``d = d_start exp(i turn)``."""
+        d, k = self.ratio(start)
+        turn = k * moved.turned[self.body]
+        pole = start.z[self.around]
+        if self.on is not None:
+            turn = turn + (1.0 - k) * moved.turned[self.on]
+            pole = moved.z[self.around]
+        gap = moved.z[self.centre] - pole - d * unit(turn)
+        return np.real(gap), np.imag(gap)
+
+    def contact_at(self, at: Placement) -> Contact:
+        """The contact of wheel and circle."""
+        d, k = self.ratio(at)
+        other = None if self.on is None else (self.on, self.around)
+        return Contact(at.z[self.centre] - k * d, (self.body, self.centre), other)

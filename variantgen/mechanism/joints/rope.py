@@ -1,0 +1,131 @@
+"""Inextensible rope or thread over fixed and movable pulleys, off and onto drums, between any two bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import ClassVar
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Real, along
+from variantgen.mechanism.component import BodyName, Length, PointName, Side
+from variantgen.mechanism.constructions.tangent import thread_direction
+from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
+
+
+@dataclass(frozen=True)
+class Bend:
+    """A station of a rope: an end, a pulley, or (first or last) a drum or a wheel that the rope does not slip on.
+
+    The rope touches the circle of ``radius`` about ``point`` on the left or right ``side`` of its way; radius 0 is the
+    point itself. ``body``: the rope is wound on this body, so that its rotation takes up rope. ``fixed``: the point
+    is at rest and needs no pivot (a pulley on a bracket, an anchor).
+    """
+
+    point: PointName
+    radius: Length = 0.0
+    side: Side = 1.0
+    body: BodyName | None = None
+    fixed: bool = False
+    belongs: ClassVar[Mapping[str, str]] = {"point": "body"}
+
+
+@dataclass(frozen=True)
+class Rope(Joint):
+    """The length of the rope along its ``path`` of bends is constant.
+
+    With u_j the direction of straight piece j (from bend j to j+1), l_j its length, n_j = i u_j, and for a drum of
+    radius r and side s (+1 left) at the first bend (0) or the last (N)::
+
+        sum u_j.(v_(j+1) - v_j) + s_0 r_0 omega_0 - s_N r_N omega_N = 0
+        sum u_j.(a_(j+1) - a_j) + s_0 r_0 epsilon_0 - s_N r_N epsilon_N + sum (n_j.(v_(j+1) - v_j))^2 / l_j = 0
+
+    because piece j turns at the rate ``n_j.(v_(j+1) - v_j) / l_j``; pulleys in between turn freely.
+    """
+
+    path: tuple[Bend, ...]
+
+    @property
+    def _drums(self) -> tuple[tuple[Bend, float], ...]:
+        """Drums at the ends: the bend and the sign of its rotation in the row."""
+        ends = ((self.path[0], 1.0), (self.path[-1], -1.0))
+        return tuple(end for end in ends if end[0].body is not None)
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """One scalar row on the moving stations and the drums."""
+        points = tuple(dict.fromkeys(bend.point for bend in self.path if not bend.fixed))
+        bodies = tuple(dict.fromkeys(bend.body for bend, _ in self._drums if bend.body is not None))
+        return (Shape(points, bodies),)
+
+    def hanging(self) -> tuple[str, ...]:
+        """Free ends: loads, or points of bodies that the rope is tied to."""
+        ends = (self.path[0], self.path[-1])
+        return tuple(end.point for end in ends if end.body is None and not end.fixed)
+
+    def mistake(self) -> str:
+        """What is wrong with the path, if anything."""
+        if len(self.path) < 2:
+            return "a rope needs at least two bends: its ends"
+        if any(bend.body is not None for bend in self.path[1:-1]):
+            return (
+                "only the first and the last bend may name a body: split the rope at a wheel that it does not slip on"
+            )
+        return ""
+
+    def pieces(self, at: Placement) -> list[tuple[Complex, Real]]:
+        """Unit vector and length (m) of each straight piece."""
+        sense = at.frame.sense
+        found = []
+        for first, second in pairwise(self.path):
+            ray, length, _ = thread_direction(
+                at.z[first.point],
+                first.radius,
+                sense * first.side,
+                at.z[second.point],
+                second.radius,
+                sense * second.side,
+            )
+            found.append((ray, length))
+        return found
+
+    def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
+        """The velocity row of the class docstring."""
+        points: dict[str, Complex] = {}
+        turning: dict[str, Real] = {}
+        for (first, second), (ray, _) in zip(pairwise(self.path), self.pieces(at), strict=True):
+            for bend, sign in ((first, -1.0), (second, 1.0)):
+                if not bend.fixed:
+                    points[bend.point] = points.get(bend.point, 0.0) + sign * ray
+        for bend, sign in self._drums:
+            assert bend.body is not None
+            reach = sign * at.frame.sense * bend.side * bend.radius
+            turning[bend.body] = turning.get(bend.body, 0.0) + reach
+        return (ScalarRow(points, turning),)
+
+    def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
+        """``sum (n_j.(v_(j+1) - v_j))^2 / l_j``."""
+        total: Real = 0.0
+        for (first, second), (ray, length) in zip(pairwise(self.path), self.pieces(at), strict=True):
+            ends = [0.0 if bend.fixed else speeds.v[bend.point] for bend in (first, second)]
+            swing = along(1j * ray, ends[1] - ends[0])
+            total = total + swing * swing / length
+        return (total,)
+
+    def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
+        """Change of the rope's length (m): straight pieces and wraps.
+
+        A piece that swings by the angle q winds ``s r q`` onto the circle that it ends on and ``s r q`` off the
+        circle that it starts from; a drum that turns by p takes up or gives out ``s r p``.
+        """
+        before, after = self.pieces(start), self.pieces(moved)
+        swung = [np.angle(now / then) for (then, _), (now, _) in zip(before, after, strict=True)]
+        change: Real = sum(now - then for (_, then), (_, now) in zip(before, after, strict=True))
+        sense = start.frame.sense
+        for (first, second), turn in zip(pairwise(self.path), swung, strict=True):
+            change = change + sense * (second.side * second.radius - first.side * first.radius) * turn
+        for bend, sign in self._drums:
+            assert bend.body is not None
+            change = change + sign * sense * bend.side * bend.radius * moved.turned[bend.body]
+        return (change,)
