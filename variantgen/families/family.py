@@ -28,6 +28,7 @@ class Parameter:
 
     A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A
     ``constant`` has the dimension of a rate but is none that the figure shows (g, the acceleration of free fall).
+    A ``silent`` parameter only gives the figure variety: it is not printed and no answer may depend on it.
     """
 
     name: str
@@ -36,6 +37,7 @@ class Parameter:
     words: tuple[str, ...] = ()
     symbol: str = ""
     constant: bool = False
+    silent: bool = False
 
     @cached_property
     def si(self) -> NDArray[np.float64]:
@@ -47,7 +49,7 @@ class Parameter:
     @property
     def given(self) -> bool:
         """Whether its value is printed (a choice is seen in the figure)."""
-        return self.unit is not None
+        return self.unit is not None and not self.silent
 
     @property
     def is_rate(self) -> bool:
@@ -252,10 +254,10 @@ class Form:
 
     @property
     def grid_size(self) -> int:
-        """Number of points of the parameter grid (poses not counted)."""
+        """Number of points of the parameter grid (poses and silent parameters not counted)."""
         size = 1
         for parameter in self.parameters.values():
-            size *= len(parameter.printed)
+            size *= 1 if parameter.silent else len(parameter.printed)
         return size
 
 

@@ -27,9 +27,9 @@ def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
     before = len(parent.problems)
     table = Table(value, parent.key(name), parent.problems)
     symbol = table.take("symbol", str, name)
-    constant = table.take("constant", bool, False)
+    constant, silent = table.take("constant", bool, False), table.take("silent", bool, False)
     parameter = _choices(table, name) if "choices" in table.data else _grid(table, name, symbol)
-    parameter = replace(parameter, constant=constant)
+    parameter = replace(parameter, constant=constant, silent=silent)
     table.finish()
     return parameter if len(parent.problems) == before else None
 

@@ -34,4 +34,6 @@ def size(formula: Formula) -> tuple[float, float]:
 def _text_width(text: str) -> float:
     if text in GREEK:
         return _GREEK.get(text, 0.6)
+    if text.isdecimal():
+        return _SMALL * len(text)
     return sum(_WIDE.get(letter, _SMALL) + _NUMBER * len(number) for letter, number in letters(text))

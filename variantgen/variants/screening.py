@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.arithmetic import along
@@ -144,16 +145,35 @@ def sensitivity(
     base = [quantity.value(motion) for quantity in asked]
     total = [np.zeros(motion.size) for _ in asked]
     for name, parameter in form.parameters.items():
-        if not parameter.given:
+        if parameter.unit is None:
             continue
         pure = parameter.unit is not None and parameter.unit.dimension == (0, 0)
         step = 1e-6 * (np.ones(motion.size) if pure else parameters[name])
         moved = form.values({**parameters, name: parameters[name] + step})
         other = solve(form.scene(moved, on_paper), order, form.plan)
+        if parameter.silent:
+            _refuse_silent_influence(parameter.name, asked, motion, other)
+            continue
         for i, quantity in enumerate(asked):
             size = 1.0 if quantity.is_angle else np.where(base[i] == 0, np.inf, np.abs(base[i]))
             total[i] += (_change(quantity, quantity.value(other), base[i]) / size / 1e-6) ** 2
     return np.asarray(np.sqrt(np.max(total, axis=0)))
+
+
+def _refuse_silent_influence(name: str, asked: Sequence[Quantity], motion: Motion, other: Motion) -> None:
+    """Raise InputError if an answer changes with a parameter that is not printed."""
+    for quantity in asked:
+        before, after = quantity.value(motion), quantity.value(other)
+        moved = np.abs(_change(quantity, after, before)) > 1e-9 * (1.0 if quantity.is_angle else np.abs(before))
+        if np.any(moved & motion.solved & other.solved):
+            raise InputError(
+                Problem(
+                    f"{quantity.name} depends on a parameter that is not printed",
+                    key=f"parameters.{name}",
+                    value="silent = true",
+                    remedy="print it (silent = false) or ask for something else",
+                )
+            )
 
 
 def _change(quantity: Quantity, value: NDArray[np.float64], base: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -31,8 +31,10 @@ class Variant:
 
     @property
     def identity(self) -> tuple[str, str, tuple[tuple[str, str], ...]]:
-        """What makes two variants the same problem: family, form, parameters (not the pose on paper)."""
-        return self.family.name, self.form.name, tuple(sorted((k, str(v)) for k, v in self.printed.items()))
+        """What makes two variants the same problem: family, form, parameters (not the pose on paper, nothing silent)."""
+        parameters = self.form.parameters
+        told = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
+        return self.family.name, self.form.name, tuple(sorted(told))
 
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""

@@ -108,7 +108,7 @@ def to_typst(formula: Formula) -> str:
 
 
 def _typst_base(base: str) -> str:
-    if base in GREEK:
+    if base in GREEK or base.isdecimal():
         return base
     return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))
 

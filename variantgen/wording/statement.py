@@ -152,7 +152,7 @@ def _context(variant: Variant, asked: Sequence[Quantity], language: Language) ->
     context["accelerations"] = any(q.order == 2 for q in asked)
     context["relative"] = any("_" in q.kind for q in asked)
     context["shown"] = shown_points(variant, asked)
-    context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if not p.given}
+    context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if p.words}
     context["speeding"] = bool(form.drivers) and _is_speeding(variant, 0)
     context["speeds"] = [_is_speeding(variant, number) for number in range(len(form.drivers))]
     context["zero"] = lambda name: variant.printed[name] == 0

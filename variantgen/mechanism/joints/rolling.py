@@ -38,7 +38,8 @@ class Rolling(Joint):
 
     def shapes(self) -> tuple[Shape, ...]:
         """One vector row, the centre by the point of the line's body and the angular velocities; or a scalar row."""
-        points, bodies = (self.centre,), (self.body,)
+        points: tuple[str, ...] = (self.centre,)
+        bodies: tuple[str, ...] = (self.body,)
         if self.on is not None and self.on_point is not None:
             points, bodies = (self.centre, self.on_point), (self.body, self.on)
         return (Shape(points, bodies) if self.axle_held else Shape(points, bodies, self.centre, self.on_point),)
