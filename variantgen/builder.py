@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import multiprocessing
 import multiprocessing.connection
 import os
@@ -15,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam, read_exam
+from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
 from variantgen.outputs.folder import check_free, whole_folder
@@ -24,8 +23,6 @@ from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.typesetter import Typesetter, typesetter
-from variantgen.resources import catalog_dir, folder_hash
-from variantgen.version import VERSION
 
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
 # below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
@@ -65,7 +62,7 @@ class _Part:
 
 
 def build(
-    exam_file: Path,
+    exam: Exam,
     students: Sequence[Student],
     out: Path,
     seed: str | None = None,
@@ -73,19 +70,18 @@ def build(
     force: bool = False,
     progress: Progress = lambda stage, done, total: None,
 ) -> Built:
-    """Build an exam into the folder ``out``, which is complete or not there.
+    """Build an exam (from :func:`read_exam`) into the folder ``out``, which is complete or not there.
 
     Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json``. The same input gives the same bytes, whatever
     ``jobs`` is. Raises InputError for wrong input.
     """
-    exam = read_exam(exam_file)
     check_free(out, force)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))
     try:
         made = assemble(exam, students, seed)
     except InputError as error:
-        raise error.located(str(exam_file)) from None
+        raise error.located(str(exam.path)) from None
     with whole_folder(out, force) as folder:
         parts_folder = folder / ".parts"
         parts_folder.mkdir()
@@ -103,10 +99,7 @@ def build(
             path.unlink()
         parts_folder.rmdir()
         _write(folder / "key.csv", "\ufeff" + key_csv(made.sheets))
-        record = manifest(
-            exam, made.sheets, seed, VERSION, _file_hash(exam_file), folder_hash(catalog_dir()), made.redrawn
-        )
-        _write(folder / "manifest.json", record)
+        _write(folder / "manifest.json", manifest(exam, made.sheets, seed, made.redrawn))
     return Built(out, len(students), made.redrawn)
 
 
@@ -159,10 +152,6 @@ def _leave_with_parent() -> None:
 
 def _make(part: _Part, folder: Path, engine: Typesetter) -> Path:
     return part.make(folder, engine)
-
-
-def _file_hash(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
 def _write(path: Path, text: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -66,17 +67,17 @@ class Report:
         return "\n".join(lines)
 
 
-def check_family(name_or_path: str, seeds: int = 200) -> Report:
+def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] = ()) -> Report:
     """Run all checks on a family; raises InputError if its files cannot be read, anything else is in the report."""
     start = time.perf_counter()
-    family = load_family(name_or_path)
+    family = load_family(name_or_path, folders)
     report = Report(family.name)
     _check_cases(family, report)
     if any(form.parameters for form in family.forms.values()):
         for form_name in family.forms:
             _check_draws(family, form_name, seeds, report)
     else:
-        outcome = Outcome(int(solve_variants([one_variant(name_or_path)], 1).outcome[0]))
+        outcome = Outcome(int(solve_variants([one_variant(name_or_path, folders=folders)], 1).outcome[0]))
         if outcome is not Outcome.SOLVED:
             report.failures.append(outcome.text)
     report.seconds = round(time.perf_counter() - start, 3)
@@ -146,7 +147,10 @@ def _text_failures(variant: Variant, language_name: str, motion: Any, place: int
     drawn = {label.formula for label in statement_figure(variant, motion, place, asked, language).labels}
     missing = []
     for name in given_names(variant, asked):
-        symbol = language.symbol(variant.form.parameters[name].symbol, variant.form.symbols)
+        parameter = variant.form.parameters[name]
+        symbol = language.symbol(parameter.symbol, variant.form.symbols)
+        if parameter.constant or (parameter.unit and parameter.unit.measures == "time"):
+            continue
         if not _is_named(symbol, drawn):
             missing.append(f"{where}: the figure does not show {name}")
     for point in sorted({q.point for q in asked} - {""}):

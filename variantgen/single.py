@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,13 +29,14 @@ def one_variant(
     seed: str = "0",
     form: str = "",
     ask: Sequence[str] = (),
+    folders: tuple[Path, ...] = (),
 ) -> Variant:
     """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
 
     It is screened for the asked quantities (none: those of the form). When nothing is left to draw, the values are
     taken as they are, without screens. Raises InputError.
     """
-    family = restrict(load_family(family_or_file), fixed, None, (form,) if form else ())
+    family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else ())
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
         return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
@@ -72,7 +75,12 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     if relative:
         document["relative"] = relative
     document["answers"] = [
-        {"quantity": a.quantity.name, "value": a.value, "unit": a.unit.name, "tolerance": a.tolerance}
+        {
+            "quantity": a.quantity.name,
+            "value": a.value if isfinite(a.value) else None,
+            "unit": a.unit.name,
+            "tolerance": a.tolerance if isfinite(a.value) else None,
+        }
         for a in answers(variant, ask)
     ]
     return document

@@ -9,8 +9,10 @@ from pathlib import Path
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
+from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
+from variantgen.resources import file_hash
 from variantgen.tables import Table, read_toml
 from variantgen.wording.language import languages, load_language
 
@@ -30,7 +32,10 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``tolerance`` is relative; ``duplex`` starts every student on an odd page."""
+    """A checked exam file. ``tolerance`` is relative; ``duplex`` starts every student on an odd page.
+
+    ``path`` is the file it was read from, ``hash`` that of its content.
+    """
 
     title: str
     course: str
@@ -39,10 +44,16 @@ class Exam:
     seed: str = "0"
     tolerance: float = DEFAULT_TOLERANCE
     duplex: bool = True
+    path: Path = Path()
+    hash: str = ""
 
 
-def read_exam(path: Path) -> Exam:
-    """Read and check an exam file. Raises InputError with every problem found."""
+def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
+    """Read and check an exam file. Raises InputError with every problem found.
+
+    ``folders`` hold the instructor's own families (None: the environment variable and the folder of the file say).
+    """
+    folders = family_folders(beside=path) if folders is None else folders
     problems: list[Problem] = []
     top = Table(read_toml(path), "", problems)
     version = top.take("schema", int, SCHEMA)
@@ -61,7 +72,7 @@ def read_exam(path: Path) -> Exam:
     duplex = page.take("duplex", bool, True)
     page.finish()
     tables = top.tables("problem")
-    tasks = [_task(table, number) for number, table in enumerate(tables, start=1)]
+    tasks = [_task(table, number, folders) for number, table in enumerate(tables, start=1)]
     if not tables:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
@@ -69,10 +80,11 @@ def read_exam(path: Path) -> Exam:
     top.finish()
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
-    return Exam(title, course, language, tuple(t for t in tasks if t), str(seed), tolerance, duplex)
+    digest = file_hash(path)
+    return Exam(title, course, language, tuple(t for t in tasks if t), str(seed), tolerance, duplex, path, digest)
 
 
-def _task(table: Table, number: int) -> Task | None:
+def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     before = len(table.problems)
     names = table.strings("families")
     if "family" in table.data:
@@ -94,7 +106,7 @@ def _task(table: Table, number: int) -> Task | None:
     families = []
     for name in names:
         with table.collecting(""):
-            family = restrict(load_family(name), fixed, ranges, forms)
+            family = restrict(load_family(name, folders), fixed, ranges, forms)
             _check_ask(family, None if unread else ask)
             families.append(family)
     if len(table.problems) > before:

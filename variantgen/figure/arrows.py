@@ -13,15 +13,19 @@ _LENGTH = 11.0
 _ASIDE = 3.6
 
 
-def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol) -> None:
-    """An arrow from the symbol at a point in the direction ``ahead`` (unit)."""
+def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None) -> None:
+    """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given."""
+    if symbol is None:
+        return
     start = board.sketch.reach.get(point, 1.1)
     place = board.sketch.at[point]
     _arrow(board, point, place + ahead * start, place + ahead * (start + _LENGTH), symbol, 0.75)
 
 
-def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol, beside: bool = True) -> None:
+def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None, beside: bool = True) -> None:
     """A thinner arrow; ``beside`` the point, so that neither hides a velocity along the same line."""
+    if symbol is None:
+        return
     start = board.sketch.reach.get(point, 1.1)
     place = board.sketch.at[point]
     foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)

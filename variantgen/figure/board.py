@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from variantgen.families.family import Form
 from variantgen.figure.sketch import Sketch
+from variantgen.mechanism.component import DIMENSIONS, field_specs
 from variantgen.mechanism.rows import Constraint, Frame
 from variantgen.mechanism.scene import Scene, fixed_points
 from variantgen.wording.formula import Symbol
@@ -46,15 +47,29 @@ class Board:
         """Whether a disc about the point is drawn."""
         return any(disc.centre == point for disc in self.form.figure.discs)
 
-    def rate(self, driver: Constraint, field_name: str) -> Symbol:
-        """The symbol of the given rate that a field of a driver uses (``v`` of a travel, ``omega`` of a rotation)."""
+    def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
+        """The symbol of the given rate that a field of a driver uses (``v`` of a travel, ``omega`` of a rotation).
+
+        That is the parameter of the same dimension on which the field depends, directly or through derived quantities.
+        None where a rate follows from data of other kinds (a velocity from a law of motion): then it is not given.
+        """
         template = self.form.drivers[next(i for i, own in enumerate(self.scene.drivers) if own is driver)]
-        parameters = self.form.parameters
-        names = template.fields[field_name].names & {name for name, p in parameters.items() if p.is_rate}
-        if names:
-            return self.symbol(parameters[min(names)].symbol)
-        point_or_body = next(value for value in template.fields.values() if isinstance(value, str))
-        return self.symbol(f"{field_name}_{point_or_body}")
+        names = self._sources(template.fields[field_name].names)
+        if not names:
+            target = next(value for value in template.fields.values() if isinstance(value, str))
+            return self.symbol(f"{field_name}_{target}")
+        spec = next(spec for spec in field_specs(template.component) if spec.name == field_name)
+        wanted, parameters = DIMENSIONS[spec.dimension], self.form.parameters
+        same = [name for name in sorted(names) if (unit := parameters[name].unit) and unit.dimension == wanted]
+        return self.symbol(parameters[same[0]].symbol) if same else None
+
+    def _sources(self, names: Iterable[str]) -> set[str]:
+        """Parameters behind names of parameters and derived quantities."""
+        found: set[str] = set()
+        for name in names:
+            derived = self.form.derived.get(name)
+            found |= {name} if derived is None else self._sources(derived.names)
+        return found
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""
@@ -67,7 +82,7 @@ class Board:
         self.clear[point] = max(self.clear.get(point, 0.0), min(radius, reach))
 
     def pivot_of(self, body: str) -> str:
-        """The fixed point of a body, or its first point."""
-        fixed = fixed_points(self.scene)
-        members = self.scene.bodies[body]
-        return next((name for name in members if name in fixed), members[0])
+        """The fixed point of a body, or one whose motion is given, or its first point."""
+        members, fixed = self.scene.bodies[body], fixed_points(self.scene)
+        given = {name for driver in self.scene.drivers for shape in driver.shapes() for name in shape.points}
+        return next((name for known in (fixed, given) for name in members if name in known), members[0])

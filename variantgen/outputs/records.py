@@ -10,6 +10,8 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Item, Sheet
+from variantgen.resources import catalog_dir, folder_hash
+from variantgen.version import VERSION
 
 MANIFEST_SCHEMA = 1
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
@@ -43,21 +45,18 @@ def _safe(text: str) -> str:
     return "'" + text if text.startswith(_FORMULA_STARTS) else text
 
 
-def manifest(
-    exam: Exam,
-    sheets: Sequence[Sheet],
-    seed: str,
-    program: str,
-    exam_hash: str,
-    catalog_hash: str,
-    redrawn: Sequence[str],
-) -> str:
-    """Everything that is needed to make each sheet again, as JSON."""
+def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str]) -> str:
+    """Everything that is needed to make each sheet again, as JSON.
+
+    ``catalog_hash`` is that of the catalogue, ``families`` has that of the folder of each family used.
+    """
+    used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
     content = {
         "schema": MANIFEST_SCHEMA,
-        "program": {"name": "variantgen", "version": program},
-        "exam": {"title": exam.title, "hash": exam_hash, "language": exam.language, "tolerance": exam.tolerance},
-        "catalog_hash": catalog_hash,
+        "program": {"name": "variantgen", "version": VERSION},
+        "exam": {"title": exam.title, "hash": exam.hash, "language": exam.language, "tolerance": exam.tolerance},
+        "catalog_hash": folder_hash(catalog_dir()),
+        "families": {name: folder_hash(used[name]) for name in sorted(used)},
         "seed": seed,
         "redrawn": list(redrawn),
         "students": [

@@ -45,6 +45,6 @@ def _roomiest_side(board: Board, point: str) -> float:
         down = cmath.rect(1.0, angle)
         sides = (half, 0.5 * depth) if abs(down.imag) > 0.5 else (0.5 * depth, half)
         covered = int(sketch.crossings([sketch.at[point] + (HINGE + 0.5 * depth) * down], sides)[0])
-        return 2.0 * covered + max(0.0, math.radians(58) - sketch.freedom(point, angle))
+        return 2.0 * covered + 6.0 * max(0.0, math.radians(58) - sketch.freedom(point, angle))
 
     return min(_SIDES, key=cost)

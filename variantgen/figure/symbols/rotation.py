@@ -32,6 +32,8 @@ def draw(board: Board, driver: Rotation) -> None:
             continue
         turn = math.copysign(_SWEEP, rate)
         formula = board.rate(driver, kind)
+        if formula is None:
+            continue
         middle = _roomiest(board, pivot, radius, turn, formula, placed)
         placed = middle
         request = along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn)

@@ -1,0 +1,42 @@
+"""``variantgen check``: whether families can be trusted."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+from variantgen.cli.options import add_families, at_least_one
+
+HELP = "check families"
+DESCRIPTION = """\
+Check families, those of the catalogue or your own: schema, worked cases, both languages, many seeds,
+agreement with the independent computation, invariants, variety, spread of the answers, figures.
+Exit code 1 if anything is wrong."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument(
+        "names", nargs="*", metavar="FAMILY_OR_FILE", help="families to check (default: all that are found)"
+    )
+    parser.add_argument("--seeds", type=int, default=200, help="variants to draw per form (default: 200)")
+    parser.add_argument("--json", action="store_true", help="print one JSON document")
+    add_families(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print a report per family."""
+    from variantgen.check import check_family
+    from variantgen.families.folders import family_folders
+    from variantgen.families.load import family_names
+
+    at_least_one("--seeds", arguments.seeds)
+    folders = family_folders(arguments.families)
+    reports = []
+    for name in arguments.names or family_names(folders):
+        reports.append(check_family(name, arguments.seeds, folders))
+        if not arguments.json:
+            print(reports[-1].as_text(), flush=True)
+    if arguments.json:
+        print(json.dumps([report.as_json() for report in reports], ensure_ascii=False, indent=2))
+    return 1 if any(report.failures for report in reports) else 0

@@ -1,0 +1,47 @@
+"""``variantgen show``: one problem as a student sees it, with its answers."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from variantgen.cli.options import add_choice, settings
+from variantgen.errors import InputError, Problem
+
+HELP = "show one problem of a family"
+DESCRIPTION = "Show one problem: statement, data, answers; with --out also its figure."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    add_choice(parser)
+    parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the problem or write its page."""
+    from variantgen.families.folders import family_folders
+    from variantgen.mechanism.outcome import Outcome
+    from variantgen.single import answers, asked_quantities, one_variant, solution_document
+    from variantgen.wording.language import load_language
+    from variantgen.wording.plain import plain_problem
+
+    folders = family_folders(arguments.families)
+    variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
+    outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
+    if outcome is not Outcome.SOLVED:
+        raise InputError(Problem(outcome.text, file=arguments.family))
+    asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
+    if arguments.out:
+        from variantgen.outputs.single_page import write_single
+
+        write_single(
+            variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}"
+        )
+        print(f"written: {arguments.out}", file=sys.stderr)
+    else:
+        values = [(answer.value, answer.unit) for answer in found]
+        print(plain_problem(variant, asked, values, load_language(arguments.lang)))
+    return 0

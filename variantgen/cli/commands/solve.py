@@ -1,0 +1,44 @@
+"""``variantgen solve``: the numbers of one problem."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+from variantgen.cli.options import add_choice, settings
+from variantgen.errors import InputError, Problem
+
+HELP = "solve one variant"
+DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    add_choice(parser)
+    parser.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print parameters and answers, or the whole solution as JSON."""
+    from variantgen.families.folders import family_folders
+    from variantgen.mechanism.outcome import Outcome
+    from variantgen.single import one_variant, solution_document
+
+    folders = family_folders(arguments.families)
+    variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
+    document = solution_document(variant, arguments.ask)
+    if arguments.json:
+        print(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
+    outcome = Outcome[document["outcome"].upper()]
+    if outcome is not Outcome.SOLVED:
+        raise InputError(Problem(outcome.text, file=arguments.family))
+    if not arguments.json:
+        for name, item in document["parameters"].items():
+            print(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
+        print()
+        for answer in document["answers"]:
+            value = (
+                "infinite" if answer["value"] is None else f"{answer['value']:.6g} {answer['unit']}".removesuffix(" 1")
+            )
+            print(f"{answer['quantity']} = {value}")
+    return 0

@@ -1,0 +1,54 @@
+"""Options that several commands share."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from variantgen.errors import InputError, Problem
+
+
+def add_families(parser: argparse.ArgumentParser) -> None:
+    """``--families DIR``: where else families are looked for."""
+    parser.add_argument(
+        "--families",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="DIR",
+        help="folder of your own families, searched before the catalogue (also: environment VARIANTGEN_FAMILIES)",
+    )
+
+
+def add_choice(parser: argparse.ArgumentParser) -> None:
+    """The ways to choose one problem."""
+    parser.add_argument("family", metavar="FAMILY_OR_FILE", help="name of a family, or path of a family or scene file")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="NAME=VALUE", help="fix a parameter: OA=30, OA='0.3 m', side=left"
+    )
+    parser.add_argument("--form", default="", help="take this form of the family")
+    parser.add_argument(
+        "--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)"
+    )
+    parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
+    add_families(parser)
+
+
+def settings(arguments: argparse.Namespace) -> dict[str, str]:
+    """The parameters fixed by ``--set``. Raises InputError."""
+    found: dict[str, str] = {}
+    for text in arguments.set:
+        name, equals, value = text.partition("=")
+        if not equals or not name.strip() or not value.strip():
+            raise InputError(Problem("expected NAME=VALUE", key="--set", value=text, remedy="for example --set OA=30"))
+        if name.strip() in found:
+            raise InputError(Problem("the parameter is set twice", key="--set", value=text, remedy="keep one of them"))
+        found[name.strip()] = value.strip()
+    return found
+
+
+def at_least_one(option: str, value: int) -> int:
+    """A positive whole number; InputError otherwise."""
+    if value < 1:
+        raise InputError(Problem("expected at least 1", key=option, value=str(value)))
+    return value
