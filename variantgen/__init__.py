@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from variantgen.builder import build
-    from variantgen.check import check_family
+    from variantgen.check.family import check_family
     from variantgen.errors import InputError, VariantgenError
     from variantgen.exam.blueprint import read_exam
     from variantgen.exam.roster import Student, read_roster
@@ -34,7 +34,7 @@ _HOMES = {
     "VariantgenError": "errors",
     "answers": "single",
     "build": "builder",
-    "check_family": "check",
+    "check_family": "check.family",
     "draw": "variants.draw",
     "family_names": "families.load",
     "load_family": "families.load",

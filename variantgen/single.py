@@ -22,6 +22,9 @@ from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
+# What stands in the place of student and problem in the key of a draw for one variant.
+SINGLE = ("single", 0)
+
 
 def one_variant(
     family_or_file: str,
@@ -40,7 +43,7 @@ def one_variant(
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
         return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
-    return draw(family, tuple(ask) or None, [(seed, "single", 0)])[0]
+    return draw(family, tuple(ask) or None, [(seed, *SINGLE)])[0]
 
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:

@@ -12,7 +12,8 @@ from variantgen.errors import InputError
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.variants.draw import Drawing, Entry, Tally, draw, draw_distinct
+from variantgen.variants.attempts import Tally
+from variantgen.variants.draw import Drawing, Entry, draw, draw_distinct
 from variantgen.variants.seeding import Stream, digest, index_below
 from variantgen.variants.variant import solve_variants
 

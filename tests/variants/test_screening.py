@@ -14,7 +14,8 @@ from variantgen.exam.roster import numbered
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.mechanism.joints.slot import Slot
-from variantgen.variants.draw import VerificationError, draw
+from variantgen.variants.attempts import VerificationError
+from variantgen.variants.draw import draw
 from variantgen.variants.screening import sensitivity
 from variantgen.variants.variant import columns, solve_variants
 

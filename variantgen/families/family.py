@@ -159,7 +159,9 @@ class FigureHints:
 
     ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
     ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
-    links through points; ``walls``: hatched lines between two points; ``bare``: points whose guide is drawn as a wall.
+    links through points; ``grooves``: closed slots between two points; ``walls``: hatched lines between two points;
+    ``bare``: points whose guide or slot is not drawn as such (the end of a ladder on a wall); ``stems``: points whose
+    guide is a sleeve about a rod along it.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -170,8 +172,10 @@ class FigureHints:
     plain: tuple[str, ...] = ()
     slotted: tuple[str, ...] = ()
     lines: tuple[tuple[str, ...], ...] = ()
+    grooves: tuple[tuple[str, ...], ...] = ()
     walls: tuple[tuple[str, ...], ...] = ()
     bare: tuple[str, ...] = ()
+    stems: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

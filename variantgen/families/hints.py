@@ -75,11 +75,13 @@ def read_figure(
     angles = [_angle(item, points) for item in table.tables("angles")]
     lengths = [_length(item, points) for item in table.tables("lengths")]
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
-    hidden, bare = (_names(table, key, points) for key in ("hidden", "bare"))
+    hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
-    lines, walls = (_paths(table, key, points) for key in ("lines", "walls"))
+    lines, grooves, walls = (_paths(table, key, points) for key in ("lines", "grooves", "walls"))
     table.finish()
-    return FigureHints(tuple(angles), tuple(lengths), tuple(discs), hidden, plates, plain, slotted, lines, walls, bare)
+    return FigureHints(
+        tuple(angles), tuple(lengths), tuple(discs), hidden, plates, plain, slotted, lines, grooves, walls, bare, stems
+    )
 
 
 def _names(table: Table, key: str, known: set[str], kind: str = "point") -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0
 _ASIDE = 3.6
+_OFF_WALL = 3.4
 
 
 def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None) -> None:
@@ -29,7 +30,27 @@ def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol 
     start = board.sketch.reach.get(point, 1.1)
     place = board.sketch.at[point]
     foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
-    _arrow(board, point, foot, foot + 0.8 * _LENGTH * ahead, symbol, MEDIUM)
+    _arrow(board, point, foot, foot + (0.8 if beside else 1.15) * _LENGTH * ahead, symbol, MEDIUM)
+
+
+def arrows_off_wall(
+    board: Board, point: str, ways: tuple[complex, complex], symbols: tuple[Symbol | None, Symbol | None]
+) -> None:
+    """Velocity and acceleration of a point that slides along a wall: behind the hatching, one after the other.
+
+    ``ways`` are the two directions (zero for a rate that is zero).
+    """
+    seen = [board.sketch.at[name] for name in board.shown]
+    place = board.sketch.at[point]
+    inner = sum(seen) / len(seen) - place
+    covered = 0j
+    for way, symbol, weight in zip(ways, symbols, (0.75, MEDIUM), strict=True):
+        if way == 0 or symbol is None:
+            continue
+        aside = 1j * way if (inner * (1j * way).conjugate()).real < 0 else -1j * way
+        foot = place + _OFF_WALL * aside + (covered if (covered * way.conjugate()).real > 0 else 0)
+        _arrow(board, point, foot, foot + 0.9 * _LENGTH * way, symbol, weight)
+        covered = (0.9 * _LENGTH + 1.5) * way
 
 
 def _arrow(board: Board, point: str, foot: complex, tip: complex, symbol: Symbol, weight: float) -> None:

@@ -81,6 +81,18 @@ class Board:
         radius = max((abs(corner - self.sketch.at[point]) for corner in box), default=reach)
         self.clear[point] = max(self.clear.get(point, 0.0), min(radius, reach))
 
+    def centre_of_rotation(self, body: str) -> str:
+        """The key in ``sketch.at`` of the place about which the arcs of a body's rotation are drawn.
+
+        That is the pivot, or the middle of a plate that has no fixed point.
+        """
+        members = self.scene.bodies[body]
+        if body not in self.form.figure.plates or fixed_points(self.scene) & set(members):
+            return self.pivot_of(body)
+        key = f"middle of {body}"
+        self.sketch.at[key] = sum(self.sketch.at[name] for name in members) / len(members)
+        return key
+
     def pivot_of(self, body: str) -> str:
         """The fixed point of a body, or one whose motion is given, or its first point."""
         members, fixed = self.scene.bodies[body], fixed_points(self.scene)

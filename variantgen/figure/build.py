@@ -114,6 +114,15 @@ def _draw_links(board: Board) -> None:
         sketch.path([sketch.at[name] for name in names], Layer.DISC, closed=True, fill="shade")
         _occupy_both_ways(sketch, (*names, names[0]))
 
+    for groove in board.form.figure.grooves:
+        _draw_groove(sketch, sketch.at[groove[0]], sketch.at[groove[-1]])
+
+
+def _draw_groove(sketch: Sketch, start: complex, end: complex) -> None:
+    """A slot closed at both ends, over what lies below it."""
+    side = _HALF_SLOT * 1j * (end - start) / abs(end - start)
+    sketch.path((start - side, end - side, end + side, start + side), Layer.LINK, MEDIUM, closed=True, fill="paper")
+
 
 def _occupy_both_ways(sketch: Sketch, names: Sequence[str]) -> None:
     for first, second in pairwise(names):

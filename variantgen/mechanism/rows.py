@@ -167,6 +167,10 @@ class Pair(Constraint, Protocol):
         """Points that hang free at the end of a rope, if any do."""
         ...
 
+    def landmarks(self) -> tuple[str, ...]:
+        """Points at rest by which the joint is described, though they are no part of the mechanism."""
+        ...
+
     def mistake(self) -> str:
         """What an author got wrong that names and dimensions cannot tell, if anything."""
         ...
@@ -197,6 +201,10 @@ class Joint:
 
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope (a rope says)."""
+        return ()
+
+    def landmarks(self) -> tuple[str, ...]:
+        """Points at rest by which the joint is described (the centre of a fixed arc)."""
         return ()
 
     def mistake(self) -> str:

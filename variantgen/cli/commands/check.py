@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print a report per family."""
-    from variantgen.check import check_family
+    from variantgen.check.family import check_family
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names
 

@@ -16,6 +16,8 @@ _HALF_SWEEP = math.radians(48)
 
 def draw(board: Board, joint: ArcSlot) -> None:
     """Add the two edges of the slot about the point, and the block."""
+    if joint.point in board.form.figure.bare:
+        return
     sketch = board.sketch
     place, centre = sketch.at[joint.point], sketch.at[joint.centre]
     radius, middle = abs(place - centre), cmath.phase(place - centre)

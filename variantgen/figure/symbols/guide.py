@@ -8,6 +8,7 @@ from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.joints.guide import Guide
 
 _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
+_HALF_BEARING = 1.1
 
 
 def draw(board: Board, joint: Guide) -> None:
@@ -17,6 +18,9 @@ def draw(board: Board, joint: Guide) -> None:
     sketch = board.sketch
     centre = sketch.at[joint.point]
     way = board.frame.direction(joint.angle)
+    if joint.point in board.form.figure.stems:
+        _draw_bearing(board, joint.point, way)
+        return
     side = _free_side(board, joint.point, way)
     corners = [
         centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
@@ -30,6 +34,20 @@ def draw(board: Board, joint: Guide) -> None:
     for taken in (way, -way, side):
         sketch.occupy(joint.point, taken)
     board.sized(joint.point, _HALF_LENGTH, box=corners)
+
+
+def _draw_bearing(board: Board, point: str, way: complex) -> None:
+    """Two hatched cheeks on both sides of a rod that slides along itself."""
+    sketch = board.sketch
+    centre = sketch.at[point]
+    for side in (1j * way, -1j * way):
+        start, end = (centre + sign * (_HALF_LENGTH + 1.0) * way + _HALF_BEARING * side for sign in (-1, 1))
+        sketch.path((start, end), Layer.GROUND)
+        sketch.hatch(start, end, side)
+        sketch.occupy(point, side)
+    for taken in (way, -way):
+        sketch.occupy(point, taken)
+    board.clear[point] = _HALF_BEARING + 1.0
 
 
 def _free_side(board: Board, point: str, way: complex) -> complex:

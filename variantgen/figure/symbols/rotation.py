@@ -22,7 +22,7 @@ _ANGLES = tuple(
 def draw(board: Board, driver: Rotation) -> None:
     """Add the arcs about the fixed point of the body, where there is most room."""
     sketch = board.sketch
-    pivot = board.pivot_of(driver.body)
+    pivot = board.centre_of_rotation(driver.body)
     sense = float(board.frame.sense)
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
     # The two arcs never lie side by side: which label and which sense belong together must be plain.

@@ -12,6 +12,8 @@ _HALF_LENGTH, _HALF_HEIGHT = 2.7, 1.5
 
 def draw(board: Board, joint: Slot) -> None:
     """Add the symbol."""
+    if joint.point in board.form.figure.bare:
+        return
     sketch = board.sketch
     centre = sketch.at[joint.point]
     start, end = (sketch.at[p] for p in joint.along)

@@ -36,6 +36,10 @@ class ArcSlot(Joint):
         """The point slides on the body along the arc; a fixed arc carries no relative motion."""
         return None if self.body is None else Sliding(self.point, self.body, centre=self.centre)
 
+    def landmarks(self) -> tuple[str, ...]:
+        """The centre of a fixed arc."""
+        return (self.centre,) if self.body is None else ()
+
     def _ray(self, at: Placement) -> tuple[Complex, Real]:
         step = at.z[self.point] - at.z[self.centre]
         radius = np.abs(step)

@@ -41,6 +41,10 @@ class RollingOnCircle(Joint):
             return (Shape((self.centre,), (self.body,), lead=self.centre),)
         return (Shape((self.centre, self.around), (self.body, self.on), lead=self.centre, pole=self.around),)
 
+    def landmarks(self) -> tuple[str, ...]:
+        """The centre of a fixed circle."""
+        return (self.around,) if self.on is None else ()
+
     def ratio(self, at: Placement) -> tuple[Complex, Real]:
         """The vector d and the number k of the class docstring."""
         d = at.z[self.centre] - at.z[self.around]

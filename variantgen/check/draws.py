@@ -1,0 +1,98 @@
+"""Many draws of a form: acceptance, variety, agreement of the two computations, invariants, spread of the answers."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from variantgen.check.report import FormReport, Report, Spread
+from variantgen.check.texts import check_texts
+from variantgen.errors import VariantgenError
+from variantgen.families.family import Family, Form
+from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.verify import invariants, recompute
+from variantgen.single import SINGLE
+from variantgen.variants.attempts import Tally
+from variantgen.variants.counting import variety
+from variantgen.variants.draw import Drawing
+from variantgen.variants.screening import VERIFIED
+from variantgen.variants.variant import Variant, solve_variants
+
+# Below this share of accepted draws a large class costs too much time, and ranges are hardly what the author meant.
+_LEAST_ACCEPTANCE = 0.02
+# An answer that this share of all students has in common is no individual answer.
+_COMMONEST = 0.5
+
+
+def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
+    """Draw variants of a form and look at them from all sides; findings go into the report."""
+    asked = [parse_quantity(text, form.sample) for text in form.ask]
+    found = FormReport(form.name, len(form.parameters), [len(block.unknowns) for block in form.plan.blocks])
+    report.forms.append(found)
+    where = f"form {form.name!r}" if form.name else "draws"
+    tally = Tally()
+    start = time.perf_counter()
+    try:
+        variants = _drawn(family, form, seeds, tally)
+    except VariantgenError as error:
+        report.failures.append(f"{where}: {error}")
+        return
+    found.seconds_per_1000 = round((time.perf_counter() - start) / seeds * 1000, 3)
+    found.variants, found.distinct = seeds, len({variant.identity for variant in variants})
+    attempts = sum(variant.attempt for variant in variants)
+    found.acceptance = seeds / attempts
+    found.rejected = dict(tally.rejected.most_common())
+    count = variety(family, form, asked, seeds, attempts)
+    found.grid, found.valid, found.valid_exact = count.grid, count.valid, count.exact
+    if found.acceptance < _LEAST_ACCEPTANCE:
+        report.failures.append(
+            f"{where}: only {100 * found.acceptance:.1f} % of the draws are valid ({tally.report()}); narrow the ranges"
+            " to what assembles"
+        )
+    motion = solve_variants(variants, 2)
+    _check_agreement(motion, found, where, report)
+    found.spread = _spread(asked, motion, family.length_unit)
+    report.failures += [
+        f"{where}: {item.quantity} is the same for {100 * item.commonest:.0f} % of the variants"
+        for item in found.spread
+        if item.commonest > _COMMONEST and not item.quantity.endswith(".sense")
+    ]
+    check_texts(variants, motion, report)
+
+
+def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:
+    single = replace(family, forms={form.name: form})
+    keys = [(str(seed), *SINGLE) for seed in range(seeds)]
+    return Drawing(single, None, tally).after(keys, [0] * seeds)
+
+
+def _check_agreement(motion: Motion, found: FormReport, where: str, report: Report) -> None:
+    again = recompute(motion)
+    for name, errors in (
+        ("solver and independent computation differ", np.maximum(again.velocity_error, again.acceleration_error)),
+        ("a theorem of kinematics is violated", invariants(motion)),
+    ):
+        worst = float(np.max(errors))
+        if name.startswith("solver"):
+            found.deviation = worst
+        else:
+            found.invariant = worst
+        if not worst <= VERIFIED:  # also when it is not a number
+            report.failures.append(f"{where}, seed {int(np.argmax(errors))}: {name} by {worst:.1e}")
+
+
+def _spread(asked: Sequence[Quantity], motion: Motion, length_unit: str) -> list[Spread]:
+    found = []
+    for quantity in asked:
+        unit = quantity.unit(length_unit)
+        values = np.array([unit.from_si(float(value)) for value in quantity.value(motion)])
+        low, middle, high = (float(value) for value in np.quantile(values, (0.1, 0.5, 0.9)))
+        commonest = Counter(f"{value:.3g}" for value in values).most_common(1)[0][1] / len(values)
+        positive = float(np.mean(values > 0))
+        found.append(Spread(quantity.name, unit.name, low, middle, high, commonest, positive))
+    return found

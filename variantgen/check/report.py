@@ -1,0 +1,86 @@
+"""What the check of a family found."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Spread:
+    """How the values of one asked quantity are spread, in its printed unit.
+
+    ``low``, ``middle``, ``high``: the values below which a tenth, a half, nine tenths of the variants lie. ``commonest``
+    is the share of the most frequent value (three digits); ``positive`` the share of positive values.
+    """
+
+    quantity: str
+    unit: str
+    low: float
+    middle: float
+    high: float
+    commonest: float
+    positive: float
+
+    def as_text(self) -> str:
+        """``v_B 12 .. 45 .. 90 cm/s``."""
+        return f"{self.quantity} {self.low:.3g} .. {self.middle:.3g} .. {self.high:.3g} {self.unit}".removesuffix(" 1")
+
+
+@dataclass
+class FormReport:
+    """What the draws of one form showed."""
+
+    name: str
+    parameters: int
+    blocks: list[int]
+    variants: int = 0
+    distinct: int = 0
+    acceptance: float = 0.0
+    grid: int = 0
+    valid: int = 0
+    valid_exact: bool = False
+    seconds_per_1000: float = 0.0
+    deviation: float = 0.0
+    invariant: float = 0.0
+    rejected: dict[str, int] = field(default_factory=dict)
+    spread: list[Spread] = field(default_factory=list)
+
+    def as_text(self) -> list[str]:
+        """The lines of the report."""
+        count = f"{self.valid}" if self.valid_exact else f"about {self.valid:.2g}"
+        worst = ", ".join(f"{name} {number}" for name, number in list(self.rejected.items())[:3] if number)
+        return [
+            f"    {self.name or 'variants'}: {self.variants} drawn, {self.distinct} distinct, acceptance"
+            f" {100 * self.acceptance:.1f} %, {count} distinct ones of {self.grid:.3g},"
+            f" {self.seconds_per_1000:.2f} s per 1000",
+            f"        {self.parameters} parameters, blocks {'+'.join(map(str, self.blocks)) or 'none'};"
+            f" independent computation within {self.deviation:.0e}, invariants within {self.invariant:.0e}",
+            f"        rejected most: {worst or 'nothing'}",
+            "        tenth .. half .. nine tenths: " + "; ".join(item.as_text() for item in self.spread),
+        ]
+
+
+@dataclass
+class Report:
+    """What the check of one family found; ``failures`` is empty when all is well."""
+
+    family: str
+    failures: list[str] = field(default_factory=list)
+    cases: list[str] = field(default_factory=list)
+    forms: list[FormReport] = field(default_factory=list)
+    seconds: float = 0.0
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as plain data."""
+        return {"ok": not self.failures, **asdict(self)}
+
+    def as_text(self) -> str:
+        """The report in a few lines."""
+        lines = [f"{self.family}: {'FAILED' if self.failures else 'ok'}  ({self.seconds:.2f} s)"]
+        if self.cases:
+            lines.append(f"    worked cases: {', '.join(self.cases)}")
+        for form in self.forms:
+            lines += form.as_text()
+        lines += [f"    ! {failure}" for failure in self.failures]
+        return "\n".join(lines)

@@ -1,0 +1,194 @@
+"""Attempts at one form of a family: drawn grid points, screened as a batch, until each key has a valid one."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.families.family import Family, Form, frame
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.rows import Frame
+from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.variants.screening import (
+    motion_screens,
+    parameter_screens,
+    position_screens,
+    sensitivity,
+    verification,
+)
+from variantgen.variants.seeding import Stream, index_below
+from variantgen.variants.variant import Variant
+
+MAX_ATTEMPTS = 20_000
+_CHUNK = 12
+
+
+class VerificationError(VariantgenError):
+    """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
+
+
+@dataclass
+class Tally:
+    """How many attempts were made, and how many each screen was the first to reject."""
+
+    attempts: int = 0
+    rejected: Counter[str] = field(default_factory=Counter)
+
+    def report(self) -> str:
+        """The screens that rejected most, in words."""
+        parts = [f"{name}: {count}" for name, count in self.rejected.most_common(4) if count]
+        return f"of {self.attempts} draws rejected by " + "; ".join(parts)
+
+
+@dataclass(frozen=True)
+class Attempts:
+    """A batch of attempts: grid indices per parameter, pose, and which student each belongs to."""
+
+    index: dict[str, NDArray[np.int64]]
+    pose: NDArray[np.int64]
+    owner: NDArray[np.int64]
+    number: NDArray[np.int64]
+
+    def take(self, chosen: NDArray[np.int64]) -> Attempts:
+        """Those at the given places."""
+        return Attempts(
+            {name: i[chosen] for name, i in self.index.items()},
+            self.pose[chosen],
+            self.owner[chosen],
+            self.number[chosen],
+        )
+
+
+class FormDrawing:
+    """Attempts of many students at one form."""
+
+    def __init__(self, family: Family, form: Form, asked: Sequence[Quantity], tally: Tally, where: str) -> None:
+        self.family, self.form, self.where = family, form, where
+        self.asked = list(asked)
+        self.tally = tally
+        self.names = sorted(form.parameters)
+        self.poses = form.pose.frames()
+        self.order = max(q.order for q in self.asked)
+
+    def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
+        """The first valid attempt of each stream after the attempts already used."""
+        width = len(self.names) + 1
+        for stream, skipped in zip(streams, done, strict=True):
+            stream.words(skipped * width)
+        used = np.array(done)
+        found: dict[int, Variant] = {}
+        pending, chunk = list(range(len(streams))), _CHUNK
+        while pending:
+            words = np.array([streams[i].words(chunk * width) for i in pending]).reshape(-1, width)
+            owner = np.repeat(pending, chunk)
+            number = used[owner] + np.tile(np.arange(1, chunk + 1), len(pending))
+            attempts = self._attempts(words, owner, number)
+            for variant, i in self._accepted(attempts):
+                found[i] = variant
+            used[pending] += chunk
+            pending = [i for i in pending if i not in found]
+            chunk = min(2 * chunk, 2048)
+            if pending and min(used[pending] - np.array(done)[pending]) > MAX_ATTEMPTS:
+                raise InputError(self._exhausted())
+        return [found[i] for i in range(len(streams))]
+
+    def _attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> Attempts:
+        index = {
+            name: index_below(words[:, i + 1], len(self.form.parameters[name].printed))
+            for i, name in enumerate(self.names)
+        }
+        return Attempts(index, index_below(words[:, 0], len(self.poses)), owner, number)
+
+    def _si(self, attempts: Attempts) -> dict[str, NDArray[np.float64]]:
+        return {name: self.form.parameters[name].si[i] for name, i in attempts.index.items()}
+
+    def _frame(self, attempts: Attempts) -> Frame:
+        poses = np.array(self.poses)[attempts.pose]
+        return frame(poses[:, 0], poses[:, 1])
+
+    def _accepted(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
+        """First acceptable attempt of each owner; later ones are looked at only if earlier ones fail."""
+        promising = self._promising(attempts)
+        while promising.owner.size:
+            _, firsts = np.unique(promising.owner, return_index=True)
+            heads = promising.take(firsts)
+            good = self._sound(heads)
+            for i in np.flatnonzero(good):
+                yield self._variant(heads, int(i)), int(heads.owner[i])
+            settled = set(heads.owner[good].tolist())
+            keep = [j for j in range(promising.owner.size) if promising.owner[j] not in settled]
+            promising = promising.take(np.setdiff1d(np.array(keep, dtype=np.int64), firsts))
+
+    def count_valid(self, attempts: Attempts) -> int:
+        """How many of the attempts pass all screens."""
+        promising = self._promising(attempts)
+        return int(np.sum(self._sound(promising))) if promising.owner.size else 0
+
+    def _promising(self, attempts: Attempts) -> Attempts:
+        """Attempts that pass the cheap screens, in order."""
+        self.tally.attempts += attempts.owner.size
+        parameters = self._si(attempts)
+        values = self.form.values(parameters)
+        passed = self._keep(parameter_screens(self.form, values, attempts.owner.size), attempts.owner.size)
+        attempts = attempts.take(passed)
+        if not attempts.owner.size:
+            return attempts
+        values = self.form.values(self._si(attempts))
+        motion = solve(self.form.scene(values, self._frame(attempts)), 0, self.form.plan)
+        passed = self._keep(position_screens(self.form, motion, values), attempts.owner.size)
+        attempts = attempts.take(passed)
+        if not attempts.owner.size:
+            return attempts
+        motion = add_speeds(motion.take(passed), self.form.plan, self.order)
+        return attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
+
+    def _sound(self, attempts: Attempts) -> NDArray[np.bool_]:
+        """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
+        parameters, on_paper = self._si(attempts), self._frame(attempts)
+        motion = solve(self.form.scene(self.form.values(parameters), on_paper), self.order, self.form.plan)
+        gain = sensitivity(self.form, parameters, on_paper, self.asked, motion)
+        good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
+        self.tally.rejected["answers well conditioned"] += int(np.sum(~good))
+        if np.any(good):
+            checked = np.flatnonzero(good)
+            agrees = verification(motion.take(checked), self.order)
+            if not np.all(agrees):
+                bad = self._variant(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
+                raise VerificationError(
+                    f"{self.family.name}: the solver and the independent computation disagree for "
+                    + ", ".join(f"{k}={v}" for k, v in bad.printed.items())
+                )
+        return good
+
+    def _keep(self, screens: dict[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
+        alive = np.ones(size, dtype=bool)
+        for name, passed in screens.items():
+            self.tally.rejected[name] += int(np.sum(alive & ~passed))
+            alive &= passed
+        return np.flatnonzero(alive)
+
+    def _variant(self, attempts: Attempts, i: int) -> Variant:
+        printed = {name: self.form.parameters[name].printed[int(index[i])] for name, index in attempts.index.items()}
+        sense, turns = self.poses[int(attempts.pose[i])]
+        return Variant(
+            self.family,
+            self.form,
+            {name: printed[name] for name in self.form.parameters},
+            sense,
+            turns,
+            int(attempts.number[i]),
+        )
+
+    def _exhausted(self) -> Problem:
+        narrow = [name for name, p in self.form.parameters.items() if p.given and len(p.printed) <= 2]
+        which = ", ".join(narrow or [name for name, p in self.form.parameters.items() if p.given])
+        return Problem(
+            "no valid variant found: " + self.tally.report(),
+            key=f"{self.where}{'/' + self.form.name if self.form.name else ''}",
+            remedy=f"widen the range of one of: {which}",
+        )

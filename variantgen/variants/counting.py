@@ -1,0 +1,45 @@
+"""How many distinct valid variants a form has: counted on small grids, estimated on large ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from variantgen.families.family import Family, Form
+from variantgen.families.quantities import Quantity
+from variantgen.variants.attempts import Attempts, FormDrawing, Tally
+
+# Grids up to this size are screened point by point (a second or so).
+_COUNTED = 20_000
+
+
+@dataclass(frozen=True)
+class Variety:
+    """Number of points of the printed grid, how many of them are valid, and whether that was counted."""
+
+    grid: int
+    valid: int
+    exact: bool
+
+
+def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int, attempts: int) -> Variety:
+    """The distinct valid variants of a form.
+
+    On a large grid the share of valid points is estimated by that of the draws, ``accepted / attempts``: a draw is
+    uniform over the grid.
+    """
+    grid = form.grid_size
+    if grid > _COUNTED:
+        return Variety(grid, round(grid * accepted / attempts), False)
+    told = [name for name in sorted(form.parameters) if not form.parameters[name].silent]
+    sizes = [len(form.parameters[name].printed) for name in told]
+    places = np.indices(sizes).reshape(len(sizes), -1) if sizes else np.zeros((0, 1), dtype=np.int64)
+    index = dict(zip(told, places, strict=True))
+    for name, parameter in form.parameters.items():
+        if parameter.silent:
+            index[name] = np.full(grid, len(parameter.printed) // 2)
+    every = np.arange(grid)
+    drawing = FormDrawing(family, form, asked, Tally(), family.name)
+    return Variety(grid, drawing.count_valid(Attempts(index, np.zeros_like(every), every, every)), True)
