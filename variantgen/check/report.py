@@ -10,7 +10,8 @@ from typing import Any
 class Spread:
     """How the values of one asked quantity are spread, in its printed unit.
 
-    ``low``, ``middle``, ``high``: the values below which a tenth, a half, nine tenths of the variants lie. ``commonest``
+    ``low``, ``middle``, ``high``: the values below which a tenth, a half, nine tenths of the variants lie.
+    ``commonest``
     is the share of the most frequent value (three digits); ``positive`` the share of positive values.
     """
 

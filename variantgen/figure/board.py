@@ -18,7 +18,8 @@ from variantgen.wording.language import Language
 class Board:
     """The drawing board of one figure.
 
-    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points.
+    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``discs`` the radii (u) of the
+    circles drawn of each body.
     """
 
     sketch: Sketch
@@ -28,6 +29,7 @@ class Board:
     shown: tuple[str, ...]
     accelerations: bool
     clear: dict[str, float] = field(default_factory=dict)
+    discs: dict[str, list[float]] = field(default_factory=dict)
 
     @property
     def frame(self) -> Frame:

@@ -47,6 +47,7 @@ def statement_figure(
     board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
+        board.discs.setdefault(disc.body, []).append(radius * scale)
     _draw_walls(board)
     _draw_links(board)
     given = set(given_names(variant, asked))
@@ -61,7 +62,10 @@ def statement_figure(
             draw_length(board, length)
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.name in given:
-            draw_radius(board, disc, radius * scale)
+            concentric = [
+                r * scale for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre
+            ]
+            draw_radius(board, disc, radius * scale, concentric)
     for joint in board.scene.joints:
         if _seeks_room(joint):
             _draw_symbol(board, joint)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
 from variantgen.families.family import AngleMark, DiscMark, LengthMark
 from variantgen.families.hints import DIRECTIONS
@@ -11,6 +12,8 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.labels import along_arc, along_line
 
+_LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
+_RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
 
 
@@ -81,13 +84,20 @@ def _dimension(board: Board, start: complex, end: complex, name: str) -> None:
     sketch.label(along_line(board.symbol(name), start, end, 0.7))
 
 
-def draw_radius(board: Board, mark: DiscMark, radius: float) -> None:
-    """A radius from the centre to the rim, with its letter, where there is room."""
+def draw_radius(board: Board, mark: DiscMark, radius: float, concentric: Sequence[float]) -> None:
+    """A radius from the centre to the rim, with its letter, where there is room.
+
+    ``concentric`` are the radii (u) of all discs about this centre.
+    """
     sketch = board.sketch
     angles = [math.radians(a) for a in (45, 135, 30, 150, 60, 120, 225, 315, 210, 330, 240, 300)]
     angle = max(angles, key=lambda a: (round(sketch.freedom(mark.centre, a), 3), -angles.index(a)))
     centre = sketch.at[mark.centre]
     rim = centre + cmath.rect(radius, angle)
     sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
-    sketch.label(along_line(board.symbol(mark.name), centre, rim, 0.6))
-    sketch.occupy(mark.centre, rim - centre)
+    # Of concentric discs the letter of the larger stands in the ring that is its own.
+    inner = max((other for other in concentric if other < radius - 0.1), default=0.0)
+    start = centre + cmath.rect(inner, angle) if radius - inner > _LEAST_RING else centre
+    sketch.label(along_line(board.symbol(mark.name), start, rim, 0.6))
+    for turn in (-_RADII_APART, 0.0, _RADII_APART):
+        sketch.occupy(mark.centre, cmath.rect(1.0, angle + turn))

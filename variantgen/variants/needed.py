@@ -48,7 +48,13 @@ def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
         for point in members:
             count[point] = count.get(point, 0) + 1
     discs = {disc.body for disc in form.figure.discs}
-    ends = {p for body, members in form.bodies.items() if body not in discs for p in members[:2]}
+    plates = set(form.figure.plates)
+    ends = {
+        p
+        for body, members in form.bodies.items()
+        if body not in discs
+        for p in (members if body in plates else members[:2])
+    }
     named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
     named |= {p for joint in scene.joints for p in joint.landmarks()}
     wanted = {q.point for q in asked}

@@ -9,14 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import Any
-
-import jinja2
-import jinja2.meta
-from jinja2.exceptions import SecurityError
-from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity
@@ -24,6 +18,7 @@ from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters
 from variantgen.wording.language import Language
+from variantgen.wording.template import load_template
 
 Text = tuple[str | Formula, ...]
 # Code points of the private use area enclose the number of a formula on its way through the template.
@@ -87,7 +82,7 @@ def _given(variant: Variant, name: str, language: Language) -> Equation:
 
 def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
     path = template_path(variant, language)
-    template, variables = _template(path)
+    template = load_template(path)
     formulas: list[Formula] = []
 
     def mark(formula: Formula) -> str:
@@ -95,17 +90,10 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
         return f"{_OPEN}{len(formulas) - 1}{_CLOSE}"
 
     context = _context(variant, asked, language)
-    for name in variables - context.keys():
+    for name in template.variables - context.keys():
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
-    try:
-        text = template.render(marked)
-    except _TEMPLATE_ERRORS as error:
-        raise InputError(
-            Problem(
-                f"the template fails: {error}", file=str(path), remedy="compare it with a template of the catalogue"
-            )
-        ) from None
+    text = template.fill(marked)
     text = re.sub(r"\s+", " ", text).strip()
     runs = tuple(formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2)
     _check_data(runs, variant, asked, language, path)
@@ -176,40 +164,3 @@ def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:
             )
         )
     return Symbol(name)
-
-
-# What a faulty template can raise while it is filled.
-_TEMPLATE_ERRORS = (
-    jinja2.TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError,
-    MemoryError,
-)  # fmt: skip
-
-
-class _Sandbox(ImmutableSandboxedEnvironment):
-    """No attribute tricks, no writing, and no products and powers, which could eat all memory."""
-
-    intercepted_binops = frozenset({"*", "**"})
-
-    def call_binop(self, context: Any, operator: str, left: Any, right: Any) -> Any:
-        """Refuse the operators that are intercepted."""
-        raise SecurityError(f"the operator {operator} is not allowed in a statement")
-
-
-@cache
-def _environment() -> ImmutableSandboxedEnvironment:
-    return _Sandbox(undefined=jinja2.StrictUndefined, autoescape=False)
-
-
-@cache
-def _template(path: Path) -> tuple[jinja2.Template, frozenset[str]]:
-    environment = _environment()
-    try:
-        source = path.read_text("utf-8")
-        variables = jinja2.meta.find_undeclared_variables(environment.parse(source))
-        return environment.from_string(source), frozenset(variables)
-    except jinja2.TemplateSyntaxError as error:
-        raise InputError(
-            Problem(f"line {error.lineno}: {error.message}", file=str(path), remedy="correct the template")
-        ) from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(Problem(f"cannot be read: {error}", file=str(path))) from None

@@ -6,6 +6,7 @@ import argparse
 import json
 
 from variantgen.cli.options import add_families, at_least_one
+from variantgen.errors import InputError, Problem
 
 HELP = "check families"
 DESCRIPTION = """\
@@ -27,16 +28,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Print a report per family."""
     from variantgen.check.family import check_family
+    from variantgen.check.report import Report
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names
 
     at_least_one("--seeds", arguments.seeds)
     folders = family_folders(arguments.families)
-    reports = []
+    reports: list[Report] = []
+    problems: list[Problem] = []
     for name in arguments.names or family_names(folders):
-        reports.append(check_family(name, arguments.seeds, folders))
+        try:
+            reports.append(check_family(name, arguments.seeds, folders))
+        except InputError as error:
+            problems += error.problems
+            continue
         if not arguments.json:
             print(reports[-1].as_text(), flush=True)
+    if problems:
+        raise InputError(problems)
     if arguments.json:
         print(json.dumps([report.as_json() for report in reports], ensure_ascii=False, indent=2))
     return 1 if any(report.failures for report in reports) else 0

@@ -13,6 +13,7 @@ from variantgen.wording.formula import Symbol
 
 _SWEEP = math.radians(62)
 _RADII = (6.4, 8.8)
+_OFF_RIM = 2.4
 # Above first: ties go to the place where a reader expects the arc.
 _ANGLES = tuple(
     math.radians(a) for a in (60, 80, 100, 120, 40, 140, 20, 160, 0, 180, 200, 220, 240, 260, 280, 300, 320, 340)
@@ -27,7 +28,7 @@ def draw(board: Board, driver: Rotation) -> None:
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
     # The two arcs never lie side by side: which label and which sense belong together must be plain.
     placed: float | None = None
-    for radius, (kind, rate) in zip(_RADII, rates, strict=True):
+    for radius, (kind, rate) in zip(_radii(board, driver, pivot), rates, strict=True):
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
         turn = math.copysign(_SWEEP, rate)
@@ -41,6 +42,15 @@ def draw(board: Board, driver: Rotation) -> None:
         sketch.label(request)
         for part in (-0.5, 0.0, 0.5):
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
+
+
+def _radii(board: Board, driver: Rotation, pivot: str) -> tuple[float, float]:
+    """Radii of the two arcs: about the pivot or, where another given rotation is drawn there, outside the rim."""
+    others = [other for other in board.scene.drivers if isinstance(other, Rotation) and other is not driver]
+    if not any(board.centre_of_rotation(other.body) == pivot for other in others):
+        return _RADII
+    rim = max(board.discs.get(driver.body, [0.0]))
+    return (rim + _OFF_RIM, rim + 2 * _OFF_RIM) if rim > _RADII[0] else _RADII
 
 
 def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol, other: float | None) -> float:
