@@ -12,6 +12,7 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.labels import along_arc, along_line
 
+_OFF_RIM = 3.5  # between an arc and the rim of a disc, u
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
@@ -27,11 +28,22 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
             far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
             sketch.path((corner, far), Layer.GROUND, THIN)
     start, sweep = cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0])
-    radius = _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC
+    radius = _clear_of_rims(board, corner, _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC)
     sketch.arc(Arc(corner, radius, Layer.MARK, THIN, start, sweep))
     sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
+
+
+def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
+    """The radius of an arc, changed where it would run along the rim of a disc about the same point."""
+    for disc in board.form.figure.discs:
+        if abs(board.sketch.at[disc.centre] - corner) > 1e-6:
+            continue
+        for rim in board.discs[disc.body]:
+            if abs(rim - radius) < _OFF_RIM:
+                return 0.55 * rim if 0.55 * rim > 0.5 * _ARC else rim + _OFF_RIM
+    return radius
 
 
 def _ray(board: Board, corner: str, name: str) -> complex:

@@ -6,12 +6,13 @@ import cmath
 import math
 
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import MEDIUM, Arc, Layer
+from variantgen.figure.drawing import MEDIUM, THIN, Arc, Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.joints.arc_slot import ArcSlot
 
 _HALF_WIDTH, _HALF_BLOCK = 1.5, 2.4
 _HALF_SWEEP = math.radians(48)
+_BEYOND = math.radians(18)
 
 
 def draw(board: Board, joint: ArcSlot) -> None:
@@ -22,7 +23,10 @@ def draw(board: Board, joint: ArcSlot) -> None:
     place, centre = sketch.at[joint.point], sketch.at[joint.centre]
     radius, middle = abs(place - centre), cmath.phase(place - centre)
     inner, outer = radius - _HALF_WIDTH, radius + _HALF_WIDTH
-    start, sweep = middle - _HALF_SWEEP, 2 * _HALF_SWEEP
+    start, sweep = _extent(board, joint, radius, middle)
+    if joint.centre in board.shown:
+        sketch.path((centre, place), Layer.GROUND, THIN, dash="dashdot")
+        sketch.occupy(joint.centre, place - centre)
     for edge in (inner, outer):
         sketch.arc(Arc(centre, edge, Layer.GROUND, MEDIUM, start, sweep))
     for angle in (start, start + sweep):
@@ -39,3 +43,17 @@ def draw(board: Board, joint: ArcSlot) -> None:
     for taken in (1j * ray, -1j * ray):
         sketch.occupy(joint.point, taken)
     board.sized(joint.point, _HALF_BLOCK, box=corners)
+
+
+def _extent(board: Board, joint: ArcSlot, radius: float, middle: float) -> tuple[float, float]:
+    """Start and sweep of the slot: about the block or, where the body has another point on the arc, about that one."""
+    centre = board.sketch.at[joint.centre]
+    members = board.form.bodies.get(joint.body or "", ())
+    for name in members:
+        step = board.sketch.at[name] - centre
+        if name != joint.point and abs(abs(step) - radius) < 1e-6 * radius:
+            anchor = cmath.phase(step)
+            away = abs(math.remainder(middle - anchor, math.tau))
+            half = min(max(_HALF_SWEEP, away + _BEYOND), math.radians(170))
+            return anchor - half, 2 * half
+    return middle - _HALF_SWEEP, 2 * _HALF_SWEEP
