@@ -7,7 +7,9 @@ import importlib
 import numpy as np
 import pytest
 
+from tests.joint_scenes import SCENES as JOINT_SCENES
 from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank, spool, wheel
+from variantgen.families.load import family_names, load_family
 from variantgen.mechanism.component import discover, field_specs
 from variantgen.mechanism.rows import Placement, ScalarRow
 from variantgen.mechanism.scene import Scene
@@ -20,7 +22,26 @@ SCENES = [
     sleeve_on_crank(0.4, 0.2, 0.6, 0.3, 1.0, 2.0, 1.0),
     wheel(0.5, 1.0, 2.0),
     spool(0.2, 0.5, 1.0, 2.0),
+    *JOINT_SCENES.values(),
 ]
+
+
+def test_every_kind_has_a_scene() -> None:
+    used = {type(item) for scene in SCENES for item in (*scene.constraints, *scene.conditions)}
+    conditions = discover("variantgen.mechanism.conditions")
+    assert used >= {*JOINTS.values(), *DRIVERS.values(), *conditions.values()}
+
+
+def test_every_joint_appears_in_three_families_and_every_driver_and_condition_in_one() -> None:
+    homes: dict[type, set[str]] = {}
+    for name in family_names():
+        for form in load_family(name).forms.values():
+            for template in (*form.joints, *form.drivers, *form.conditions):
+                homes.setdefault(template.component, set()).add(name)
+    for kind in JOINTS.values():
+        assert len(homes.get(kind, ())) >= 3, (kind, homes.get(kind))
+    for kind in (*DRIVERS.values(), *discover("variantgen.mechanism.conditions").values()):
+        assert homes.get(kind), kind
 
 
 @pytest.mark.parametrize("stem", [*JOINTS, *DRIVERS])
@@ -49,7 +70,7 @@ def test_rows_are_the_derivative_of_the_residual(scene: Scene) -> None:
     rng = np.random.default_rng(5)
     velocity = {name: complex(*rng.normal(size=2)) for name in motion.z}
     turning = {body: float(rng.normal()) for body in scene.bodies}
-    for constraint in scene.joints:
+    for constraint in scene.constraints:
         fixed_points = _immobile(scene)
 
         def moved(h: float, still: frozenset[str] = fixed_points) -> Placement:
@@ -66,12 +87,13 @@ def test_rows_are_the_derivative_of_the_residual(scene: Scene) -> None:
             )
         ]
         said: list[float] = []
-        for row in constraint.rows(start):
+        for shape, row in zip(constraint.shapes(), constraint.rows(start), strict=True):
             if isinstance(row, ScalarRow):
                 total = sum((np.conj(c) * velocity[p]).real for p, c in row.points.items())
                 said.append(total + sum(k * turning[b] for b, k in row.bodies.items()))
             else:
-                gap = velocity[row.point] - sum(c * turning[b] for b, c in row.bodies.items())
+                pole = velocity[shape.pole] if shape.pole else 0.0
+                gap = velocity[row.point] - pole - sum(c * turning[b] for b, c in row.bodies.items())
                 said += [np.real(gap), np.imag(gap)]
         # The residual may count the other way round (a length that shrinks).
         assert np.allclose(np.abs(np.ravel(slopes)), np.abs(np.ravel(said)), rtol=1e-6, atol=1e-7), constraint

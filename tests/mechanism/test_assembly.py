@@ -1,0 +1,124 @@
+"""Positions by conditions from a picture: the right branch, outcomes as values, messages for the author."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+
+from tests.joint_scenes import class_three
+from variantgen.errors import InputError
+from variantgen.mechanism.conditions.distance import Distance
+from variantgen.mechanism.conditions.line import Line
+from variantgen.mechanism.constructions.circle_circle import CircleCircle
+from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.constructions.fraction import Fraction
+from variantgen.mechanism.constructions.near import Near
+from variantgen.mechanism.constructions.polar import Polar
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joints.pivot import Pivot
+from variantgen.mechanism.outcome import Outcome
+from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.solve import solve
+from variantgen.mechanism.structure import analyse
+
+
+def dyad(picture: complex, phi: object = 1.0) -> Scene:
+    """A four-bar's point B: by a picture and two distances, and (B2) by the circles for both sides."""
+    return Scene(
+        {
+            "O": Coordinates(0.0, 0.0),
+            "C": Coordinates(0.7, 0.0),
+            "A": Polar("O", 0.2, phi),
+            "B": Near(picture.real, picture.imag),
+            "left": CircleCircle("A", 0.6, "C", 0.5, 1.0),
+            "right": CircleCircle("A", 0.6, "C", 0.5, -1.0),
+            "M": Fraction("A", "B"),
+        },
+        {"OA": ("O", "A"), "AB": ("A", "B", "M"), "BC": ("C", "B")},
+        (Pivot("O"), Pivot("C")),
+        (Rotation("OA", 1.0),),
+        conditions=(Distance("A", "B", 0.6), Distance("C", "B", 0.5)),
+    )
+
+
+@pytest.mark.parametrize(("picture", "side"), [(0.6 + 0.5j, "left"), (0.3 - 0.4j, "right"), (2.0 + 3.0j, "left")])
+def test_the_branch_is_that_of_the_picture_for_a_whole_turn(picture: complex, side: str) -> None:
+    scene = dyad(picture, np.linspace(-3.0, 3.0, 61))
+    plan = analyse(scene)
+    assert plan.together == ("B",)
+    assert plan.later == ("M",)
+    z = solve(scene, 0).z
+    assert solve(scene, 0).solved.all()
+    assert np.max(np.abs(z["B"] - z[side])) < 1e-14
+    assert np.max(np.abs(z["M"] - (z["A"] + z["B"]) / 2)) < 1e-15
+
+
+def test_what_cannot_be_assembled_is_an_outcome_per_variant() -> None:
+    # Turning the crank of the class III chain all round: some positions cannot be reached.
+    motion = solve(class_three(np.linspace(-3.0, 3.0, 25)))
+    assert set(motion.outcome.tolist()) <= {int(o) for o in Outcome}
+    assert 0 < np.sum(motion.solved) < 25
+    assert np.all(motion.outcome[~motion.solved] == Outcome.NOT_ASSEMBLED)
+    assert all(np.isfinite(z).all() for z in motion.z.values())
+
+
+def test_class_three_group_against_mpmath() -> None:
+    """Positions by mpmath's own root finder from the same picture, rates by differentiating the root."""
+    scene = class_three(0.9, 2.0, 1.0)
+    lengths = [(c.start, c.end, c.length) for c in scene.conditions]  # type: ignore[attr-defined]
+
+    with mpmath.workdps(40):
+
+        def chain(t: mpmath.mpf) -> list[mpmath.mpf]:
+            angle = mpmath.mpf(0.9) + 2 * t + t**2 / 2
+            fixed = {"A": 0.3 * mpmath.expj(angle), "D": mpmath.mpc(1.5, -0.5), "E": mpmath.mpc(1.8, 1.5)}
+
+            def residual(*x: mpmath.mpf) -> list[mpmath.mpf]:
+                at = {**fixed, "B": mpmath.mpc(*x[:2]), "G": mpmath.mpc(*x[2:4]), "F": mpmath.mpc(*x[4:])}
+                return [abs(at[q] - at[p]) ** 2 - mpmath.mpf(length) ** 2 for p, q, length in lengths]
+
+            return list(mpmath.findroot(residual, (0.9, 0.45, 1.35, 0.35, 1.15, 0.8), tol=1e-60))
+
+        h = mpmath.mpf(10) ** -9
+        before, now, after = chain(-h), chain(mpmath.mpf(0)), chain(h)
+        v = [(q - p) / (2 * h) for p, q in zip(before, after, strict=True)]
+        a = [(p - 2 * m + q) / h**2 for p, m, q in zip(before, now, after, strict=True)]
+    motion = solve(scene)
+    assert [len(block.unknowns) for block in analyse(scene).blocks] == [1, 4]
+    for i, name in enumerate(("B", "G", "F")):
+        assert motion.z[name][0] == pytest.approx(complex(*now[2 * i : 2 * i + 2]), rel=1e-13)
+        assert motion.v[name][0] == pytest.approx(complex(*v[2 * i : 2 * i + 2]), rel=1e-11)
+        assert motion.a[name][0] == pytest.approx(complex(*a[2 * i : 2 * i + 2]), rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("conditions", "said"),
+    [
+        ((Distance("A", "B", 0.6),), ["1 points placed near somewhere need 2 conditions, there are 1"]),
+        ((Distance("A", "B", 0.6), Line("M", "O")), ["constructed from the points it should place", "M"]),
+        ((Distance("A", "B", 0.6), Distance("Q", "B", 0.6)), ["unknown point", "Q"]),
+    ],
+)
+def test_wrong_conditions(conditions: tuple[Distance | Line, ...], said: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        analyse(replace(dyad(0.6 + 0.5j), conditions=conditions))
+    assert all(part in str(caught.value) for part in said), str(caught.value)
+
+
+def test_gradients_are_the_derivatives_of_the_values() -> None:
+    at = {"A": 0.3 + 0.1j, "B": 1.0 - 0.4j, "C": 0.2 + 0.9j}
+    # On the line the value vanishes, where the gradient is exact.
+    at["P"] = at["A"] + 0.3 * (at["B"] - at["A"])
+    for condition in (Distance("A", "B", 0.5), Line("P", "A", towards="B"), Line("C", "A", 0.7)):
+        gradient = condition.gradient(at)
+        for name, place in at.items():
+            for way in (1.0, 1.0j):
+                h = 1e-6
+                slope = (
+                    condition.value({**at, name: place + h * way}) - condition.value({**at, name: place - h * way})
+                ) / (2 * h)
+                said = (np.conj(gradient.get(name, 0.0)) * way).real
+                assert slope == pytest.approx(said, abs=1e-9)
