@@ -145,12 +145,18 @@ class LengthMark:
 
 @dataclass(frozen=True)
 class DiscMark:
-    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value."""
+    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value.
+
+    ``label`` is written into it (a gear's number; by default the symbol of its body). ``arc``: the circle is drawn as
+    an arc by its joint, only the radius is marked here.
+    """
 
     centre: str
     radius: Expression
     name: str = ""
     body: str = ""
+    label: str = ""
+    arc: bool = False
 
 
 @dataclass(frozen=True)
@@ -159,9 +165,9 @@ class FigureHints:
 
     ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
     ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
-    links through points; ``grooves``: closed slots between two points; ``walls``: hatched lines between two points;
-    ``bare``: points whose guide or slot is not drawn as such (the end of a ladder on a wall); ``stems``: points whose
-    guide is a sleeve about a rod along it.
+    links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
+    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder on a
+    wall); ``stems``: points whose guide is a sleeve about a rod along it.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -172,6 +178,7 @@ class FigureHints:
     plain: tuple[str, ...] = ()
     slotted: tuple[str, ...] = ()
     lines: tuple[tuple[str, ...], ...] = ()
+    thin: tuple[tuple[str, ...], ...] = ()
     grooves: tuple[tuple[str, ...], ...] = ()
     walls: tuple[tuple[str, ...], ...] = ()
     bare: tuple[str, ...] = ()

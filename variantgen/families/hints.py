@@ -77,10 +77,22 @@ def read_figure(
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
-    lines, grooves, walls = (_paths(table, key, points) for key in ("lines", "grooves", "walls"))
+    lines, thin, grooves, walls = (_paths(table, key, points) for key in ("lines", "thin", "grooves", "walls"))
     table.finish()
     return FigureHints(
-        tuple(angles), tuple(lengths), tuple(discs), hidden, plates, plain, slotted, lines, grooves, walls, bare, stems
+        tuple(angles),
+        tuple(lengths),
+        tuple(discs),
+        hidden,
+        plates,
+        plain,
+        slotted,
+        lines,
+        thin,
+        grooves,
+        walls,
+        bare,
+        stems,
     )
 
 
@@ -141,6 +153,7 @@ def _disc(
         table.problem("unknown body", "body", body, nearest(body, bodies))
     found = None
     with table.collecting("radius"):
-        found = DiscMark(centre, expression(table.need("radius", str, "0"), "length"), name, body)
+        label, arc = table.take("label", str, ""), table.take("arc", bool, False)
+        found = DiscMark(centre, expression(table.need("radius", str, "0"), "length"), name, body, label, arc)
     table.finish()
     return found

@@ -11,16 +11,21 @@ from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0
 _ASIDE = 3.6
+_WIDER = 2.8
 _OFF_WALL = 3.4
 
 
-def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None) -> None:
-    """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given."""
+def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None, beside: bool = False) -> None:
+    """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given.
+
+    ``beside`` the point where a link runs along the arrow.
+    """
     if symbol is None:
         return
     start = board.sketch.reach.get(point, 1.1)
     place = board.sketch.at[point]
-    _arrow(board, point, place + ahead * start, place + ahead * (start + _LENGTH), symbol, 0.75)
+    foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
+    _arrow(board, point, foot, foot + _LENGTH * ahead, symbol, 0.75)
 
 
 def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None, beside: bool = True) -> None:
@@ -61,8 +66,9 @@ def _arrow(board: Board, point: str, foot: complex, tip: complex, symbol: Symbol
 
 
 def _roomier_side(board: Board, point: complex, ahead: complex, gap: float) -> complex:
-    """The way aside to a parallel arrow that crosses less of what is drawn already; below or right if equal."""
-    sides = sorted((gap * 1j * ahead, -gap * 1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
-    lanes = [[point + side + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for side in sides]
+    """The way aside to a parallel arrow that crosses least of what is drawn already; near, below, right if equal."""
+    sides = sorted((1j * ahead, -1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
+    ways = [reach * side for reach in (gap, gap + _WIDER) for side in sides]
+    lanes = [[point + way + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for way in ways]
     crossed = [int(np.sum(board.sketch.crossings(lane, (1.2, 1.2)))) for lane in lanes]
-    return sides[0] if crossed[0] <= crossed[1] else sides[1]
+    return ways[crossed.index(min(crossed))]

@@ -47,7 +47,13 @@ class Board:
 
     def is_disc(self, point: str) -> bool:
         """Whether a disc about the point is drawn."""
-        return any(disc.centre == point for disc in self.form.figure.discs)
+        return any(disc.centre == point and not disc.arc for disc in self.form.figure.discs)
+
+    def is_translated(self, point: str) -> bool:
+        """Whether a point belongs to bodies that a joint keeps from turning, and to no other."""
+        still = {b for joint in self.scene.joints for s in joint.shapes() if not s.points for b in s.bodies}
+        owners = self.owners(point)
+        return bool(owners) and all(body in still for body in owners)
 
     def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
         """The symbol of the given rate that a field of a driver uses (``v`` of a travel, ``omega`` of a rotation).

@@ -10,10 +10,10 @@ from types import ModuleType
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.labels import around
-from variantgen.figure.marks import draw_angle, draw_length, draw_radius
-from variantgen.figure.sketch import HINGE, Sketch
+from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius
+from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.variants.needed import given_names, shown_points
@@ -21,7 +21,6 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
 _BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
-_DOT = 0.65
 _HALF_SLOT = 1.6
 
 
@@ -39,13 +38,14 @@ def statement_figure(
     values = form.values({name: variant.si(name) for name in form.parameters})
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
-    scale = _scale(
-        [z[name] for name in shown], [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True)]
-    )
+    circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
+    scale = _scale([z[name] for name in shown], circles)
     sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
     scene = take_scene(motion.scene, index, motion.size)
     board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
     for disc, radius in zip(form.figure.discs, radii, strict=True):
+        if disc.arc:
+            continue
         sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
         board.discs.setdefault(disc.body, []).append(radius * scale)
     _draw_walls(board)
@@ -54,6 +54,8 @@ def statement_figure(
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
+    for driver in board.scene.drivers:
+        _draw_parts(board, driver)
     for joint in board.scene.joints:
         if not _seeks_room(joint):
             _draw_symbol(board, joint)
@@ -66,6 +68,7 @@ def statement_figure(
                 r * scale for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre
             ]
             draw_radius(board, disc, radius * scale, concentric)
+        draw_disc_name(board, disc, radius * scale)
     for joint in board.scene.joints:
         if _seeks_room(joint):
             _draw_symbol(board, joint)
@@ -78,6 +81,13 @@ def statement_figure(
 
 def _draw_symbol(board: Board, item: Constraint) -> None:
     _symbol_of(item).draw(board, item)
+
+
+def _draw_parts(board: Board, item: Constraint) -> None:
+    """What of a driver is a part of the mechanism (a hydraulic cylinder), before the symbols that seek room."""
+    parts = getattr(_symbol_of(item), "draw_parts", None)
+    if parts is not None:
+        parts(board, item)
 
 
 def _symbol_of(item: Constraint) -> ModuleType:
@@ -110,6 +120,9 @@ def _draw_links(board: Board) -> None:
         for point in board.form.bodies[body][2:]:
             for far in (a, b):
                 sketch.occupy(point, far - sketch.at[point])
+    for names in board.form.figure.thin:
+        sketch.path([sketch.at[name] for name in names], Layer.GROUND, THIN)
+        _occupy_both_ways(sketch, names)
     for names in board.form.figure.lines:
         sketch.path([sketch.at[name] for name in names], Layer.LINK)
         _occupy_both_ways(sketch, names)
@@ -165,12 +178,12 @@ def _draw_points(board: Board, shown: Sequence[str]) -> None:
         owners = [body for body, members in board.form.bodies.items() if point in members]
         on_disc = all(any(d.body == body for d in board.form.figure.discs) for body in owners)
         if point not in board.clear:
-            if len(owners) > 1 or (on_disc and any(d.centre == point for d in board.form.figure.discs)):
+            if len(owners) > 1 or (owners and on_disc and any(d.centre == point for d in board.form.figure.discs)):
                 sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
                 board.sized(point, HINGE)
             elif not _is_free_end(board, point):
-                sketch.circle(sketch.at[point], _DOT, Layer.HINGE, fill="ink")
-                board.sized(point, _DOT)
+                sketch.circle(sketch.at[point], DOT, Layer.HINGE, fill="ink")
+                board.sized(point, DOT)
         sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
 
 

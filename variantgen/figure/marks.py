@@ -6,13 +6,18 @@ import cmath
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from variantgen.families.family import AngleMark, DiscMark, LengthMark
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
-from variantgen.figure.labels import along_arc, along_line
+from variantgen.figure.labels import Request, along_arc, along_line, label_size
+from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
+_ROOMY = 9.0  # radius of a disc that has room for a name inside, u
+_BESIDE = tuple(math.radians(a) for a in (40, -40, 32, -32, 48, -48))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
@@ -102,6 +107,9 @@ def draw_radius(board: Board, mark: DiscMark, radius: float, concentric: Sequenc
     ``concentric`` are the radii (u) of all discs about this centre.
     """
     sketch = board.sketch
+    if mark.arc:
+        _draw_radius_of_arc(board, mark, radius)
+        return
     angles = [math.radians(a) for a in (45, 135, 30, 150, 60, 120, 225, 315, 210, 330, 240, 300)]
     angle = max(angles, key=lambda a: (round(sketch.freedom(mark.centre, a), 3), -angles.index(a)))
     centre = sketch.at[mark.centre]
@@ -113,3 +121,31 @@ def draw_radius(board: Board, mark: DiscMark, radius: float, concentric: Sequenc
     sketch.label(along_line(board.symbol(mark.name), start, rim, 0.6))
     for turn in (-_RADII_APART, 0.0, _RADII_APART):
         sketch.occupy(mark.centre, cmath.rect(1.0, angle + turn))
+
+
+def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
+    """The radius of an arc: from its centre to a place of the arc beside the mechanism."""
+    sketch = board.sketch
+    centre = sketch.at[mark.centre]
+    moving = [sketch.at[name] for name in board.shown if abs(sketch.at[name] - centre) > 1.0]
+    middle = cmath.phase(sum(moving) / len(moving) - centre)
+    rims = [centre + cmath.rect(radius, middle + turn) for turn in _BESIDE]
+    rim = min(rims, key=lambda place: int(sketch.crossings([0.5 * (centre + place)], (0.25 * radius, 2.0))[0]))
+    sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
+    sketch.label(along_line(board.symbol(mark.name), centre, rim, 0.6))
+    sketch.occupy(mark.centre, rim - centre)
+
+
+def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
+    """The name of a disc (the number of a gear) inside it near its rim, or outside a small one."""
+    first = next(disc for disc in board.form.figure.discs if disc.body == mark.body or disc is mark)
+    name = mark.label or (board.form.symbols.get(mark.body, "") if mark.body and first is mark else "")
+    if not name:
+        return
+    formula = Symbol(name)
+    width, height = label_size(formula)
+    half = 0.5 * math.hypot(width, height)
+    reach = radius - half - 0.8 if radius > _ROOMY else radius + half + 0.6
+    ways = np.exp(1j * math.tau / 16 * np.arange(16))
+    centre = board.sketch.at[mark.centre]
+    board.sketch.label(Request(formula, centre, centre + reach * ways, np.linspace(0.0, 0.3, 16)))

@@ -17,6 +17,7 @@ from variantgen.figure.labels import Request, boxes_crossed, place_labels
 
 MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
+DOT = 0.65  # radius of a marked point, u
 _HATCH_STEP, _HATCH_DEPTH = 1.15, 1.5
 
 

@@ -124,10 +124,10 @@ class FormDrawing:
             keep = [j for j in range(promising.owner.size) if promising.owner[j] not in settled]
             promising = promising.take(np.setdiff1d(np.array(keep, dtype=np.int64), firsts))
 
-    def count_valid(self, attempts: Attempts) -> int:
-        """How many of the attempts pass all screens."""
+    def valid(self, attempts: Attempts) -> NDArray[np.int64]:
+        """Owners of the attempts that pass all screens."""
         promising = self._promising(attempts)
-        return int(np.sum(self._sound(promising))) if promising.owner.size else 0
+        return promising.owner[self._sound(promising)] if promising.owner.size else promising.owner
 
     def _promising(self, attempts: Attempts) -> Attempts:
         """Attempts that pass the cheap screens, in order."""

@@ -10,9 +10,11 @@ import numpy as np
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.variants.attempts import Attempts, FormDrawing, Tally
+from variantgen.variants.seeding import Stream, index_below
 
 # Grids up to this size are screened point by point (a second or so).
 _COUNTED = 20_000
+_SILENT_TRIALS = 12
 
 
 @dataclass(frozen=True)
@@ -37,9 +39,15 @@ def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int
     sizes = [len(form.parameters[name].printed) for name in told]
     places = np.indices(sizes).reshape(len(sizes), -1) if sizes else np.zeros((0, 1), dtype=np.int64)
     index = dict(zip(told, places, strict=True))
-    for name, parameter in form.parameters.items():
-        if parameter.silent:
-            index[name] = np.full(grid, len(parameter.printed) // 2)
-    every = np.arange(grid)
+    silent = [name for name in sorted(form.parameters) if form.parameters[name].silent]
+    valid = np.zeros(grid, dtype=bool)
     drawing = FormDrawing(family, form, asked, Tally(), family.name)
-    return Variety(grid, drawing.count_valid(Attempts(index, np.zeros_like(every), every, every)), True)
+    # Silent parameters are no part of a variant, but some of their values may not go with it: several are tried.
+    for trial in range(_SILENT_TRIALS if silent else 1):
+        words = Stream("variety", family.name, form.name, trial)
+        for name in silent:
+            index[name] = index_below(words.words(grid), len(form.parameters[name].printed))
+        left = np.flatnonzero(~valid)
+        every = Attempts(index, np.zeros(grid, dtype=np.int64), np.arange(grid), np.arange(grid))
+        valid[drawing.valid(every.take(left))] = True
+    return Variety(grid, int(np.sum(valid)), not silent)

@@ -79,7 +79,7 @@ def _box(
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Lower left and upper right corner of everything that will be drawn."""
     corners = [z]
-    for disc in form.figure.discs:
+    for disc in (disc for disc in form.figure.discs if not disc.arc):
         reach = np.asarray(disc.radius.value(values)) * (1 + 1j)
         corners += [(motion.z[disc.centre] + reach)[None], (motion.z[disc.centre] - reach)[None]]
     every = np.concatenate(corners)

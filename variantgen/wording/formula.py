@@ -13,7 +13,8 @@ from typing import TypeAlias
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
-    "mu": "μ", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω",
+    "mu": "μ", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω", "tau": "τ", "sigma": "σ", "xi": "ξ", "eta": "η",
+    "nu": "ν", "kappa": "κ", "chi": "χ",
 }  # fmt: skip
 _LETTERS = re.compile(r"([A-Za-z])(\d*)")
 
@@ -129,7 +130,7 @@ def to_plain(formula: Formula) -> str:
     """Plain text: ``ω_OA = 3 рад/с²``."""
     match formula:
         case Symbol(base, index):
-            return GREEK.get(base, base) + ("_" + " ".join(i.text for i in index) if index else "")
+            return GREEK.get(base, base) + ("_" + " ".join(GREEK.get(i.text, i.text) for i in index) if index else "")
         case Number(text):
             return text
         case UnitText(parts):

@@ -14,7 +14,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import About, Index, Number, Symbol, UnitText
+from variantgen.wording.formula import GREEK, About, Index, Number, Symbol, UnitText
 
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
@@ -59,7 +59,7 @@ class Language:
         target, _, component = rest.partition(".")
         target = bodies.get(target, target)
         if target:
-            index.append(Index(target, len(target) > 1 and target.islower()))
+            index.append(Index(target, len(target) > 1 and target.islower() and target not in GREEK))
         if component:
             index.append(Index(component))
         return Symbol(kind, tuple(index))

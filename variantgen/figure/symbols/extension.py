@@ -13,8 +13,8 @@ from variantgen.mechanism.drivers.extension import Extension
 _HALF_WIDTH = 1.7
 
 
-def draw(board: Board, driver: Extension) -> None:
-    """Add barrel and piston rod, and the arrows of the moving end relative to the other."""
+def draw_parts(board: Board, driver: Extension) -> None:
+    """Add barrel and piston rod."""
     sketch = board.sketch
     start, end = sketch.at[driver.start], sketch.at[driver.end]
     way, length = (end - start) / abs(end - start), abs(end - start)
@@ -28,7 +28,14 @@ def draw(board: Board, driver: Extension) -> None:
     for point, taken in ((driver.start, way), (driver.end, -way)):
         sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
         sketch.occupy(point, taken)
+        board.sized(point, HINGE)
+
+
+def draw(board: Board, driver: Extension) -> None:
+    """Add the arrows of the moving end relative to the other, beside the rod."""
+    start, end = board.sketch.at[driver.start], board.sketch.at[driver.end]
+    way = (end - start) / abs(end - start)
     if v := float(driver.v):
-        velocity_arrow(board, driver.end, math.copysign(1.0, v) * way, board.rate(driver, "v"))
+        velocity_arrow(board, driver.end, math.copysign(1.0, v) * way, board.rate(driver, "v"), beside=True)
     if board.accelerations and (a := float(driver.a)):
         acceleration_arrow(board, driver.end, math.copysign(1.0, a) * way, board.rate(driver, "a"))

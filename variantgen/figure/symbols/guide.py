@@ -29,8 +29,12 @@ def draw(board: Board, joint: Guide) -> None:
     start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
     sketch.path((start, end), Layer.GROUND)
     sketch.hatch(start, end, side)
-    sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
-    sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
+    if board.is_translated(joint.point):
+        # Fixed to its rod: the rod is seen to run through the block, and nothing can turn.
+        sketch.path(corners, Layer.DISC, closed=True, fill="paper")
+    else:
+        sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
+        sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     for taken in (way, -way, side):
         sketch.occupy(joint.point, taken)
     board.sized(joint.point, _HALF_LENGTH, box=corners)

@@ -14,6 +14,6 @@ def draw(board: Board, driver: RelativeTravel) -> None:
     first, second = (board.sketch.at[name] for name in driver.along)
     way = (second - first) / abs(second - first)
     if v := float(driver.v):
-        velocity_arrow(board, driver.point, math.copysign(1.0, v) * way, board.rate(driver, "v"))
+        velocity_arrow(board, driver.point, math.copysign(1.0, v) * way, board.rate(driver, "v"), beside=True)
     if board.accelerations and (a := float(driver.a)):
         acceleration_arrow(board, driver.point, math.copysign(1.0, a) * way, board.rate(driver, "a"))

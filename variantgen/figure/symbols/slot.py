@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Layer
-from variantgen.figure.sketch import HINGE
+from variantgen.figure.sketch import DOT, HINGE
 from variantgen.mechanism.joints.slot import Slot
 
 _HALF_LENGTH, _HALF_HEIGHT = 2.7, 1.5
@@ -22,7 +22,9 @@ def draw(board: Board, joint: Slot) -> None:
         centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * 1j * way for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     ]
     sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
-    if joint.sleeve is None:
+    if not board.owners(joint.point):
+        sketch.circle(centre, DOT, Layer.HINGE, fill="ink")
+    elif joint.sleeve is None:
         sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     for taken in (way, -way):
         sketch.occupy(joint.point, taken)
