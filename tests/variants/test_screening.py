@@ -38,7 +38,7 @@ def test_accepted_variants_keep_what_the_screens_promise() -> None:
         members = [variant for variant in variants if variant.form.name == form.name]
         motion = solve_variants(members, 2)
         # Angle between coupler and rocker (or crank), from the definition.
-        one, other = ("B", "C") if form.name == "crank" else ("A", "O")
+        one, other = ("A", "O") if form.name == "rocker" else ("B", "C")
         coupler = motion.z["B"] - motion.z["A"]
         link = motion.z[one] - motion.z[other]
         sine = np.abs(np.imag(np.conj(coupler) * link)) / np.abs(coupler) / np.abs(link)

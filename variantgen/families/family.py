@@ -166,8 +166,8 @@ class FigureHints:
     ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
     ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
     links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
-    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder on a
-    wall); ``stems``: points whose guide is a sleeve about a rod along it.
+    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
+    on a wall); ``stems``: points whose guide is a sleeve about a rod along it.
     """
 
     angles: tuple[AngleMark, ...] = ()

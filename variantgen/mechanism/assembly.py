@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 
 _STEPS = 16
-_CORRECTIONS = 2
-_POLISH = 4
+_CORRECTIONS = 1
+_POLISH = 5
+_CLOSE = 1e-3
 # Of the size of the picture: what a converged chain may leave open (a few roundings of the coordinates).
 _CLOSED = 1e-13
 # Ratio of the Jacobian's determinant to that of the picture below which the way has come too near to a dead point.
@@ -89,15 +90,19 @@ class _Assembly:
         start = self.residual()
         first = np.linalg.det(self.jacobian())
         sound = np.abs(first) > _SINGULAR
-        for step in range(1, _STEPS + 1):
-            target = (1.0 - step / _STEPS) * start
+        # A picture that is nearly right needs no path: one step of this size stays on the branch.
+        steps = _STEPS if np.max(np.abs(start) / self.size[..., None]) > _CLOSE else 1
+        for step in range(1, steps + 1):
+            target = (1.0 - step / steps) * start
             for _ in range(1 + _CORRECTIONS):
                 self._newton(target, sound)
             ratio = np.linalg.det(self.jacobian()) / np.where(first == 0, 1.0, first)
             sound = sound & (ratio > _SINGULAR)
         for _ in range(_POLISH):
             self._newton(np.zeros_like(start), sound)
-        left = np.max(np.abs(self.residual()), axis=-1)
+            left = np.max(np.abs(self.residual()), axis=-1)
+            if np.all((left <= 0.01 * _CLOSED * self.size) | ~sound):
+                break
         return {name: self.z[..., i] for i, name in enumerate(self.names)}, sound & (left <= _CLOSED * self.size)
 
     def _newton(self, target: Table, sound: Flags) -> None:

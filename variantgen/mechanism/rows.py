@@ -32,6 +32,12 @@ class Frame:
         result: Complex = self.turn * (self.sense * np.real(z) + 1j * np.imag(z))
         return result
 
+    def unplace(self, z: Complex) -> Complex:
+        """The inverse of :meth:`place`: what is on paper, in the scene."""
+        back = np.conj(self.turn) * z
+        result: Complex = self.sense * np.real(back) + 1j * np.imag(back)
+        return result
+
     def direction(self, angle: Real) -> Complex:
         """Unit vector on paper of a direction given in the scene's own frame (rad)."""
         return self.place(unit(angle))

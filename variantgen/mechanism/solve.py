@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.assembly import assemble
+from variantgen.mechanism.constructions.near import Near
 from variantgen.mechanism.linear import Assembly, solve_block
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
@@ -47,6 +48,12 @@ def place(scene: Scene, plan: Plan) -> tuple[dict[str, Complex], Real]:
     for name in plan.later:
         outcome = _construct(scene, name, at, outcome)
     return {name: scene.frame.place(z) for name, z in at.items()}, outcome
+
+
+def from_picture(scene: Scene, z: Mapping[str, Complex]) -> Scene:
+    """The scene with known places (m, scene frame) as the picture from which its conditions are met."""
+    near = {name: Near(np.real(z[name]), np.imag(z[name])) for name, p in scene.points.items() if isinstance(p, Near)}
+    return replace(scene, points={**scene.points, **near}) if near else scene
 
 
 def _construct(scene: Scene, name: str, at: dict[str, Complex], outcome: Real) -> Real:

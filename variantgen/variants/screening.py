@@ -20,7 +20,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solve import from_picture, solve
 from variantgen.mechanism.verify import invariants, recompute
 
 Passed = NDArray[np.bool_]
@@ -32,6 +32,8 @@ VERIFIED = 1e-7
 _OFF_LINKS, _BASE_OFF_LINKS = 0.75, 1.3
 # How far a velocity or acceleration centre whose distance is asked may lie, in sizes of the mechanism.
 _FAR_CENTRE = 4.0
+# Relative change of a parameter in the search for sensitive answers.
+_STEP = 1e-6
 _MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
 
 
@@ -141,39 +143,56 @@ def sensitivity(
     ``sqrt(sum_p (d ln q / d ln p)^2)`` over the printed parameters p (an angle counts with d phi in rad), by forward
     differences of 1e-6; the quantities q of a variant that a rounded hand calculation would miss have large values.
     """
-    order = max(q.order for q in asked)
-    base = [quantity.value(motion) for quantity in asked]
+    moving = [name for name, parameter in form.parameters.items() if parameter.unit is not None]
+    moved = _moved_motion(form, parameters, moving, on_paper, asked, motion)
     total = [np.zeros(motion.size) for _ in asked]
-    for name, parameter in form.parameters.items():
-        if parameter.unit is None:
-            continue
-        pure = parameter.unit is not None and parameter.unit.dimension == (0, 0)
-        step = 1e-6 * (np.ones(motion.size) if pure else parameters[name])
-        moved = form.values({**parameters, name: parameters[name] + step})
-        other = solve(form.scene(moved, on_paper), order, form.plan)
-        if parameter.silent:
-            _refuse_silent_influence(parameter.name, asked, motion, other)
-            continue
-        for i, quantity in enumerate(asked):
-            size = 1.0 if quantity.is_angle else np.where(base[i] == 0, np.inf, np.abs(base[i]))
-            total[i] += (_change(quantity, quantity.value(other), base[i]) / size / 1e-6) ** 2
+    for i, quantity in enumerate(asked):
+        base = quantity.value(motion)
+        values = quantity.value(moved).reshape(len(moving), motion.size)
+        size = 1.0 if quantity.is_angle else np.where(base == 0, np.inf, np.abs(base))
+        for name, value in zip(moving, values, strict=True):
+            change = _change(quantity, value, base)
+            if form.parameters[name].silent:
+                _refuse_silent_influence(name, quantity, change, base, motion)
+            else:
+                total[i] += (change / size / _STEP) ** 2
     return np.asarray(np.sqrt(np.max(total, axis=0)))
 
 
-def _refuse_silent_influence(name: str, asked: Sequence[Quantity], motion: Motion, other: Motion) -> None:
+def _moved_motion(
+    form: Form,
+    parameters: Values,
+    moving: Sequence[str],
+    on_paper: Frame,
+    asked: Sequence[Quantity],
+    motion: Motion,
+) -> Motion:
+    """The motion with each parameter in turn slightly changed, as one batch: shape (parameters * N,)."""
+    count, size = len(moving), motion.size
+    values = {name: np.tile(np.broadcast_to(value, (size,)), count) for name, value in parameters.items()}
+    for k, name in enumerate(moving):
+        unit = form.parameters[name].unit
+        pure = unit is not None and unit.dimension == (0, 0)
+        values[name][k * size : (k + 1) * size] += _STEP * (1.0 if pure else parameters[name])
+    tiled = Frame(*(np.tile(np.broadcast_to(x, (size,)), count) for x in (on_paper.turn, on_paper.sense)))
+    solved = {name: np.tile(motion.frame.unplace(z), count) for name, z in motion.z.items()}
+    scene = from_picture(form.scene(form.values(values), tiled), solved)
+    return solve(scene, max(q.order for q in asked), form.plan)
+
+
+def _refuse_silent_influence(
+    name: str, quantity: Quantity, change: NDArray[np.float64], base: NDArray[np.float64], motion: Motion
+) -> None:
     """Raise InputError if an answer changes with a parameter that is not printed."""
-    for quantity in asked:
-        before, after = quantity.value(motion), quantity.value(other)
-        moved = np.abs(_change(quantity, after, before)) > 1e-9 * (1.0 if quantity.is_angle else np.abs(before))
-        if np.any(moved & motion.solved & other.solved):
-            raise InputError(
-                Problem(
-                    f"{quantity.name} depends on a parameter that is not printed",
-                    key=f"parameters.{name}",
-                    value="silent = true",
-                    remedy="print it (silent = false) or ask for something else",
-                )
+    if np.any(motion.solved & (np.abs(change) > 1e-9 * (1.0 if quantity.is_angle else np.abs(base)))):
+        raise InputError(
+            Problem(
+                f"{quantity.name} depends on a parameter that is not printed",
+                key=f"parameters.{name}",
+                value="silent = true",
+                remedy="print it (silent = false) or ask for something else",
             )
+        )
 
 
 def _change(quantity: Quantity, value: NDArray[np.float64], base: NDArray[np.float64]) -> NDArray[np.float64]:
