@@ -2,52 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from variantgen.check import check_family
-from variantgen.families.cases import load_cases
+from variantgen.check.family import check_family
+from variantgen.families.expressions import Expression
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
+from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.variants.draw import Drawing as VariantDrawing
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import to_plain, to_typst
+from variantgen.wording.formula import Formula, to_plain, to_typst
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.statement import statement
 
 FAMILIES = family_names()
-GOLDEN = {
-    "four_bar": {"K26", "M26", "M35"},
-    "sleeve_on_crank": {"K27"},
-    "rolling_wheel": {"M24", "M31"},
-    "spool": {"M34"},
-}
+PLATES_AND_ROD = {"triangle_plate", "plate_acceleration_centre", "falling_rod"}  # few given data by nature
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_check_is_green(name: str) -> None:
     report = check_family(name, seeds=200)
     assert report.failures == []
-    assert report.acceptance >= 0.02
-    assert report.worst_deviation < 1e-7
+    assert report.cases
+    for form in report.forms:
+        assert form.acceptance >= 0.02
+        assert form.deviation < 1e-7
+    assert sum(form.valid for form in report.forms) >= (1000 if name in PLATES_AND_ROD else 10_000)
 
 
-@pytest.mark.parametrize("name", sorted(GOLDEN))
-def test_golden_cases_are_there(name: str) -> None:
-    cases = {case.id: case for case in load_cases(load_family(name))}
-    assert cases.keys() >= GOLDEN[name]
-    for case in cases.values():
-        assert case.source
-        assert max(case.deviations(load_family(name).length_unit).values()) < 1e-12
-
-
-def test_printed_values_differ_from_the_exact_ones_only_where_an_erratum_says_so() -> None:
-    for name in FAMILIES:
-        for case in load_cases(load_family(name)):
-            apart = [key for key, value in case.printed.items() if abs(value - case.exact[key]) > 0.006 * abs(value)]
-            assert bool(apart) == bool(case.erratum), (case.id, apart)
+def test_there_are_enough_families() -> None:
+    assert len(FAMILIES) >= 28
 
 
 def drawn(name: str, count: int) -> list[tuple[Variant, Drawing]]:
@@ -55,8 +45,6 @@ def drawn(name: str, count: int) -> list[tuple[Variant, Drawing]]:
     language = load_language("en")
     found = []
     for form in load_family(name).forms.values():
-        from dataclasses import replace
-
         family = replace(load_family(name), forms={form.name: form})
         variants = VariantDrawing(family, None).after([("figure", i) for i in range(count)], [0] * count)
         motion = solve_variants(variants, 0)
@@ -85,6 +73,11 @@ def test_labels_do_not_overlap_and_stay_on_the_paper(name: str) -> None:
                 assert not overlap(label, other), (variant.printed, to_plain(label.formula), to_plain(other.formula))
 
 
+def neutral(formula: Formula) -> str:
+    """A formula without the words that differ between languages (the index of relative motion)."""
+    return to_typst(formula).replace("отн", "rel").replace('"К"', '"cor"')
+
+
 @pytest.mark.parametrize("name", FAMILIES)
 def test_statements_in_both_languages_say_the_same(name: str) -> None:
     for variant, _ in drawn(name, 3):
@@ -93,7 +86,7 @@ def test_statements_in_both_languages_say_the_same(name: str) -> None:
         assert set(said) >= {"en", "ru"}
         # The same formulas occur (in whatever order), the same data are given.
         formulas = {
-            lang: sorted({to_typst(part) for part in s.text if not isinstance(part, str)}) for lang, s in said.items()
+            lang: sorted({neutral(part) for part in s.text if not isinstance(part, str)}) for lang, s in said.items()
         }
         assert formulas["en"] == formulas["ru"]
         assert len(said["en"].given) == len(said["ru"].given)
@@ -103,58 +96,85 @@ def test_statements_in_both_languages_say_the_same(name: str) -> None:
 def test_a_velocity_problem_says_nothing_about_accelerations(name: str) -> None:
     for variant, _ in drawn(name, 2):
         velocities = [q for text in variant.form.ask if (q := parse_quantity(text, variant.form.sample)).order == 1]
+        if not velocities:
+            assert variant.form.may_ask  # a form that asks for accelerations only says what else may be asked
+            continue
+        constants = {variant.form.parameters[n].symbol for n, p in variant.form.parameters.items() if p.constant}
         for lang in languages():
             language = load_language(lang)
             said = statement(variant, velocities, language)
             text = "".join(part if isinstance(part, str) else to_plain(part) for part in said.text)
-            assert "ускорени" not in text
-            assert "acceleration" not in text
+            if not constants:  # the text of a free fall speaks of g
+                assert "ускорени" not in text
+                assert "acceleration" not in text
             assert not any("ε" in to_plain(e.left) or to_plain(e.left).startswith("a_") for e in said.given)
             figure = statement_figure(variant, solve_variants([variant], 0), 0, velocities, language)
-            assert not any(to_plain(label.formula)[0] in "εa" for label in figure.labels)
+            shown = {to_plain(label.formula) for label in figure.labels} - constants
+            assert not any(text[0] == "ε" or text.startswith("a_") for text in shown)
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_arcs_of_omega_and_epsilon_cannot_be_taken_for_each_other(name: str) -> None:
-    """Each label is nearer to its own arc than to the other, and the arcs lie in different directions."""
-    for variant, figure in drawn(name, 60):
-        arcs = [line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
-        labels = [label for label in figure.labels if to_plain(label.formula)[0] in "ωε"]
-        assert len(arcs) == len(labels)
-        if len(arcs) < 2:
+def arcs_and_labels(figure: Drawing) -> list[tuple[Arc, Label]]:
+    """The arcs of given rotation, each with the label that is nearest to it."""
+    arcs = [line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
+    labels = [label for label in figure.labels if to_plain(label.formula)[0] in "ωε"]
+    assert len(arcs) == len(labels)
+
+    def gap(arc: Arc, label: Label) -> float:
+        return min(abs(label.at - arc.at(t)) for t in np.linspace(0, 1, 30))
+
+    found = [(min(arcs, key=lambda arc: gap(arc, label)), label) for label in labels]
+    # No label is nearer to another's arc than to its own: each arc has exactly one.
+    assert len({id(arc) for arc, _ in found}) == len(arcs), [to_plain(label.formula) for label in labels]
+    return found
+
+
+def given_rates(variant: Variant) -> dict[str, float]:
+    """Solved rates by the plain text of the symbol of their parameter, for each given rotation."""
+    motion = solve_variants([variant], 2)
+    language = load_language("en")
+    found = {}
+    for template, driver in zip(variant.form.drivers, motion.scene.drivers, strict=True):
+        if not isinstance(driver, Rotation):
             continue
-        turn = np.angle(np.exp(1j * (arcs[0].start + arcs[0].sweep / 2 - arcs[1].start - arcs[1].sweep / 2)))
-        assert abs(turn) > np.radians(90), variant.printed
-        inner, outer = sorted(arcs, key=lambda arc: arc.radius)
-        for label in labels:
-            gaps = [min(abs(label.at - arc.at(t)) for t in np.linspace(0, 1, 20)) for arc in (inner, outer)]
-            own = 0 if to_plain(label.formula)[0] == "ω" else 1
-            assert gaps[own] < gaps[1 - own], (variant.printed, to_plain(label.formula))
+        for kind, table in (("omega", motion.omega), ("epsilon", motion.epsilon)):
+            rate = table[driver.body][0] - (table[driver.relative_to][0] if driver.relative_to else 0.0)
+            names = template.fields[kind].names if kind in template.fields else set()
+            for name in sources(variant.form.derived, names):
+                parameter = variant.form.parameters[name]
+                if parameter.unit and parameter.unit.dimension == ((0, -1) if kind == "omega" else (0, -2)):
+                    found[to_plain(language.symbol(parameter.symbol, variant.form.symbols))] = rate
+    return found
+
+
+def sources(derived: Mapping[str, Expression], names: Iterable[str]) -> set[str]:
+    found: set[str] = set()
+    for name in names:
+        found |= sources(derived, derived[name].names) if name in derived else {name}
+    return found
 
 
 @pytest.mark.parametrize("name", FAMILIES)
-def test_the_sense_of_arcs_is_the_solved_one(name: str) -> None:
-    for variant, figure in drawn(name, 20):
+def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(name: str) -> None:
+    for variant, figure in drawn(name, 40):
+        pairs = arcs_and_labels(figure)
+        rates = given_rates(variant) if pairs else {}
+        for arc, label in pairs:
+            assert np.sign(arc.sweep) == np.sign(rates[to_plain(label.formula)]), variant.printed
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_the_text_says_truly_whether_a_motion_speeds_up(name: str) -> None:
+    for variant, _ in drawn(name, 10):
         motion = solve_variants([variant], 2)
-        arcs = sorted(
-            (line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR),
-            key=lambda a: a.radius,
-        )
-        driver = motion.scene.drivers[0]
-        if not arcs:
+        rates = [[float(np.ravel(d.rates(order)[0])[0]) for order in (1, 2)] for d in motion.scene.drivers]
+        accelerated = [v * a > 0 for v, a in rates if v * a != 0]
+        if len(motion.scene.drivers) != 1 or not accelerated:
             continue
-        body = driver.body  # type: ignore[attr-defined]
-        rates = [r for r in (motion.omega[body][0], motion.epsilon[body][0]) if r != 0]
-        assert [np.sign(arc.sweep) for arc in arcs] == [np.sign(rate) for rate in rates]
-        for language_name, words in (("en", ("speeds up", "slows down")), ("ru", ("ускоренное", "замедленное"))):
-            asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
+        asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
+        for language_name, words in (("en", ("speeds up", "slows down")), ("ru", ("ускоренн", "замедленн"))):
             said = statement(variant, asked, load_language(language_name))
             text = "".join(part if isinstance(part, str) else "" for part in said.text)
-            if len(rates) == 2:
-                assert (words[0] in text, words[1] in text) == (
-                    (rates[0] > 0) == (rates[1] > 0),
-                    (rates[0] > 0) != (rates[1] > 0),
-                )
+            assert (words[0] in text, words[1] in text) == (accelerated[0], not accelerated[0]), text
 
 
 def test_figures_are_to_scale() -> None:

@@ -45,7 +45,7 @@ def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
     for disc in board.form.figure.discs:
         if abs(board.sketch.at[disc.centre] - corner) > 1e-6:
             continue
-        for rim in board.discs[disc.body]:
+        for rim in board.discs.get(disc.body, []):
             if abs(rim - radius) < _OFF_RIM:
                 return 0.55 * rim if 0.55 * rim > 0.5 * _ARC else rim + _OFF_RIM
     return radius
