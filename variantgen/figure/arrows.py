@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from variantgen.figure.board import Board
@@ -15,17 +17,11 @@ _WIDER = 2.8
 _OFF_WALL = 3.4
 
 
-def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None, beside: bool = False) -> None:
-    """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given.
-
-    ``beside`` the point where a link runs along the arrow.
-    """
-    if symbol is None:
-        return
-    start = board.sketch.reach.get(point, 1.1)
-    place = board.sketch.at[point]
-    foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
-    _arrow(board, point, foot, foot + _LENGTH * ahead, symbol, 0.75)
+def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None) -> None:
+    """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given."""
+    if symbol is not None:
+        start = board.sketch.at[point] + ahead * board.sketch.reach.get(point, 1.1)
+        _arrow(board, point, start, start + _LENGTH * ahead, symbol, 0.75)
 
 
 def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None, beside: bool = True) -> None:
@@ -36,6 +32,24 @@ def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol 
     place = board.sketch.at[point]
     foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
     _arrow(board, point, foot, foot + (0.8 if beside else 1.15) * _LENGTH * ahead, symbol, MEDIUM)
+
+
+def arrows_beside(
+    board: Board,
+    point: str,
+    place: complex,
+    ways: tuple[complex, complex],
+    symbols: tuple[Symbol | None, Symbol | None],
+) -> None:
+    """Velocity and acceleration along a link, on different sides of it; ``ways`` are directions, zero for none."""
+    gap = max(board.sketch.reach.get(point, 1.1), _ASIDE)
+    taken = 0j
+    for way, symbol, weight, length in zip(ways, symbols, (0.75, MEDIUM), (1.0, 0.8), strict=True):
+        if way == 0 or symbol is None:
+            continue
+        aside = _roomier_side(board, place, way, gap, taken)
+        taken = aside
+        _arrow(board, point, place + aside, place + aside + length * _LENGTH * way, symbol, weight)
 
 
 def arrows_off_wall(
@@ -65,10 +79,19 @@ def _arrow(board: Board, point: str, foot: complex, tip: complex, symbol: Symbol
     sketch.occupy(point, tip - sketch.at[point])
 
 
-def _roomier_side(board: Board, point: complex, ahead: complex, gap: float) -> complex:
-    """The way aside to a parallel arrow that crosses least of what is drawn already; near, below, right if equal."""
+def _roomier_side(board: Board, point: complex, ahead: complex, gap: float, taken: complex = 0j) -> complex:
+    """The way aside to a parallel arrow that crosses least of what is drawn already; near, below, right if equal.
+
+    Not on the side on which another arrow has ``taken`` its place.
+    """
     sides = sorted((1j * ahead, -1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
     ways = [reach * side for reach in (gap, gap + _WIDER) for side in sides]
+    ways = [way for way in ways if (way * taken.conjugate()).real <= 0]
     lanes = [[point + way + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for way in ways]
     crossed = [int(np.sum(board.sketch.crossings(lane, (1.2, 1.2)))) for lane in lanes]
     return ways[crossed.index(min(crossed))]
+
+
+def directed(rate: float, way: complex) -> complex:
+    """The direction of a rate along a unit vector; zero for no rate."""
+    return math.copysign(1.0, rate) * way if rate else 0j

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
-
-from variantgen.figure.arrows import acceleration_arrow, velocity_arrow
+from variantgen.figure.arrows import arrows_beside, directed
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.drivers.extension import Extension
 
 _HALF_WIDTH = 1.7
+_FREE_ROD = 0.74  # where the arrows start, part of the length
 
 
 def draw_parts(board: Board, driver: Extension) -> None:
@@ -35,7 +34,7 @@ def draw(board: Board, driver: Extension) -> None:
     """Add the arrows of the moving end relative to the other, beside the rod."""
     start, end = board.sketch.at[driver.start], board.sketch.at[driver.end]
     way = (end - start) / abs(end - start)
-    if v := float(driver.v):
-        velocity_arrow(board, driver.end, math.copysign(1.0, v) * way, board.rate(driver, "v"), beside=True)
-    if board.accelerations and (a := float(driver.a)):
-        acceleration_arrow(board, driver.end, math.copysign(1.0, a) * way, board.rate(driver, "a"))
+    v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
+    symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
+    place = start + _FREE_ROD * (end - start)
+    arrows_beside(board, driver.end, place, (directed(v, way), directed(a, way)), symbols)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
-from variantgen.figure.arrows import acceleration_arrow, velocity_arrow
+from variantgen.figure.arrows import arrows_beside, directed
 from variantgen.figure.board import Board
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 
@@ -13,7 +11,7 @@ def draw(board: Board, driver: RelativeTravel) -> None:
     """Add the arrows of relative velocity and, where accelerations are asked, relative acceleration."""
     first, second = (board.sketch.at[name] for name in driver.along)
     way = (second - first) / abs(second - first)
-    if v := float(driver.v):
-        velocity_arrow(board, driver.point, math.copysign(1.0, v) * way, board.rate(driver, "v"), beside=True)
-    if board.accelerations and (a := float(driver.a)):
-        acceleration_arrow(board, driver.point, math.copysign(1.0, a) * way, board.rate(driver, "a"))
+    v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
+    symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
+    place = board.sketch.at[driver.point]
+    arrows_beside(board, driver.point, place, (directed(v, way), directed(a, way)), symbols)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
+from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.labels import GAP, along_arc, label_size
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
@@ -14,6 +17,9 @@ from variantgen.wording.formula import Symbol
 _SWEEP = math.radians(62)
 _RADII = (6.4, 8.8)
 _OFF_RIM = 2.4
+_LONGEST = 16.0  # length of an arc, u
+_STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
+_ROOMY = 14.0  # radius of a disc in which two arcs with their letters find room, u
 # Above first: ties go to the place where a reader expects the arc.
 _ANGLES = tuple(
     math.radians(a) for a in (60, 80, 100, 120, 40, 140, 20, 160, 0, 180, 200, 220, 240, 260, 280, 300, 320, 340)
@@ -28,10 +34,10 @@ def draw(board: Board, driver: Rotation) -> None:
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
     # The two arcs never lie side by side: which label and which sense belong together must be plain.
     placed: float | None = None
-    for radius, (kind, rate) in zip(_radii(board, driver, pivot), rates, strict=True):
+    for radius, (kind, rate) in zip(_radii(board, driver), rates, strict=True):
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
-        turn = math.copysign(_SWEEP, rate)
+        turn = math.copysign(min(_SWEEP, _LONGEST / radius), rate)
         formula = board.rate(driver, kind)
         if formula is None:
             continue
@@ -44,13 +50,13 @@ def draw(board: Board, driver: Rotation) -> None:
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
 
 
-def _radii(board: Board, driver: Rotation, pivot: str) -> tuple[float, float]:
-    """Radii of the two arcs: about the pivot or, where another given rotation is drawn there, outside the rim."""
-    others = [other for other in board.scene.drivers if isinstance(other, Rotation) and other is not driver]
-    if not any(board.centre_of_rotation(other.body) == pivot for other in others):
-        return _RADII
+def _radii(board: Board, driver: Rotation) -> tuple[float, float]:
+    """Radii of the two arcs: about the pivot or, for a small disc or one of several driven bodies, outside the rim."""
     rim = max(board.discs.get(driver.body, [0.0]))
-    return (rim + _OFF_RIM, rim + 2 * _OFF_RIM) if rim > _RADII[0] else _RADII
+    alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
+    if rim == 0 or (alone and rim > _ROOMY):
+        return _RADII
+    return rim + _OFF_RIM, rim + 2 * _OFF_RIM
 
 
 def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol, other: float | None) -> float:
@@ -67,4 +73,28 @@ def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Sym
     room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
     apart = [math.pi if other is None else abs(math.remainder(angle - other, math.tau)) for angle in _ANGLES]
     too_close = np.array(apart) < _SWEEP + math.radians(50)
-    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room + 100 * too_close))]
+    inside = _on_other_discs(board, centre, arcs).reshape(-1, 5).sum(axis=1)
+    strange = _near_other_arcs(board, names) + 0.5 * _near_other_arcs(board, centre + radius * ways)
+    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room + 100 * too_close + 8 * strange + 3 * inside))]
+
+
+def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which places lie on discs about other points, or close to them."""
+    found = np.zeros(len(places), dtype=bool)
+    for disc in board.form.figure.discs:
+        other = board.sketch.at[disc.centre]
+        radius = max(board.discs.get(disc.body, [0.0])) + _OFF_RIM
+        # A disc that contains this centre (a ring about a wheel) cannot be avoided.
+        if abs(other - centre) > radius:
+            found |= np.abs(places - other) < radius
+    return found
+
+
+def _near_other_arcs(board: Board, places: NDArray[Any]) -> NDArray[np.float64]:
+    """How close places are to arcs of rotation drawn before: 1 on such an arc, 0 from ``_STRANGE`` on."""
+    arcs = [line for line in board.sketch.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
+    seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.25, 0.5, 0.75, 1.0)], dtype=complex)
+    if not seen.size:
+        return np.zeros(len(places))
+    gaps = np.min(np.abs(places[:, None] - seen[None, :]), axis=1)
+    return np.asarray(np.maximum(0.0, 1.0 - gaps / _STRANGE))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from variantgen.figure.arrows import acceleration_arrow, arrows_off_wall, velocity_arrow
+from variantgen.figure.arrows import acceleration_arrow, arrows_off_wall, directed, velocity_arrow
 from variantgen.figure.board import Board
 from variantgen.mechanism.drivers.travel import Travel
 
@@ -23,6 +23,5 @@ def draw(board: Board, driver: Travel) -> None:
 
 def _off_wall(board: Board, driver: Travel, way: complex) -> None:
     v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
-    ways = tuple(math.copysign(1.0, rate) * way if rate else 0j for rate in (v, a))
-    symbols = tuple(board.rate(driver, name) if rate else None for name, rate in (("v", v), ("a", a)))
-    arrows_off_wall(board, driver.point, (ways[0], ways[1]), (symbols[0], symbols[1]))
+    symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
+    arrows_off_wall(board, driver.point, (directed(v, way), directed(a, way)), symbols)
