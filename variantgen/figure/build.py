@@ -16,6 +16,7 @@ from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, dra
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
+from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
@@ -178,13 +179,20 @@ def _draw_points(board: Board, shown: Sequence[str]) -> None:
         owners = [body for body, members in board.form.bodies.items() if point in members]
         on_disc = all(any(d.body == body for d in board.form.figure.discs) for body in owners)
         if point not in board.clear:
-            if len(owners) > 1 or (owners and on_disc and any(d.centre == point for d in board.form.figure.discs)):
+            if len(owners) > 1 or (on_disc and _is_axle(board, point, owners)):
                 sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
                 board.sized(point, HINGE)
             elif not _is_free_end(board, point):
                 sketch.circle(sketch.at[point], DOT, Layer.HINGE, fill="ink")
                 board.sized(point, DOT)
         sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
+
+
+def _is_axle(board: Board, point: str, owners: Sequence[str]) -> bool:
+    """Whether a disc turns about the point: its centre, unless another point of the disc is its fixed axis."""
+    fixed = fixed_points(board.scene)
+    held = any(name in fixed and name != point for body in owners for name in board.form.bodies[body])
+    return bool(owners) and not held and board.is_disc(point)
 
 
 def _is_free_end(board: Board, point: str) -> bool:

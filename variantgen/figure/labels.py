@@ -38,12 +38,16 @@ Costs = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Request:
-    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,)."""
+    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
+
+    ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
+    """
 
     formula: Formula
     anchor: complex
     places: Places
     costs: Costs
+    extent: tuple[complex, ...] = ()
 
     @property
     def box(self) -> tuple[float, float]:
@@ -101,14 +105,16 @@ def along_arc(formula: Formula, centre: complex, radius: float, start: float, sw
     support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
     places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
     middle = centre + cmath.rect(radius, start + 0.5 * sweep)
-    return Request(formula, middle, places.ravel(), _ARC_COSTS)
+    extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
+    return Request(formula, middle, places.ravel(), _ARC_COSTS, extent)
 
 
 def place_labels(requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]) -> list[Label]:
-    """Labels at the positions with the least cost; ``segments`` has shape (S, 2), ``strangers`` are named points."""
+    """Labels where they cost least; ``segments`` has shape (S, 2), ``strangers`` are other named points."""
     if not requests:
         return []
-    fixed = [r.costs + _line_costs(r, segments) + _stranger_costs(r, strangers) for r in requests]
+    known = [*strangers, *(point for r in requests for point in (r.anchor, *r.extent))]
+    fixed = [r.costs + _line_costs(r, segments) + _stranger_costs(r, known) for r in requests]
     places, boxes = [r.places for r in requests], [r.box for r in requests]
     chosen = [-1] * len(requests)
     order = sorted(range(len(requests)), key=lambda i: -float(np.min(fixed[i])))
@@ -149,12 +155,12 @@ def boxes_crossed(
 
 def _stranger_costs(request: Request, strangers: Sequence[complex]) -> NDArray[np.float64]:
     """Cost of being nearer to another named point than to the own one."""
-    others = np.array([p for p in strangers if abs(p - request.anchor) > 1e-6], dtype=complex)
+    own = np.array([request.anchor, *request.extent])
+    others = np.array([p for p in strangers if np.min(np.abs(p - own)) > 1e-6], dtype=complex)
     if not others.size:
         return np.zeros(len(request.places))
-    places = request.places
-    nearest = np.min(np.abs(places[:, None] - others[None, :]), axis=1)
-    return np.where(nearest < np.abs(places - request.anchor), _STRANGER, 0.0)
+    nearest, mine = (np.min(np.abs(request.places[:, None] - points[None, :]), axis=1) for points in (others, own))
+    return np.where(nearest < mine, _STRANGER, 0.0)
 
 
 def _label_costs(

@@ -32,6 +32,8 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
         if sketch.freedom(mark.at, cmath.phase(ray)) > math.radians(2):
             far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
             sketch.path((corner, far), Layer.GROUND, THIN)
+            if name in sketch.at:
+                sketch.occupy(name, corner - far)
     start, sweep = cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0])
     radius = _clear_of_rims(board, corner, _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC)
     sketch.arc(Arc(corner, radius, Layer.MARK, THIN, start, sweep))

@@ -132,9 +132,7 @@ class Sketch:
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels = place_labels(
-            self.requests, self._segments(), [*named.values(), *(request.anchor for request in self.requests)]
-        )
+        labels = place_labels(self.requests, self._segments(), list(named.values()))
         corners = [point for line in self.lines for point in _extent(line)]
         for label in labels:
             half = complex(*label.size) / 2
