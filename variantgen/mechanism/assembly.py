@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 
-_STEPS = 16
+_STEPS = 10
 _CORRECTIONS = 1
 _POLISH = 5
 _CLOSE = 1e-3
