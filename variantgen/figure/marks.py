@@ -17,7 +17,7 @@ from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
 _ROOMY = 9.0  # radius of a disc that has room for a name inside, u
-_BESIDE = tuple(math.radians(a) for a in (40, -40, 32, -32, 48, -48))
+_BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
@@ -129,8 +129,10 @@ def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
     """The radius of an arc: from its centre to a place of the arc beside the mechanism."""
     sketch = board.sketch
     centre = sketch.at[mark.centre]
-    moving = [sketch.at[name] for name in board.shown if abs(sketch.at[name] - centre) > 1.0]
-    middle = cmath.phase(sum(moving) / len(moving) - centre)
+    guided = next(
+        (joint.shapes()[0].points[0] for joint in board.scene.joints if mark.centre in joint.landmarks()), None
+    )
+    middle = cmath.phase(sketch.at[guided] - centre) if guided else -math.pi / 2
     rims = [centre + cmath.rect(radius, middle + turn) for turn in _BESIDE]
     rim = min(rims, key=lambda place: int(sketch.crossings([0.5 * (centre + place)], (0.25 * radius, 2.0))[0]))
     sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
