@@ -20,7 +20,7 @@ from variantgen.figure.metrics import size
 from variantgen.wording.formula import Formula
 
 GAP = 0.8  # free space around a label, u
-_LINE, _LABEL, _STRANGER = 20.0, 300.0, 12.0
+_LINE, _LABEL, _STRANGER = 20.0, 300.0, 60.0
 _SWEEPS = 3
 
 Segments = NDArray[np.complex128]
@@ -91,11 +91,14 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     way = (end - start) / abs(end - start)
     half_width, half_height = beside.box
     support = half_width * abs(way.real) + half_height * abs(way.imag)
-    ahead = end + way * (np.array([1.0, 2.5, 5.0]) + support)
+    ahead = end + way * (np.array([1.0, 2.5, 5.0, 8.0, 11.0]) + support)
     far, farther = (along_line(formula, start, end, clear) for clear in (3.5, 7.0))
     near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
-    costs = np.concatenate((beside.costs + near_head, [1.5, 3.0, 5.0], far.costs + 7.0, farther.costs + 10.0))
-    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs)
+    costs = np.concatenate(
+        (beside.costs + near_head, [1.5, 3.0, 5.0, 8.0, 11.0], far.costs + 7.0, farther.costs + 10.0)
+    )
+    extent = tuple(start + part * (end - start) for part in (0.0, 0.25, 0.5, 0.75))
+    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs, extent)
 
 
 def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:
