@@ -1,0 +1,116 @@
+"""Motion by functions of time: symbolic derivatives, dimensions, messages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mpmath
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from variantgen.errors import InputError
+from variantgen.families.derivative import derivative
+from variantgen.families.expressions import parse
+from variantgen.families.load import read_family
+from variantgen.mechanism.solve import solve
+
+SMOOTH = [
+    "3 * t**2 - t / 4 + 2",
+    "R * cos(k * t) * sin(2 * k * t)",
+    "R * t / (1 + t**2)",
+    "sqrt(R**2 + (k * t)**4)",
+    "tan(k * t) - atan(t**3)",
+    "asin(t / 3) * acos(k * t / 9)",
+    "-(t - 1)**3 * R",
+    "R",
+]
+BY_MPMATH = {
+    "sin": mpmath.sin, "cos": mpmath.cos, "tan": mpmath.tan, "asin": mpmath.asin, "acos": mpmath.acos,
+    "atan": mpmath.atan, "sqrt": mpmath.sqrt,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SMOOTH)
+@given(t=st.floats(0.1, 1.2), k=st.floats(0.2, 1.2))
+def test_first_and_second_derivative(text: str, t: float, k: float) -> None:
+    law = parse(text)
+    values = {"t": t, "R": 0.7, "k": k}
+    with mpmath.workdps(40):
+
+        def function(x: mpmath.mpf) -> mpmath.mpf:
+            return eval(text, {}, {**BY_MPMATH, "t": x, "R": mpmath.mpf(0.7), "k": mpmath.mpf(k)})
+
+        expected = [float(mpmath.diff(function, t, n)) for n in (1, 2)]
+    first = derivative(law, "t")
+    assert float(first.value(values)) == pytest.approx(expected[0], rel=1e-9, abs=1e-9)
+    assert float(derivative(first, "t").value(values)) == pytest.approx(expected[1], rel=1e-8, abs=1e-8)
+
+
+@pytest.mark.parametrize("text", ["abs(t)", "min(t, 1)", "max(1, t)", "atan2(t, 1)"])
+def test_functions_without_a_derivative_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match="no derivative here"):
+        derivative(parse(text), "t")
+
+
+def test_constants_under_such_functions_are_fine() -> None:
+    assert float(derivative(parse("abs(R) * t"), "t").value({"R": -2.0, "t": 1.0})) == 2.0
+
+
+SCENE = """
+length_unit = "m"
+[parameters]
+t = { unit = "s", values = [2] }
+k = { unit = "rad/s", values = [0.5] }
+b = { unit = "m", values = [0.3] }
+[laws]
+time = "t"
+phi = "k * t**2 / (1 + t / t)"
+x_A = "b * cos(k * t)"
+[points]
+A = { coordinates = { x = "x_A", y = 0 } }
+B = { polar = { origin = "A", distance = "b", angle = "phi" } }
+[bodies]
+AB = ["A", "B"]
+[[drivers]]
+vector_motion = { point = "A", v = "x_A_dot", a = "x_A_ddot" }
+[[drivers]]
+rotation = { body = "AB", omega = "phi_dot", epsilon = "phi_ddot" }
+"""
+
+
+def read(folder: Path, content: str) -> object:
+    path = folder / "scene.toml"
+    path.write_text(content, "utf-8")
+    return read_family(path)
+
+
+def test_a_scene_driven_by_laws(tmp_path: Path) -> None:
+    scene = SCENE.replace("k * t**2 / (1 + t / t)", "k * t")
+    form = read(tmp_path, scene).forms[""]  # type: ignore[attr-defined]
+    motion = solve(form.scene(form.values({"t": 2.0, "k": 0.5, "b": 0.3})), 2)
+    with mpmath.workdps(30):
+        point = lambda t: 0.3 * mpmath.cos(0.5 * t) + 0.3 * mpmath.expj(0.5 * t)  # noqa: E731
+        assert motion.z["B"][0] == pytest.approx(complex(point(2)))
+        assert motion.v["B"][0] == pytest.approx(complex(mpmath.diff(point, 2)))
+        assert motion.a["B"][0] == pytest.approx(complex(mpmath.diff(point, 2, 2)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('time = "t"', 'time = "k"', ["laws.time", "parameter that is a time", "k"]),
+        ('time = "t"\n', "", ["laws.time", "missing"]),
+        ('phi = "k * t**2 / (1 + t / t)"', 'phi = "abs(k * t)"', ["laws.phi", "no derivative", "smooth"]),
+        ('phi = "k * t**2 / (1 + t / t)"', "phi = 3", ["laws.phi", "expression in quotes", "3"]),
+        ('phi = "k * t**2 / (1 + t / t)"', 'phi = "k * tt"', ["laws.phi", "unknown name", "tt"]),
+        ('x_A = "b', 'b = "b', ["laws.b", "the name is taken"]),
+        # k t^2 is no angle but an angle times a time.
+        ("b * cos(k * t)", "b * cos(k)", ["adds or compares", "angular velocity"]),
+    ],
+)
+def test_wrong_laws(old: str, new: str, said: list[str], tmp_path: Path) -> None:
+    assert old in SCENE
+    with pytest.raises(InputError) as caught:
+        read(tmp_path, SCENE.replace(old, new))
+    assert all(part in str(caught.value) for part in said), str(caught.value)
