@@ -8,6 +8,7 @@ variant whose Jacobian changes its sign on the way, or nearly vanishes, is repor
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
@@ -16,10 +17,10 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 
-_STEPS = 10
+# Share of the picture's size by which the conditions move per step, and the largest number of steps.
+_STEP, _MOST_STEPS = 0.05, 12
 _CORRECTIONS = 1
 _POLISH = 5
-_CLOSE = 1e-3
 # Of the size of the picture: what a converged chain may leave open (a few roundings of the coordinates).
 _CLOSED = 1e-13
 # Ratio of the Jacobian's determinant to that of the picture below which the way has come too near to a dead point.
@@ -90,8 +91,9 @@ class _Assembly:
         start = self.residual()
         first = np.linalg.det(self.jacobian())
         sound = np.abs(first) > _SINGULAR
-        # A picture that is nearly right needs no path: one step of this size stays on the branch.
-        steps = _STEPS if np.max(np.abs(start) / self.size[..., None]) > _CLOSE else 1
+        # Steps short enough to stay on the branch; a picture that is nearly right needs but one.
+        worst = float(np.max(np.abs(start) / self.size[..., None]))
+        steps = min(_MOST_STEPS, max(1, math.ceil(worst / _STEP)))
         for step in range(1, steps + 1):
             target = (1.0 - step / steps) * start
             for _ in range(1 + _CORRECTIONS):

@@ -31,14 +31,20 @@ class Sine:
 
 
 def solve_block(
-    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+    equations: Sequence[Assembly],
+    unknowns: Sequence[int],
+    sides: Sequence[tuple[Real, Real]],
+    known: Sine | None = None,
 ) -> tuple[dict[int, Real], Sine]:
-    """Solve a block of any size; ``sides`` are right-hand sides with the sizes of their terms."""
+    """Solve a block of any size; ``sides`` are right-hand sides with the sizes of their terms.
+
+    ``known`` is what an earlier solution with the same coefficients said of them.
+    """
     if len(unknowns) == 1:
         return _solve_one(equations[0], unknowns[0], sides[0])
     if len(unknowns) == 2:
         return _solve_two(equations, unknowns, sides)
-    return _solve_many(equations, unknowns, sides)
+    return _solve_many(equations, unknowns, sides, known)
 
 
 def _sine(determinant: Real, scale: Real) -> Sine:
@@ -92,7 +98,10 @@ def _largest(values: Sequence[Real]) -> Real:
 
 
 def _solve_many(
-    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+    equations: Sequence[Assembly],
+    unknowns: Sequence[int],
+    sides: Sequence[tuple[Real, Real]],
+    known: Sine | None,
 ) -> tuple[dict[int, Real], Sine]:
     """LU of the scaled matrix, for groups of links that no dyad opens."""
     entries = [[np.asarray(e.coefficients.get(u, 0.0)) for u in unknowns] for e in equations]
@@ -107,9 +116,10 @@ def _solve_many(
     matrix, size = matrix / column, size / column
     row = np.max(size, axis=-1, keepdims=True)
     matrix = matrix / row
-    smallest = np.linalg.svd(matrix, compute_uv=False)[..., -1]
-    regular = smallest > SINGULAR
-    safe = np.where(regular[..., None, None], matrix, np.eye(len(unknowns)))
+    if known is None:
+        smallest = np.linalg.svd(matrix, compute_uv=False)[..., -1]
+        known = Sine(np.minimum(smallest, 1.0), smallest > SINGULAR)
+    safe = np.where(np.asarray(known.regular)[..., None, None], matrix, np.eye(len(unknowns)))
     b = np.stack([np.broadcast_to(x, shape) for x in right], axis=-1)[..., None] / row
     x = np.linalg.solve(safe, b)[..., 0] / column[..., 0, :]
-    return {u: x[..., i] for i, u in enumerate(unknowns)}, Sine(np.minimum(smallest, 1.0), regular)
+    return {u: x[..., i] for i, u in enumerate(unknowns)}, known

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.assembly import assemble
 from variantgen.mechanism.constructions.near import Near
-from variantgen.mechanism.linear import Assembly, solve_block
+from variantgen.mechanism.linear import Assembly, Sine, solve_block
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Placement, Row, ScalarRow, Speeds, VectorRow
@@ -88,14 +89,15 @@ def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
     forms = _forms(plan, rows, motion.z)
     assembly = [_equation(equation, plan, rows, forms, motion.z) for equation in plan.equations]
     rates = _rates(scene, plan, 1)
-    values, regular, sine = _solve_blocks(plan, assembly, [(rate, np.abs(rate)) for rate in rates])
+    values, sines = _solve_blocks(plan, assembly, [(rate, np.abs(rate)) for rate in rates])
+    regular: Flags = reduce(np.logical_and, (sine.regular for sine in sines), np.True_)
     v = _point_rates(plan, rows, motion.z, values, {})
     omega = {body: _full(values[u], shape) for body, u in plan.omega.items()}
     outcome = np.where((motion.outcome == 0) & ~regular, np.int8(Outcome.DEAD_POINT), motion.outcome)
     motion = replace(
         motion,
         outcome=outcome.astype(np.int8),
-        transmission=_full(sine, shape),
+        transmission=_full(reduce(np.minimum, (sine.value for sine in sines), 1.0), shape),
         v={name: _full(x, shape, np.complex128) for name, x in v.items()},
         omega=omega,
     )
@@ -108,7 +110,7 @@ def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
         _acceleration_side(equation, rows, extra, drift, rate, motion)
         for equation, rate in zip(plan.equations, _rates(scene, plan, 2), strict=True)
     ]
-    values, _, _ = _solve_blocks(plan, assembly, right)
+    values, _ = _solve_blocks(plan, assembly, right, sines)
     a = _point_rates(plan, rows, motion.z, values, drift)
     return replace(
         motion,
@@ -191,13 +193,12 @@ def _equation(
 
 
 def _solve_blocks(
-    plan: Plan, assembly: list[Assembly], right: list[tuple[Real, Real]]
-) -> tuple[dict[int, Real], Flags, Real]:
-    """Values of all unknowns, block by block; whether all blocks are regular; smallest scaled determinant."""
+    plan: Plan, assembly: list[Assembly], right: list[tuple[Real, Real]], known: Sequence[Sine] = ()
+) -> tuple[dict[int, Real], list[Sine]]:
+    """Values of all unknowns, block by block, and how regular each block is (``known`` from an earlier solution)."""
     values: dict[int, Real] = {}
-    regular: Flags = np.True_
-    smallest: Real = 1.0
-    for block in plan.blocks:
+    sines: list[Sine] = []
+    for number, block in enumerate(plan.blocks):
         sides = []
         for e in block.equations:
             total, size = right[e]
@@ -206,11 +207,11 @@ def _solve_blocks(
                     term = c * values[unknown]
                     total, size = total - term, size + assembly[e].sizes[unknown] * np.abs(values[unknown])
             sides.append((total, size))
-        found, sine = solve_block([assembly[e] for e in block.equations], block.unknowns, sides)
+        before = known[number] if known else None
+        found, sine = solve_block([assembly[e] for e in block.equations], block.unknowns, sides, before)
         values.update(found)
-        smallest = np.minimum(smallest, sine.value)
-        regular = regular & sine.regular
-    return values, regular, smallest
+        sines.append(sine)
+    return values, sines
 
 
 def _point_rates(
