@@ -10,6 +10,7 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Real, unit
 from variantgen.mechanism.component import BodyName, Length, PointName
+from variantgen.mechanism.pitch import line_of_centres
 from variantgen.mechanism.rows import Contact, Joint, Placement, Shape, Speeds, VectorRow
 
 
@@ -47,10 +48,7 @@ class RollingOnCircle(Joint):
 
     def ratio(self, at: Placement) -> tuple[Complex, Real]:
         """The vector d and the number k of the class docstring."""
-        d = at.z[self.centre] - at.z[self.around]
-        distance = np.abs(d)
-        k = self.radius / np.where(distance > 0, distance, 1.0)
-        return d, -k if self.inside else k
+        return line_of_centres(at.z[self.centre], at.z[self.around], self.radius, self.inside)
 
     def rows(self, at: Placement) -> tuple[VectorRow, ...]:
         """The velocity row of the class docstring."""

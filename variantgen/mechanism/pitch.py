@@ -1,0 +1,19 @@
+"""Two circles that touch: the geometry of gears and of rolling on a circle."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.component import Length
+
+
+def line_of_centres(centre: Complex, around: Complex, radius: Length, inside: bool) -> tuple[Complex, Real]:
+    """The vector d from the centre of the second circle to that of the first, and k of the contact ``centre - k d``.
+
+    ``k = radius/|d|`` for circles that touch from outside, ``-radius/|d|`` for a first circle inside the second.
+    """
+    d = centre - around
+    distance = np.abs(d)
+    k = radius / np.where(distance > 0, distance, 1.0)
+    return d, -k if inside else k
