@@ -74,10 +74,12 @@ class FormDrawing:
         self.names = sorted(form.parameters)
         self.poses = form.pose.frames()
         self.order = max(q.order for q in self.asked)
+        self._streams: Sequence[Stream] = ()
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used."""
         width = len(self.names) + 1
+        self._streams = streams
         for stream, skipped in zip(streams, done, strict=True):
             stream.words(skipped * width)
         used = np.array(done)
@@ -158,12 +160,18 @@ class FormDrawing:
             checked = np.flatnonzero(good)
             agrees = verification(motion.take(checked), self.order)
             if not np.all(agrees):
-                bad = self._variant(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
-                raise VerificationError(
-                    f"{self.family.name}: the solver and the independent computation disagree for "
-                    + ", ".join(f"{k}={v}" for k, v in bad.printed.items())
-                )
+                raise self._disagreement(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
         return good
+
+    def _disagreement(self, attempts: Attempts, i: int) -> VerificationError:
+        """What to say of a variant on which the two computations disagree: its key and its data."""
+        data = ", ".join(f"{name}={value}" for name, value in self._variant(attempts, i).printed.items())
+        owner = int(attempts.owner[i])
+        key = ", ".join(str(part) for part in self._streams[owner].parts[:-1]) if self._streams else "counted"
+        return VerificationError(
+            f"{self.family.name}: the solver and the independent computation disagree"
+            f" (seed, student, problem: {key}) for {data}"
+        )
 
     def _keep(self, screens: dict[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
         alive = np.ones(size, dtype=bool)

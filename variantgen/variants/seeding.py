@@ -20,9 +20,10 @@ def digest(*parts: object) -> bytes:
 
 
 class Stream:
-    """A stream of raw random words of one (seed, student, problem, family)."""
+    """A stream of raw random words of one (seed, student, problem, family), its ``parts``."""
 
     def __init__(self, *parts: object) -> None:
+        self.parts = parts
         self._bits = np.random.Philox(key=int.from_bytes(digest(*parts), "big"))
 
     def words(self, count: int) -> NDArray[np.uint64]:
