@@ -45,6 +45,17 @@ class Board:
         """Bodies that a point belongs to."""
         return [body for body, members in self.scene.bodies.items() if point in members]
 
+    def links_at(self, point: str) -> list[complex]:
+        """Unit vectors along the bars and plates that leave a point."""
+        found = []
+        for body in self.owners(point):
+            if any(disc.body == body for disc in self.form.figure.discs) or body in self.form.figure.plain:
+                continue
+            members = self.form.bodies[body]
+            ends = members if body in self.form.figure.plates else members[:2]
+            found += [self.sketch.at[name] - self.sketch.at[point] for name in ends if name != point]
+        return [step / abs(step) for step in found if abs(step) > 1e-6]
+
     def is_disc(self, point: str) -> bool:
         """Whether a disc about the point is drawn."""
         return any(disc.centre == point and not disc.arc for disc in self.form.figure.discs)

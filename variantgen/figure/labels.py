@@ -20,7 +20,10 @@ from variantgen.figure.metrics import size
 from variantgen.wording.formula import Formula
 
 GAP = 0.8  # free space around a label, u
-_LINE, _LABEL, _STRANGER = 20.0, 300.0, 60.0
+# Costs of a line through a label (counted up to a number), of two labels over each other, of a label nearer to another
+# point than to its own, and of a rate nearer to another one's arrow than to its own, which would be misread.
+_LINE, _MOST_LINES, _LABEL, _STRANGER, _MISREAD = 20.0, 6, 300.0, 12.0, 60.0
+_WIDE = math.radians(50)
 _SWEEPS = 3
 
 Segments = NDArray[np.complex128]
@@ -101,23 +104,36 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs, extent)
 
 
-def along_arc(formula: Formula, centre: complex, radius: float, start: float, sweep: float) -> Request:
-    """Candidates outside an arc, best at its middle."""
+def along_arc(
+    formula: Formula, centre: complex, radius: float, start: float, sweep: float, inner: bool = False
+) -> Request:
+    """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
     width, height = label_size(formula)
     ways = np.exp(1j * (start + _ARC_PARTS * sweep))
     support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
     places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
     middle = centre + cmath.rect(radius, start + 0.5 * sweep)
     extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
-    return Request(formula, middle, places.ravel(), _ARC_COSTS, extent)
+    found, costs = places.ravel(), _ARC_COSTS
+    if inner and abs(sweep) > _WIDE:
+        found = np.concatenate((found, centre + 0.6 * radius * ways))
+        costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
+    return Request(formula, middle, found, costs, extent)
 
 
 def place_labels(requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]) -> list[Label]:
     """Labels where they cost least; ``segments`` has shape (S, 2), ``strangers`` are other named points."""
     if not requests:
         return []
-    known = [*strangers, *(point for r in requests for point in (r.anchor, *r.extent))]
-    fixed = [r.costs + _line_costs(r, segments) + _stranger_costs(r, known) for r in requests]
+    known = [*strangers, *(r.anchor for r in requests)]
+    arrows = [point for r in requests if r.extent for point in (r.anchor, *r.extent)]
+    fixed = [
+        r.costs
+        + _line_costs(r, segments)
+        + _STRANGER * _nearer(r, known)
+        + _MISREAD * (_nearer(r, arrows) if r.extent else 0.0)
+        for r in requests
+    ]
     places, boxes = [r.places for r in requests], [r.box for r in requests]
     chosen = [-1] * len(requests)
     order = sorted(range(len(requests)), key=lambda i: -float(np.min(fixed[i])))
@@ -138,7 +154,7 @@ def _line_costs(request: Request, segments: Segments) -> NDArray[np.float64]:
     """Cost of the segments that cross the box of each candidate."""
     hx, hy = request.box
     crossed = boxes_crossed(request.places, (hx + GAP, hy + GAP), segments)
-    result: NDArray[np.float64] = _LINE * np.minimum(crossed, 3)
+    result: NDArray[np.float64] = _LINE * np.minimum(crossed, _MOST_LINES)
     return result
 
 
@@ -156,14 +172,14 @@ def boxes_crossed(
     return result
 
 
-def _stranger_costs(request: Request, strangers: Sequence[complex]) -> NDArray[np.float64]:
-    """Cost of being nearer to another named point than to the own one."""
+def _nearer(request: Request, strangers: Sequence[complex]) -> NDArray[np.float64]:
+    """1 for each candidate that is nearer to a foreign point than to what the label names, else 0."""
     own = np.array([request.anchor, *request.extent])
     others = np.array([p for p in strangers if np.min(np.abs(p - own)) > 1e-6], dtype=complex)
     if not others.size:
         return np.zeros(len(request.places))
     nearest, mine = (np.min(np.abs(request.places[:, None] - points[None, :]), axis=1) for points in (others, own))
-    return np.where(nearest < mine, _STRANGER, 0.0)
+    return np.where(nearest < mine, 1.0, 0.0)
 
 
 def _label_costs(

@@ -37,7 +37,7 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     start, sweep = cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0])
     radius = _clear_of_rims(board, corner, _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC)
     sketch.arc(Arc(corner, radius, Layer.MARK, THIN, start, sweep))
-    sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep))
+    sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep, inner=True))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
 
@@ -48,8 +48,10 @@ def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
         if abs(board.sketch.at[disc.centre] - corner) > 1e-6:
             continue
         for rim in board.discs.get(disc.body, []):
-            if abs(rim - radius) < _OFF_RIM:
-                return 0.55 * rim if 0.55 * rim > 0.5 * _ARC else rim + _OFF_RIM
+            if rim > radius + 2 * _OFF_RIM:
+                continue
+            # Half way to the rim, so that the letter finds room between arc and rim; outside a tiny disc.
+            return 0.5 * rim if rim > _ARC else rim + _OFF_RIM
     return radius
 
 

@@ -4,21 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.families.family import Parameter
 from variantgen.families.quantities import Quantity
 from variantgen.variants.variant import Variant
 
 
 def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
-    """Names of the parameters that are printed."""
+    """Names of the parameters that are printed, in the order of printing."""
     order = max((q.order for q in asked), default=1)
     idle = unneeded_parameters(variant, asked)
-    return [
+    names = [
         name
         for name, parameter in variant.form.parameters.items()
         if parameter.given
         and name not in idle
         and not (parameter.of_second_order and (order == 1 or variant.printed[name] == 0))
     ]
+    return sorted(names, key=lambda name: _rank(variant.form.parameters[name]))
+
+
+def _rank(parameter: Parameter) -> int:
+    """Lengths first, then angles and numbers, times, rates in the order of the family, constants."""
+    if parameter.constant:
+        return 4
+    if parameter.is_rate:
+        return 3
+    measures = parameter.unit.measures if parameter.unit else ""
+    return {"length": 0, "time": 2}.get(measures, 1)
 
 
 def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]:

@@ -32,7 +32,8 @@ def draw(board: Board, joint: ArcSlot) -> None:
     for angle in (start, start + sweep):
         sketch.path((centre + cmath.rect(inner, angle), centre + cmath.rect(outer, angle)), Layer.GROUND, MEDIUM)
     if joint.body is None:
-        sketch.hatch_arc(centre, outer, start, sweep, outside=True)
+        inside = _comes_from_inside(board, joint, radius)
+        sketch.hatch_arc(centre, outer if inside else inner, start, sweep, outside=inside)
     ray = cmath.rect(1.0, middle)
     corners = [
         place + x * _HALF_BLOCK * 1j * ray + y * 0.8 * _HALF_WIDTH * ray
@@ -43,6 +44,13 @@ def draw(board: Board, joint: ArcSlot) -> None:
     for taken in (1j * ray, -1j * ray):
         sketch.occupy(joint.point, taken)
     board.sized(joint.point, _HALF_BLOCK, box=corners)
+
+
+def _comes_from_inside(board: Board, joint: ArcSlot, radius: float) -> bool:
+    """Whether the link that ends in the slot comes from the side of the centre."""
+    centre = board.sketch.at[joint.centre]
+    links = [name for body in board.owners(joint.point) for name in board.form.bodies[body] if name != joint.point]
+    return all(abs(board.sketch.at[name] - centre) < radius for name in links[:1])
 
 
 def _extent(board: Board, joint: ArcSlot, radius: float, middle: float) -> tuple[float, float]:

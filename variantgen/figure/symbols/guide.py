@@ -56,10 +56,8 @@ def _draw_bearing(board: Board, point: str, way: complex) -> None:
 
 def _free_side(board: Board, point: str, way: complex) -> complex:
     """The side of the line of motion with fewer links; below or to the right where that does not decide."""
-    import cmath
-
     left = 1j * way
-    load = sum((left * cmath.rect(1.0, angle).conjugate()).real for angle in board.sketch.busy.get(point, []))
+    load = sum((left * link.conjugate()).real for link in board.links_at(point))
     if abs(load) > 0.05:
         return left if load < 0 else -left
     return left if left.imag < -1e-9 or (abs(left.imag) <= 1e-9 and left.real > 0) else -left

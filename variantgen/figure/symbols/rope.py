@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from itertools import pairwise
 
 from variantgen.figure.board import Board
@@ -49,7 +50,9 @@ def _pulley(board: Board, bend: Bend, arriving: complex, leaving: complex) -> No
     centre, radius, side = _circle(board, bend)
     if radius > 0 and not board.is_disc(bend.point):
         sketch.circle(centre, radius, Layer.DISC, MEDIUM)
-    sweep = cmath.phase(leaving / arriving)
+    # The rope bends towards the centre: clockwise about a pulley on its right (side +1), which decides a half turn.
+    turn = (-side * cmath.phase(leaving / arriving)) % math.tau
+    sweep = -side * (turn if turn < math.tau - 1e-6 else 0.0)
     sketch.arc(Arc(centre, radius, Layer.THREAD, BOLD, cmath.phase(1j * side * arriving), sweep))
     sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     board.sized(bend.point, HINGE)

@@ -34,7 +34,7 @@ def draw(board: Board, driver: Rotation) -> None:
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
     # The two arcs never lie side by side: which label and which sense belong together must be plain.
     placed: float | None = None
-    for radius, (kind, rate) in zip(_radii(board, driver), rates, strict=True):
+    for radius, (kind, rate) in zip(_radii(board, driver, pivot), rates, strict=True):
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
         turn = math.copysign(min(_SWEEP, _LONGEST / radius), rate)
@@ -50,10 +50,17 @@ def draw(board: Board, driver: Rotation) -> None:
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
 
 
-def _radii(board: Board, driver: Rotation) -> tuple[float, float]:
+def _radii(board: Board, driver: Rotation, pivot: str) -> tuple[float, float]:
     """Radii of the two arcs: about the pivot or, for a small disc or one of several driven bodies, outside the rim."""
     rim = max(board.discs.get(driver.body, [0.0]))
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
+    if rim == 0:
+        # The arcs of a crank do not run along the rim of a wheel about the same axis.
+        centred = [disc for disc in board.form.figure.discs if disc.centre == pivot and not disc.arc]
+        rims = [
+            r for disc in centred for r in board.discs[disc.body] if _RADII[0] - _OFF_RIM < r < _RADII[1] + _OFF_RIM
+        ]
+        rim = max(rims, default=0.0)
     if rim == 0 or (alone and rim > _ROOMY):
         return _RADII
     return rim + _OFF_RIM, rim + 2 * _OFF_RIM
@@ -84,9 +91,11 @@ def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDAr
     for disc in board.form.figure.discs:
         other = board.sketch.at[disc.centre]
         radius = max(board.discs.get(disc.body, [0.0])) + _OFF_RIM
-        # A disc that contains this centre (a ring about a wheel) cannot be avoided.
         if abs(other - centre) > radius:
             found |= np.abs(places - other) < radius
+        elif abs(other - centre) > _OFF_RIM:
+            # Inside a ring: not across it.
+            found |= np.abs(places - other) > radius - 2 * _OFF_RIM
     return found
 
 
