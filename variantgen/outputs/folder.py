@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import shutil
 import signal
@@ -55,14 +56,12 @@ def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
     replaced = target.with_name(f".{target.name}.replaced")
     _tidy(target, replaced)
     check_free(target, force)
-    try:
-        work = Path(tempfile.mkdtemp(prefix=f".{target.name}.partial-{os.getpid()}-", dir=target.parent))
-    except OSError as error:
-        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
-    work.chmod(0o755)
+    mine = f".{target.name}.partial-{os.getpid()}-"
     main = threading.current_thread() is threading.main_thread()
+    # The handler comes before the folder, so that no signal can find a folder that nobody would remove.
     previous = signal.signal(signal.SIGTERM, _terminate) if main else None
     try:
+        work = _made(target, mine)
         yield work
         if target.exists():
             target.rename(replaced)
@@ -76,9 +75,20 @@ def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
             Problem(f"writing failed: {error.strerror}", key="--out", value=str(target), remedy=remedy)
         ) from None
     finally:
+        for left in target.parent.glob(f"{glob.escape(mine)}*"):
+            shutil.rmtree(left, ignore_errors=True)
         if main:
             signal.signal(signal.SIGTERM, previous)
-        shutil.rmtree(work, ignore_errors=True)
+
+
+def _made(target: Path, prefix: str) -> Path:
+    """A new folder beside the target."""
+    try:
+        work = Path(tempfile.mkdtemp(prefix=prefix, dir=target.parent))
+    except OSError as error:
+        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
+    work.chmod(0o755)
+    return work
 
 
 def _tidy(target: Path, replaced: Path) -> None:
@@ -86,7 +96,7 @@ def _tidy(target: Path, replaced: Path) -> None:
     if replaced.is_dir() and not target.exists():
         replaced.rename(target)
     shutil.rmtree(replaced, ignore_errors=True)
-    for stale in target.parent.glob(f".{target.name}.partial-*"):
+    for stale in target.parent.glob(f".{glob.escape(target.name)}.partial-*"):
         number = stale.name.split(".partial-")[1].split("-")[0]
         if not (number.isdigit() and _is_running(int(number))):
             shutil.rmtree(stale, ignore_errors=True)
