@@ -11,6 +11,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import parse
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.units import sound
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 from variantgen.tables import Table, read_toml
@@ -83,6 +84,8 @@ def _case(table: Table, family: Family) -> Case | None:
     form = family.forms[form_name]
     given = _given(table.table("set"), form)
     exact, printed = (_numbers(table.table(key), form) for key in ("exact", "printed"))
+    if not exact and not printed:
+        table.problem("missing, expected at least one known result", "exact")
     case = Case(
         name, source, form, given, exact, printed,
         table.take("magnitudes", bool, False), table.take("note", str, ""), table.take("erratum", str, ""),
@@ -119,7 +122,7 @@ def _numbers(table: Table, form: Form) -> dict[str, float]:
 
 def _number(value: Any) -> float:
     if not isinstance(value, str):
-        return float(value)
+        return float(sound(Decimal(value), ""))
     expression = parse(value)
     if expression.names:
         raise InputError(Problem("expected numbers only", value=value))

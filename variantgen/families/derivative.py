@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import copy
+from collections.abc import Mapping
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.expressions import CONSTANTS, Expression
@@ -17,20 +19,33 @@ _CHAIN = {
     "atan": "1 / (1 + u**2)",
     "sqrt": "1 / (2 * sqrt(u))",
 }
+_MAX_NODES = 600
 _ZERO, _ONE = ast.Constant(0.0), ast.Constant(1.0)
+
+
+def inlined(expression: Expression, definitions: Mapping[str, Expression]) -> Expression:
+    """The expression with defined names replaced by what they stand for (definitions without each other's names)."""
+    used = {name: definitions[name].tree for name in expression.names if name in definitions}
+    return _made(_Substitute(used).visit(copy.deepcopy(expression.tree)), expression.text) if used else expression
 
 
 def derivative(expression: Expression, name: str) -> Expression:
     """The derivative of an expression by one of its names, as an expression of the same names.
 
-    Raises InputError for functions that have no derivative everywhere (abs, min, max) and for atan2.
+    Raises InputError for functions that have no derivative everywhere (abs, min, max, atan2), and for expressions whose
+    derivative would grow beyond measure.
     """
-    tree = _derivative(expression.tree, name, expression.text)
+    return _made(_derivative(expression.tree, name, expression.text), expression.text)
+
+
+def _made(tree: ast.expr, text: str) -> Expression:
+    if sum(1 for _ in ast.walk(tree)) > _MAX_NODES:
+        raise InputError(Problem("too long for a law of motion", value=text, remedy="write it more simply"))
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     functions = {
         node.func.id for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     }
-    return Expression(ast.unparse(tree), tree, frozenset(names - functions - CONSTANTS.keys()))
+    return Expression(text, tree, frozenset(names - functions - CONSTANTS.keys()))
 
 
 def _derivative(node: ast.expr, name: str, text: str) -> ast.expr:
@@ -59,7 +74,7 @@ def _derivative(node: ast.expr, name: str, text: str) -> ast.expr:
                         f"{function} of the time has no derivative here", value=text, remedy="use a smooth function"
                     )
                 )
-            outer = _Substitute(args[0]).visit(ast.parse(_CHAIN[function], mode="eval").body)
+            outer = _Substitute({"u": args[0]}).visit(ast.parse(_CHAIN[function], mode="eval").body)
             return _times(outer, rates[0])
     raise TypeError(f"unchecked expression node {node!r}")
 
@@ -104,11 +119,11 @@ def _power(base: ast.expr, power: int) -> ast.expr:
 
 
 class _Substitute(ast.NodeTransformer):
-    """Puts an expression in the place of the name u."""
+    """Puts expressions in the place of names."""
 
-    def __init__(self, inner: ast.expr) -> None:
+    def __init__(self, inner: Mapping[str, ast.expr]) -> None:
         self._inner = inner
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
-        """Replace u; functions keep their names."""
-        return self._inner if node.id == "u" else node
+        """Replace a name; functions keep theirs."""
+        return self._inner.get(node.id, node)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Collection
 from fnmatch import fnmatchcase
 from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
-from variantgen.families.derivative import derivative
+from variantgen.families.derivative import derivative, inlined
 from variantgen.families.expressions import Dimension, Expression, dimension_name, parse
 from variantgen.families.family import Form, Parameter, Template
 from variantgen.families.hints import read_figure, read_pose, read_screens
-from variantgen.families.parameters import read_parameter, unknown_name
+from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
@@ -22,6 +24,10 @@ SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
     "symbols",
 )  # fmt: skip
+
+
+_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
+_MOST = 200  # points or bodies of a scene
 
 
 class FormReader:
@@ -50,6 +56,8 @@ class FormReader:
         points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
         bodies_table = self.top.table("bodies")
         bodies = {name: bodies_table.strings(name) for name in bodies_table.data}
+        self._check_names("points", points)
+        self._check_names("bodies", bodies)
         conditions, joints, drivers = (
             self._listed(name, f"variantgen.mechanism.{name}") for name in ("conditions", "joints", "drivers")
         )
@@ -58,6 +66,7 @@ class FormReader:
         figure = read_figure(self.top.table("figure"), set(points), bodies, self.expression)
         symbols = self.top.table("symbols").each(lambda key, value: value if isinstance(value, str) else None)
         self.top.finish()
+        self._check_symbols()
         if len(self.problems) > before:
             return None
         form = Form(
@@ -80,6 +89,26 @@ class FormReader:
             _ = form.plan
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _check_names(self, section: str, names: Collection[str]) -> None:
+        """Names of points and bodies are parts of the names of quantities: letters and digits only."""
+        for name in names:
+            if not _PLAIN.fullmatch(name):
+                self.top.problem(
+                    "a point or body is named by a Latin letter followed by letters and digits",
+                    f"{section}.{name}",
+                    name,
+                )
+        if len(names) > _MOST:
+            self.top.problem(f"more than {_MOST} of them", section, len(names))
+
+    def _check_symbols(self) -> None:
+        """No two printed parameters are written alike."""
+        seen: dict[str, str] = {}
+        for name, parameter in self.parameters.items():
+            other = seen.setdefault(parameter.symbol, name)
+            if other != name and parameter.given:
+                self.top.problem(f"is written like {other}", f"parameters.{name}.symbol", parameter.symbol)
 
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)
@@ -128,12 +157,21 @@ class FormReader:
         if self.dimensions.get(time) != (0, 1):
             table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
             return
+        # What depends on the time through other names is written out, so that it is differentiated too.
+        moving: dict[str, Expression] = {}
+        for name, expression in self.derived.items():
+            whole = inlined(expression, moving)
+            if time in whole.names:
+                moving[name] = whole
         for name in [name for name in table.data if name != "time"]:
             law = self._parsed(table, name, table.data[name])
             table.expect(name)
             if law is None:
                 continue
             with table.collecting(name):
+                law = inlined(law, moving)
+                if time in law.names:
+                    moving[name] = law
                 dimension = self._define(name, law)
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
                     law = derivative(law, time)
@@ -152,7 +190,8 @@ class FormReader:
     def _define(self, name: str, expression: Expression, dimension: Dimension | None = None) -> Dimension:
         """Make a name known; its dimension is that of the expression unless it is stated. Raises InputError."""
         if name in self.dimensions:
-            raise InputError(Problem("the name is taken"))
+            raise InputError(Problem("the name is taken", value=name, remedy="choose another name"))
+        check_name(name)
         self._known_names(expression)
         found = dimension or expression.dimension(self.dimensions) or (0, 0)
         self.dimensions[name] = found

@@ -35,11 +35,14 @@ def load_family(name_or_path: str, folders: tuple[Path, ...] = ()) -> Family:
             if (folder / name_or_path / "family.toml").is_file():
                 return read_family(folder / name_or_path / "family.toml")
     path = Path(name_or_path)
+    found: Path | None = None
     with suppress(OSError, ValueError):  # a name no file can have is just unknown
         if (path / "family.toml").is_file():
-            return read_family(path / "family.toml")
-        if path.suffix == ".toml" or path.is_file():
-            return read_family(path)
+            found = path / "family.toml"
+        elif path.suffix == ".toml" or path.is_file():
+            found = path
+    if found is not None:
+        return read_family(found)
     raise InputError(Problem("unknown family", key="family", value=name_or_path, remedy=nearest(name_or_path, known)))
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.expressions import CONSTANTS, FUNCTIONS
 from variantgen.families.family import Parameter
 from variantgen.families.units import UNITS, sound, unit
 from variantgen.tables import Table
@@ -21,10 +23,11 @@ def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
 
     ``{ unit, from, to, step }``, ``{ unit, values = [...] }`` or ``{ choices = { word = number, ... } }``.
     """
-    if not _NAME.fullmatch(name):
-        parent.problem("a name is a letter followed by letters, digits, underscores", name, name)
-        return None
     before = len(parent.problems)
+    with parent.collecting(name):
+        check_name(name)
+    if len(parent.problems) > before:
+        return None
     table = Table(value, parent.key(name), parent.problems)
     symbol = table.take("symbol", str, name)
     constant, silent = table.take("constant", bool, False), table.take("silent", bool, False)
@@ -34,10 +37,22 @@ def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
     return parameter if len(parent.problems) == before else None
 
 
+def check_name(name: str) -> None:
+    """Raise InputError if a parameter or derived quantity cannot have this name."""
+    if not _NAME.fullmatch(name):
+        raise InputError(Problem("a name is a letter followed by letters, digits, underscores", value=name))
+    if name in CONSTANTS or name in FUNCTIONS or keyword.iskeyword(name):
+        raise InputError(
+            Problem("is a word of the expression language", value=name, remedy=f"choose another name, {name}_1 say")
+        )
+
+
 def _choices(table: Table, name: str) -> Parameter:
     choices = table.take("choices", dict, {}, "a table like { left = 1, right = -1 }")
     wrong = [
-        word for word, number in choices.items() if isinstance(number, bool) or not isinstance(number, int | Decimal)
+        word
+        for word, number in choices.items()
+        if isinstance(number, bool) or not isinstance(number, int | Decimal) or not _is_sound(number)
     ]
     if wrong or not choices:
         table.problem("expected a number for each word", "choices", choices)

@@ -6,6 +6,7 @@ Text, ``{{ symbol }}``, ``{% if %}``, ``{% set %}``, comparisons, ``and or not i
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from pathlib import Path
 from types import TracebackType
@@ -26,6 +27,8 @@ _ALLOWED = (
 )  # fmt: skip
 _FUNCTIONS = ("zero",)
 _MAX_BYTES = 50_000
+# Marks that the program itself puts around formulas.
+_PRIVATE = re.compile("[\ue000-\uf8ff]")
 # What a faulty template can raise while it is filled.
 _ERRORS = (
     jinja2.TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError,
@@ -59,9 +62,10 @@ class StatementTemplate:
 @cache
 def load_template(path: Path) -> StatementTemplate:
     """Read a template. Raises InputError with line numbers for mistakes and for what is not allowed."""
-    environment = ImmutableSandboxedEnvironment(undefined=jinja2.StrictUndefined, autoescape=False)
+    environment = ImmutableSandboxedEnvironment(undefined=jinja2.StrictUndefined, autoescape=False, finalize=_printable)
+    environment.globals.clear()
     try:
-        source = read_limited(path, _MAX_BYTES).decode("utf-8-sig")
+        source = _PRIVATE.sub("", read_limited(path, _MAX_BYTES).decode("utf-8-sig"))
         tree = environment.parse(source)
         problems = [
             Problem(f"line {line}: {what} is not allowed in a statement", file=str(path), remedy=_REMEDY)
@@ -78,8 +82,17 @@ def load_template(path: Path) -> StatementTemplate:
         ) from None
     except UnicodeDecodeError:
         raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
-    except (OSError, RecursionError, MemoryError) as error:
+    except (OSError, RecursionError, MemoryError, SyntaxError, ValueError) as error:
         raise InputError(Problem(f"cannot be read: {error}", file=str(path))) from None
+
+
+def _printable(value: Any) -> str:
+    """Only symbols and words can be printed, not flags, numbers, lists or functions."""
+    if isinstance(value, jinja2.Undefined):
+        return str(value)  # raises, naming what is unknown
+    if not isinstance(value, str):
+        raise TypeError("only symbols and words can be printed")
+    return value
 
 
 _REMEDY = "only symbols, if, set, comparisons, and the function zero"
@@ -92,7 +105,7 @@ def _foreign(tree: nodes.Template) -> list[tuple[int, str]]:
         if isinstance(node, nodes.Call) and isinstance(node.node, nodes.Name) and node.node.name in _FUNCTIONS:
             continue
         if not isinstance(node, _ALLOWED):
-            found.append((int(node.lineno), type(node).__name__.lower()))
+            found.append((int(node.lineno or 1), type(node).__name__.lower()))
     return found
 
 

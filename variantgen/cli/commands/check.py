@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 import json
 
-from variantgen.cli.options import add_families, at_least_one
+from variantgen.cli.options import add_families
 from variantgen.errors import InputError, Problem
 
+_MOST_SEEDS = 100_000
 HELP = "check families"
 DESCRIPTION = """\
 Check families, those of the catalogue or your own: schema, worked cases, both languages, many seeds,
@@ -32,7 +33,8 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names
 
-    at_least_one("--seeds", arguments.seeds)
+    if not 1 <= arguments.seeds <= _MOST_SEEDS:
+        raise InputError(Problem(f"expected 1 to {_MOST_SEEDS}", key="--seeds", value=str(arguments.seeds)))
     folders = family_folders(arguments.families)
     reports: list[Report] = []
     problems: list[Problem] = []
