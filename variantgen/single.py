@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import DEFAULT_TOLERANCE
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.families.asking import read_ask
+from variantgen.families.family import Form
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
@@ -20,6 +22,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.variants.draw import draw
+from variantgen.variants.screening import verification
 from variantgen.variants.variant import Variant, solve_variants
 
 # What stands in the place of student and problem in the key of a draw for one variant.
@@ -42,8 +45,17 @@ def one_variant(
     family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else ())
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
+        _check_values(only)
         return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
     return draw(family, tuple(ask) or None, [(seed, *SINGLE)])[0]
+
+
+def _check_values(form: Form) -> None:
+    """Raise InputError where a fixed value leaves an expression without a meaning."""
+    values = form.values({name: float(p.si[0]) for name, p in form.parameters.items()})
+    wrong = [demand for demand in form.demands if not demand.met(values)]
+    if wrong:
+        raise InputError([Problem(f"expected {d.expects}", key=d.key, value=d.expression.text) for d in wrong])
 
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
@@ -72,6 +84,15 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     }
     if outcome is not Outcome.SOLVED:
         return document
+    if not verification(motion, max(q.order for q in asked))[0]:
+        raise InputError(
+            Problem(
+                "an independent computation gives another motion: the joints or drivers contradict each other",
+                key="joints",
+                value=variant.family.name,
+                remedy="is every fixed point at rest, does every wheel turn about its centre, do gears keep their distance?",
+            )
+        )
     document["points"] = {name: _point(motion, name) for name in motion.z}
     document["bodies"] = {body: _body(motion, body) for body in motion.scene.bodies}
     relative = {point: _relative(motion, point, body) for point, body in sliding_points(motion.scene).items()}

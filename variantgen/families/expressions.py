@@ -54,8 +54,21 @@ class Expression:
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
-        result: Real = _value(self.tree, values)
+        with np.errstate(all="ignore"):
+            result: Real = _value(self.tree, values)
         return result
+
+    @property
+    def risky(self) -> bool:
+        """Whether some values can leave it without a meaning."""
+        return any(
+            isinstance(node, ast.Div) or (isinstance(node, ast.Name) and node.id in ("sqrt", "asin", "acos"))
+            for node in ast.walk(self.tree)
+        )
+
+    def defined(self, values: Mapping[str, Real]) -> Any:
+        """Whether it has a meaning: nothing divided by zero, no root of a negative number, no arc sine beyond 1."""
+        return _defined(self.tree, values)
 
     def dimension(self, dimensions: Mapping[str, Dimension]) -> Dimension | None:
         """Exponents of length and time; None for a bare zero, which fits everything. Raises InputError."""
@@ -126,7 +139,7 @@ def _check(node: ast.expr, text: str, names: set[str]) -> None:
 def _value(node: ast.expr, values: Mapping[str, Real]) -> Any:
     match node:
         case ast.Constant(value=value):
-            return float(value)  # type: ignore[arg-type]
+            return np.float64(value)  # type: ignore[arg-type]
         case ast.Name(id=name):
             return CONSTANTS[name][0] if name in CONSTANTS else values[name]
         case ast.UnaryOp(op=op, operand=operand):
@@ -147,6 +160,23 @@ def _value(node: ast.expr, values: Mapping[str, Real]) -> Any:
             joint = {"min": np.minimum, "max": np.maximum, "atan2": np.arctan2}[name]
             return joint(*inputs)
     raise TypeError(f"unchecked expression node {node!r}")
+
+
+def _defined(node: ast.expr, values: Mapping[str, Real]) -> Any:
+    parts = [part for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)]
+    if isinstance(node, ast.Call):
+        parts = list(node.args)
+    good: Any = np.True_
+    for part in parts:
+        good = good & _defined(part, values)
+    match node:
+        case ast.BinOp(op=ast.Div(), right=right):
+            return good & np.not_equal(_value(right, values), 0)
+        case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
+            return good & np.greater_equal(_value(arg, values), 0)
+        case ast.Call(func=ast.Name(id="asin" | "acos"), args=[arg]):
+            return good & np.less_equal(np.abs(_value(arg, values)), 1 + 1e-12)
+    return good
 
 
 def _dimension(node: ast.expr, known: Mapping[str, Dimension], text: str) -> Dimension | None:

@@ -86,6 +86,7 @@ class FormReader:
             symbols,
         )
         with self.top.collecting(""):
+            _check_constants(form)
             _ = form.plan
             self._check_ask(form)
         return form if len(self.problems) == before else None
@@ -222,3 +223,12 @@ class FormReader:
     def _listed(self, name: str, package: str) -> tuple[Template, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]
         return tuple(template for template in found if template is not None)
+
+
+def _check_constants(form: Form) -> None:
+    """Raise InputError for fixed numbers that cannot be right (a side that is neither left nor right)."""
+    wrong = [d for d in form.demands if not d.expression.names and not d.met({})]
+    if wrong:
+        raise InputError(
+            [Problem(f"expected {demand.expects}", key=demand.key, value=demand.expression.text) for demand in wrong]
+        )

@@ -28,6 +28,10 @@ class Words(tuple[tuple[str, float], ...]):
     """Annotation of a numeric field that may also be written as one of a few words."""
 
 
+class Least(str):
+    """Annotation of a numeric field that must be ``above 0`` or ``not negative``."""
+
+
 # Exponents of length and time. A plane angle counts as a number, as in the SI.
 DIMENSIONS: dict[str, tuple[int, int]] = {
     "length": (1, 0),
@@ -42,6 +46,8 @@ DIMENSIONS: dict[str, tuple[int, int]] = {
 PointName: TypeAlias = Annotated[str, Ref("point")]
 BodyName: TypeAlias = Annotated[str, Ref("body")]
 Length: TypeAlias = Annotated[Real, Dim("length")]
+Size: TypeAlias = Annotated[Real, Dim("length"), Least("above 0")]
+Radius: TypeAlias = Annotated[Real, Dim("length"), Least("not negative")]
 Angle: TypeAlias = Annotated[Real, Dim("angle")]
 Ratio: TypeAlias = Annotated[Real, Dim("number")]
 AngularVelocity: TypeAlias = Annotated[Real, Dim("angular velocity")]
@@ -61,6 +67,7 @@ class FieldSpec:
         self.required = required
         self.ref = next((str(mark) for mark in marks if isinstance(mark, Ref)), "")
         self.dimension = next((str(mark) for mark in marks if isinstance(mark, Dim)), "")
+        self.least = next((str(mark) for mark in marks if isinstance(mark, Least)), "")
         self.words = dict(next((mark for mark in marks if isinstance(mark, Words)), ()))
         self.part = _part(hint)
         self.many = get_origin(hint) is tuple and self.part is None
@@ -76,7 +83,7 @@ class FieldSpec:
         if self.ref:
             return f"a list of two {self.ref}s" if self.many else f"the name of a {self.ref}"
         words = " or ".join(f'"{word}"' for word in self.words)
-        return words or f"a number or an expression ({self.dimension})"
+        return words or f"a number or an expression ({self.dimension}{', ' if self.least else ''}{self.least})"
 
 
 def _leaves(hint: Any) -> list[Any]:

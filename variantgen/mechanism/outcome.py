@@ -33,6 +33,7 @@ _TEXTS = {
         "the mechanism is at a dead point: the given motion does not determine the others; move it away from there"
     ),
     Outcome.DEGENERATE: (
-        "two points that define a direction coincide, or two lines that should cross are parallel; move one of them"
+        "two points that should be apart coincide, two lines that should cross are parallel, or two circles that should"
+        " touch cannot; move one of them or change a radius"
     ),
 }

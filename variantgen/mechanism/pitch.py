@@ -15,5 +15,6 @@ def line_of_centres(centre: Complex, around: Complex, radius: Length, inside: bo
     """
     d = centre - around
     distance = np.abs(d)
-    k = radius / np.where(distance > 0, distance, 1.0)
+    # Without a distance there is no contact: k = 0 is what no circle has.
+    k = np.where(distance > 0, radius, 0.0) / np.where(distance > 0, distance, 1.0)
     return d, -k if inside else k

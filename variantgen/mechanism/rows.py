@@ -13,7 +13,7 @@ from typing import Protocol, TypeAlias
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
 
 
 @dataclass(frozen=True)
@@ -177,6 +177,14 @@ class Pair(Constraint, Protocol):
         """Points at rest by which the joint is described, though they are no part of the mechanism."""
         ...
 
+    def sound(self, at: Placement) -> Flags:
+        """Whether the joint can be as it is described: circles that touch, points that are apart."""
+        ...
+
+    def resting(self) -> tuple[str, ...]:
+        """Points that the joint takes to be at rest."""
+        ...
+
     def mistake(self) -> str:
         """What an author got wrong that names and dimensions cannot tell, if anything."""
         ...
@@ -212,6 +220,14 @@ class Joint:
     def landmarks(self) -> tuple[str, ...]:
         """Points at rest by which the joint is described (the centre of a fixed arc)."""
         return ()
+
+    def sound(self, at: Placement) -> Flags:
+        """Always (joints of circles and lines check their geometry)."""
+        return True
+
+    def resting(self) -> tuple[str, ...]:
+        """The landmarks."""
+        return self.landmarks()
 
     def mistake(self) -> str:
         """Nothing (a rope checks its path)."""

@@ -84,6 +84,9 @@ def _reference_problems(scene: Scene) -> list[Problem]:
     found: list[Problem] = []
     for body, members in scene.bodies.items():
         key = f"bodies.{body}"
+        if len(set(members)) < len(members) and len(set(members)) >= 2:
+            twice = ", ".join(name for name in dict.fromkeys(members) if members.count(name) > 1)
+            found.append(Problem("a body lists a point twice", key=key, value=twice, remedy="list it once"))
         if len(set(members)) < 2:
             found.append(
                 Problem("a body needs at least two different points", key=key, value=", ".join(members) or "none")
@@ -97,10 +100,45 @@ def _reference_problems(scene: Scene) -> list[Problem]:
         for kind, known in (("point", scene.points), ("body", scene.bodies)):
             found += [_unknown(kind, name, key, known) for name in references(item, kind) if name not in known]
         found += _foreign(item, key, scene)
+    for key, item in owners[len(scene.points) :]:
+        found += _repeated(item, key)
+    found += _moving_rests(scene)
     for joint in scene.joints:
         if wrong := joint.mistake():
             found.append(Problem(wrong, key=f"joints.{label(joint)}"))
     return found
+
+
+def _repeated(component: Any, key: str) -> list[Problem]:
+    """Points or bodies that a joint, driver or condition names twice."""
+    found = []
+    for kind in ("point", "body"):
+        names = references(component, kind)
+        wheels = {name for part in parts(component) if (name := getattr(part, "body", None)) and part is not component}
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1 and name not in wheels:
+                found.append(Problem(f"names a {kind} twice", key=key, value=name, remedy=f"name another {kind}"))
+    return found
+
+
+def _moving_rests(scene: Scene) -> list[Problem]:
+    """Points that a joint takes to be at rest and that belong to something that moves."""
+    if any(name not in scene.points for joint in scene.joints for name in references(joint, "point")):
+        return []
+    fixed = fixed_points(scene)
+    moving = {name for members in scene.bodies.values() for name in members}
+    moving |= {name for c in scene.constraints for shape in c.shapes() for name in shape.points}
+    return [
+        Problem(
+            "is taken to be at rest here, but it moves",
+            key=f"joints.{label(joint)}",
+            value=name,
+            remedy="name the body that it belongs to, or hold it with a pivot",
+        )
+        for joint in scene.joints
+        for name in joint.resting()
+        if name in moving - fixed
+    ]
 
 
 def _foreign(component: Any, key: str, scene: Scene) -> list[Problem]:

@@ -48,7 +48,12 @@ def place(scene: Scene, plan: Plan) -> tuple[dict[str, Complex], Real]:
         outcome = np.where((outcome == 0) & np.logical_not(found), float(Outcome.NOT_ASSEMBLED), outcome)
     for name in plan.later:
         outcome = _construct(scene, name, at, outcome)
-    return {name: scene.frame.place(z) for name, z in at.items()}, outcome
+    placed = {name: scene.frame.place(z) for name, z in at.items()}
+    for joint in scene.joints:
+        sound = joint.sound(Placement(placed, scene.frame))
+        if sound is not True:
+            outcome = np.where((outcome == 0) & np.logical_not(sound), float(Outcome.DEGENERATE), outcome)
+    return placed, outcome
 
 
 def from_picture(scene: Scene, z: Mapping[str, Complex]) -> Scene:

@@ -46,10 +46,14 @@ def _at_least(value: Any, limit: Any) -> Passed:
 
 def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed]:
     """Comparisons that the family requires of its parameters."""
-    return {
+    found = {
         f"require {item.text}": np.broadcast_to(np.asarray(item.holds(values)), (size,))
         for item in form.screens.require
     }
+    for demand in form.demands:
+        if demand.expression.names:
+            found[f"{demand.key} with a meaning"] = np.broadcast_to(np.asarray(demand.met(values)), (size,))
+    return found
 
 
 def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Passed]:

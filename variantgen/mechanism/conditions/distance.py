@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Real
-from variantgen.mechanism.component import Length, PointName
+from variantgen.mechanism.component import PointName, Size
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class Distance:
 
     start: PointName
     end: PointName
-    length: Length
+    length: Size
 
     def value(self, at: Mapping[str, Complex]) -> Real:
         """Distance less the wanted one (m)."""

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit_towards
-from variantgen.mechanism.component import Length, PointName, Side
+from variantgen.mechanism.component import PointName, Side, Size
 from variantgen.mechanism.outcome import Outcome
 
 
@@ -40,9 +40,9 @@ class CircleCircle:
     """
 
     first: PointName
-    first_distance: Length
+    first_distance: Size
     second: PointName
-    second_distance: Length
+    second_distance: Size
     side: Side
     failure: ClassVar[Outcome] = Outcome.NOT_ASSEMBLED
 

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, across, along, unit, unit_towards
-from variantgen.mechanism.component import Angle, Length, PointName, Sense
+from variantgen.mechanism.component import Angle, PointName, Sense, Size
 from variantgen.mechanism.outcome import Outcome
 
 
@@ -25,7 +25,7 @@ class LineCircle:
 
     through: PointName
     centre: PointName
-    distance: Length
+    distance: Size
     angle: Angle = 0.0
     towards: PointName | None = None
     branch: Sense = 1.0

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags
-from variantgen.mechanism.component import Length, PointName, Side
+from variantgen.mechanism.component import Length, PointName, Radius, Side
 from variantgen.mechanism.outcome import Outcome
 
 
@@ -43,10 +43,10 @@ class Tangent:
     """
 
     centre: PointName
-    radius: Length
+    radius: Radius
     side: Side
     to: PointName
-    to_radius: Length = 0.0
+    to_radius: Radius = 0.0
     to_side: Side = 1.0
     failure: ClassVar[Outcome] = Outcome.DEGENERATE
 

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
@@ -31,6 +31,10 @@ class ArcSlot(Joint):
     def shapes(self) -> tuple[Shape, ...]:
         """One scalar row on the point and the centre."""
         return (Shape((self.point,) if self.body is None else (self.point, self.centre)),)
+
+    def sound(self, at: Placement) -> Flags:
+        """The point is off the centre."""
+        return np.abs(at.z[self.point] - at.z[self.centre]) > 0
 
     def sliding(self) -> Sliding | None:
         """The point slides on the body along the arc; a fixed arc carries no relative motion."""

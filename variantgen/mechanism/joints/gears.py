@@ -8,8 +8,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, across
-from variantgen.mechanism.component import BodyName, Length, PointName
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, across
+from variantgen.mechanism.component import BodyName, PointName, Size
 from variantgen.mechanism.pitch import line_of_centres
 from variantgen.mechanism.rows import Contact, Joint, Placement, ScalarRow, Shape, Speeds
 
@@ -29,7 +29,7 @@ class Gears(Joint):
 
     body: BodyName
     centre: PointName
-    radius: Length
+    radius: Size
     other_centre: PointName
     other: BodyName | None = None
     inside: bool = False
@@ -41,9 +41,18 @@ class Gears(Joint):
             return (Shape((self.centre,), (self.body,)),)
         return (Shape((self.centre, self.other_centre), (self.body, self.other)),)
 
+    def resting(self) -> tuple[str, ...]:
+        """The centre of a fixed gear."""
+        return (self.other_centre,) if self.other is None else ()
+
     def ratio(self, at: Placement) -> tuple[Complex, Real]:
         """The vector d and the number k of the class docstring."""
         return line_of_centres(at.z[self.centre], at.z[self.other_centre], self.radius, self.inside)
+
+    def sound(self, at: Placement) -> Flags:
+        """The centres are apart, and two circles that touch from outside are each smaller than their distance."""
+        _, k = self.ratio(at)
+        return np.isfinite(k) & (np.abs(k) > 0) & (self.inside | (k < 1.0))
 
     def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
         """The velocity row of the class docstring, times -|d|."""

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, along, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, along, unit
 from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Contact, Joint, Placement, Row, ScalarRow, Shape, Speeds, VectorRow
 
@@ -43,6 +43,16 @@ class Rolling(Joint):
         if self.on is not None and self.on_point is not None:
             points, bodies = (self.centre, self.on_point), (self.body, self.on)
         return (Shape(points, bodies) if self.axle_held else Shape(points, bodies, self.centre, self.on_point),)
+
+    def sound(self, at: Placement) -> Flags:
+        """The wheel has a radius."""
+        return np.abs(at.z[self.centre] - at.z[self.contact]) > 0
+
+    def mistake(self) -> str:
+        """A moving line needs its body and a point of it."""
+        if (self.on is None) != (self.on_point is None):
+            return "on (the body that carries the line) and on_point (one of its points) go together"
+        return ""
 
     def _turning(self, at: Placement) -> dict[str, Complex]:
         """Coefficients of the angular velocities in the velocity of the centre."""

@@ -8,8 +8,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, unit
-from variantgen.mechanism.component import BodyName, Length, PointName
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
+from variantgen.mechanism.component import BodyName, PointName, Size
 from variantgen.mechanism.pitch import line_of_centres
 from variantgen.mechanism.rows import Contact, Joint, Placement, Shape, Speeds, VectorRow
 
@@ -30,7 +30,7 @@ class RollingOnCircle(Joint):
 
     body: BodyName
     centre: PointName
-    radius: Length
+    radius: Size
     around: PointName
     inside: bool = False
     on: BodyName | None = None
@@ -49,6 +49,11 @@ class RollingOnCircle(Joint):
     def ratio(self, at: Placement) -> tuple[Complex, Real]:
         """The vector d and the number k of the class docstring."""
         return line_of_centres(at.z[self.centre], at.z[self.around], self.radius, self.inside)
+
+    def sound(self, at: Placement) -> Flags:
+        """The centres are apart, and two circles that touch from outside are each smaller than their distance."""
+        _, k = self.ratio(at)
+        return np.isfinite(k) & (np.abs(k) > 0) & (self.inside | (k < 1.0))
 
     def rows(self, at: Placement) -> tuple[VectorRow, ...]:
         """The velocity row of the class docstring."""

@@ -9,8 +9,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, along
-from variantgen.mechanism.component import BodyName, Length, PointName, Side
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, along
+from variantgen.mechanism.component import BodyName, PointName, Radius, Side
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
 
@@ -25,7 +25,7 @@ class Bend:
     """
 
     point: PointName
-    radius: Length = 0.0
+    radius: Radius = 0.0
     side: Side = 1.0
     body: BodyName | None = None
     fixed: bool = False
@@ -63,6 +63,19 @@ class Rope(Joint):
         """Free ends: loads, or points of bodies that the rope is tied to."""
         ends = (self.path[0], self.path[-1])
         return tuple(end.point for end in ends if end.body is None and not end.fixed)
+
+    def sound(self, at: Placement) -> Flags:
+        """No two stations overlap."""
+        good: Flags = True
+        for first, second in pairwise(self.path):
+            gap = np.abs(at.z[second.point] - at.z[first.point])
+            reach = np.abs(first.side * first.radius - second.side * second.radius)
+            good = good & (gap > reach) & (gap > 0)
+        return good
+
+    def resting(self) -> tuple[str, ...]:
+        """The fixed stations."""
+        return tuple(bend.point for bend in self.path if bend.fixed)
 
     def mistake(self) -> str:
         """What is wrong with the path, if anything."""

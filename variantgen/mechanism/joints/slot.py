@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.mechanism.arithmetic import Complex, Real, across, along, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along, unit, unit_towards
 from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
@@ -36,6 +36,10 @@ class Slot(Joint):
         """One scalar row; a second one where the sleeve does not swivel."""
         line = Shape(points=(self.point, self.along[0]), bodies=(self.body,))
         return (line,) if self.sleeve is None else (line, Shape(bodies=(self.body, self.sleeve)))
+
+    def sound(self, at: Placement) -> Flags:
+        """The two points of the line are apart."""
+        return unit_towards(at.z[self.along[0]], at.z[self.along[1]])[1]
 
     def sliding(self) -> Sliding:
         """The point slides on the body along its line."""
