@@ -90,7 +90,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
                 "an independent computation gives another motion: the joints or drivers contradict each other",
                 key="joints",
                 value=variant.family.name,
-                remedy="is every fixed point at rest, does every wheel turn about its centre, do gears keep their distance?",
+                remedy="is each fixed point at rest, does each wheel turn about its centre, do gears keep apart?",
             )
         )
     document["points"] = {name: _point(motion, name) for name in motion.z}

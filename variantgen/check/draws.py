@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from variantgen.check.report import FormReport, Report, Spread
-from variantgen.check.texts import check_texts
+from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import VariantgenError
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, parse_quantity
@@ -63,6 +63,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
         if item.commonest > _COMMONEST and not item.quantity.endswith(".sense")
     ]
     check_texts(variants, motion, report)
+    check_quantities(variants[0], report)
 
 
 def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:

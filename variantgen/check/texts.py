@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -9,16 +11,18 @@ from decimal import Decimal
 from variantgen.check.report import Report
 from variantgen.errors import VariantgenError
 from variantgen.families.family import Family
+from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
-from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.variants.needed import given_names
-from variantgen.variants.variant import Variant
+from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
 from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.statement import Statement, statement
 
+_EQUAL = 1e-6  # relative: what a mark may differ from its parameter by rounding
 _FIGURES = 20  # variants per form whose figure is drawn and compared with the statement
 
 
@@ -43,6 +47,51 @@ def check_texts(variants: Sequence[Variant], motion: Motion, report: Report) -> 
                 break
 
 
+def check_quantities(variant: Variant, report: Report) -> None:
+    """The statement and the figure of a variant for each single quantity that may be asked."""
+    if variant.family.folder is None:
+        return
+    form = variant.form
+    given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
+    motion = solve_variants([variant], 0)
+    for name in (name for name in form.askable if "." not in name and name not in given):
+        asked = [parse_quantity(name, form.sample)]
+        try:
+            for language_name in languages():
+                statement(variant, asked, load_language(language_name))
+            statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
+        except VariantgenError as error:
+            report.failures.append(f"form {form.name!r}, asked {name} alone: {error}")
+
+
+def _false_marks(variant: Variant, motion: Motion, place: int) -> list[str]:
+    """Marks of the figure whose size is not that of their parameter."""
+    values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
+    hints, z = variant.form.figure, {name: complex(motion.z[name][place]) for name in motion.z}
+    frame = take_scene(motion.scene, place, motion.size).frame
+
+    def ray(corner: str, name: str) -> complex:
+        return complex(frame.place(DIRECTIONS[name])) if name in DIRECTIONS else z[name] - z[corner]
+
+    found = [
+        (mark.name, abs(cmath.phase(ray(mark.at, mark.end) / ray(mark.at, mark.start))), "angle")
+        for mark in hints.angles
+    ]
+    found += [(mark.name, abs(z[mark.end] - z[mark.start]), "length") for mark in hints.lengths]
+    found += [(disc.name, float(disc.radius.value(values)), "radius") for disc in hints.discs if disc.name]
+    return [
+        f"the {kind} marked {name} is not the given one"
+        for name, size, kind in found
+        if not _same(size, float(values[name]), kind)
+    ]
+
+
+def _same(size: float, value: float, kind: str) -> bool:
+    if kind == "angle":
+        return abs(math.cos(size) - math.cos(value)) < _EQUAL
+    return abs(size - abs(value)) < _EQUAL * (size + abs(value))
+
+
 def _at_constant_speed(variant: Variant) -> Variant:
     """The variant with all given accelerations zero: its text must not speak of them."""
     second = {name for name, parameter in variant.form.parameters.items() if parameter.of_second_order}
@@ -59,6 +108,7 @@ def _failures(variant: Variant, asked: Sequence[Quantity], language: Language, m
     drawing = statement_figure(variant, motion, place, asked, language)
     found = [f"figure, form {variant.form.name!r}, seed {place}: {fault}" for fault in figure_faults(drawing)]
     drawn: set[Formula] = {label.formula for label in drawing.labels}
+    found += [f"{where}: {fault}" for fault in _false_marks(variant, motion, place)]
     found += [f"{where}: the figure does not show {name}" for name in _unshown(variant, asked, language, drawn)]
     for point in sorted({q.point for q in asked} - {""}):
         if Symbol(point) not in drawn:

@@ -28,7 +28,7 @@ def read_ask(form: Form, ask: Sequence[str] | None = None, key: str = "ask") -> 
             problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy="remove it"))
             continue
         try:
-            quantity = parse_quantity(text, form.sample, place)
+            quantity = parse_quantity(text, form.sample, place, form.askable)
             if text not in form.askable:
                 problem = "the data of this problem do not determine it"
                 problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))

@@ -7,11 +7,11 @@ from collections.abc import Collection
 from fnmatch import fnmatchcase
 from typing import Any
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
 from variantgen.families.derivative import derivative, inlined
 from variantgen.families.expressions import Dimension, Expression, dimension_name, parse
-from variantgen.families.family import Form, Parameter, Template
+from variantgen.families.family import FigureHints, Form, Parameter, Template
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.quantities import quantity_names
@@ -64,7 +64,9 @@ class FormReader:
         screens = read_screens(self.top.table("screens"), self.expression, points)
         pose = read_pose(self.top.table("pose"))
         figure = read_figure(self.top.table("figure"), set(points), bodies, self.expression)
-        symbols = self.top.table("symbols").each(lambda key, value: value if isinstance(value, str) else None)
+        self._check_marks(figure)
+        written = self.top.table("symbols")
+        symbols = {name: written.take(name, str, "") for name in written.data}
         self.top.finish()
         self._check_symbols()
         if len(self.problems) > before:
@@ -111,6 +113,19 @@ class FormReader:
             if other != name and parameter.given:
                 self.top.problem(f"is written like {other}", f"parameters.{name}.symbol", parameter.symbol)
 
+    def _check_marks(self, figure: FigureHints) -> None:
+        """Marks carry names of parameters."""
+        names = {
+            "angles": [mark.name for mark in figure.angles],
+            "lengths": [mark.name for mark in figure.lengths],
+            "discs": [mark.name for mark in figure.discs],
+        }
+        for kind, found in names.items():
+            for i, name in enumerate(found, start=1):
+                if name and name not in self.parameters:
+                    key = f"figure.{kind}[{i}].name"
+                    self.top.problem("unknown parameter", key, name, nearest(name, self.parameters))
+
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)
         for pattern in form.may_ask:
@@ -126,7 +141,8 @@ class FormReader:
         if self.ask:
             read_ask(form)
             return
-        plain = tuple(name for name in form.askable if "." not in name)
+        given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
+        plain = tuple(name for name in form.askable if name not in given and ("." not in name or form.may_ask))
         if not plain:
             raise InputError(
                 Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")

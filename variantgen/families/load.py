@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -16,6 +16,7 @@ from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
 
 SCHEMA = 1
+_MOST_FORMS = 50
 
 
 def family_names(folders: Sequence[Path] = ()) -> list[str]:
@@ -62,7 +63,8 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     if version != SCHEMA:
         age = "newer than this program: update the program" if version > SCHEMA else "too old: see CHANGELOG.md"
         top.problem(f"expected schema {SCHEMA}", "schema", version, f"the file is {age}")
-    titles = top.table("title").each(lambda key, value: value if isinstance(value, str) else None)
+    title = top.table("title")
+    titles = {name: title.take(name, str, "") for name in title.data}
     length = top.take("length_unit", str, "m")
     with top.collecting("length_unit"):
         if unit(length, "").measures != "length":
@@ -70,6 +72,9 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     ask, may_ask = top.strings("ask"), top.strings("may_ask")
     source = top.take("source", str, "")
     overlays = top.take("forms", dict, {}, "a table of forms")
+    if len(overlays) > _MOST_FORMS:
+        top.problem(f"more than {_MOST_FORMS} forms", "forms", len(overlays))
+        overlays = {}
     base = {name: top.take(name, (dict, list), {}) for name in SECTIONS if name in data}
     top.finish()
     if problems:
@@ -82,6 +87,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         form = reader.read(table.strings("may_ask", may_ask))
         if form is not None:
             forms[name] = form
+    _check_symbols(forms, problems)
     if problems:
         raise InputError(dict.fromkeys(problems))
     is_family = path.name == "family.toml"
@@ -98,6 +104,14 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
         ),
     )
+
+
+def _check_symbols(forms: Mapping[str, Form], problems: list[Problem]) -> None:
+    """What is written otherwise must be a body or a parameter of some form (forms share the table)."""
+    known = {name for form in forms.values() for name in (*form.bodies, *form.parameters)}
+    for name in sorted({name for form in forms.values() for name in form.symbols} - known):
+        remedy = nearest(name, known)
+        problems.append(Problem("unknown body or parameter", key=f"symbols.{name}", value=name, remedy=remedy))
 
 
 def _overlaid(base: dict[str, Any], overlay: dict[str, Any]) -> dict[str, Any]:

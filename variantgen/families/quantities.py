@@ -20,6 +20,7 @@ name                      meaning
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -140,11 +141,11 @@ class Quantity:
         return found
 
 
-def parse_quantity(text: str, scene: Scene, key: str = "ask") -> Quantity:
-    """The quantity of that name in a scene; InputError with the nearest names if the scene has none such."""
+def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[str] = ()) -> Quantity:
+    """The quantity of that name in a scene; InputError with the nearest (``offered``) names if it has none such."""
     known = quantity_names(scene)
     if text not in known:
-        raise InputError(Problem("unknown quantity", key=key, value=text, remedy=nearest(text, known)))
+        raise InputError(Problem("unknown quantity", key=key, value=text, remedy=nearest(text, offered or known)))
     return split_name(text)
 
 

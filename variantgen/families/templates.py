@@ -50,6 +50,9 @@ class TemplateReader:
             else:
                 with table.collecting(spec.name):
                     fields[spec.name] = self._field(spec, table.data[spec.name])
+        for first, second in getattr(component, "either", ()):
+            if first in table.data and second in table.data:
+                table.problem(f"{first} and {second} both give the direction", second, table.data[second], "keep one")
         table.finish()
         return Template(component, fields)
 

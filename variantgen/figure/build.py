@@ -8,6 +8,7 @@ from functools import cache
 from itertools import pairwise
 from types import ModuleType
 
+from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
@@ -33,9 +34,29 @@ def _symbol_module(stem: str) -> ModuleType:
 def statement_figure(
     variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language
 ) -> Drawing:
-    """The drawing of one variant; ``index`` is its place in the batch ``motion`` (positions are enough)."""
+    """The drawing of one variant; ``index`` is its place in the batch ``motion`` (positions are enough).
+
+    Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
+    drawn variants away from that; data fixed by hand may lead there).
+    """
+    try:
+        return _figure(variant, motion, index, asked, language)
+    except (ZeroDivisionError, OverflowError):
+        raise InputError(
+            Problem(
+                "cannot be drawn: points that its symbols need apart coincide, or its proportions are extreme",
+                key="figure",
+                value=variant.family.name,
+                remedy="change the data, or the hints of the family that name these points",
+            )
+        ) from None
+
+
+def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     form = variant.form
     shown = shown_points(variant, asked)
+    if not shown:
+        raise InputError(Problem("every point is hidden", key="figure.hidden", value=variant.family.name))
     values = form.values({name: variant.si(name) for name in form.parameters})
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]

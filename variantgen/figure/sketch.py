@@ -19,6 +19,7 @@ MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
 DOT = 0.65  # radius of a marked point, u
 _HATCH_STEP, _HATCH_DEPTH = 1.15, 1.5
+_MOST_STROKES = 400
 
 
 @dataclass
@@ -61,7 +62,7 @@ class Sketch:
             lean = (normal + way) / math.sqrt(2)
         lean *= math.copysign(1.0, (lean * normal.conjugate()).real)
         stroke = lean * _HATCH_DEPTH / (lean * normal.conjugate()).real
-        count = max(2, round((abs(end - start) - 0.6) / _HATCH_STEP))
+        count = min(_MOST_STROKES, max(2, round((abs(end - start) - 0.6) / _HATCH_STEP)))
         feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
         self.lines.append(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND))
         far = normal * _HATCH_DEPTH
@@ -74,7 +75,7 @@ class Sketch:
 
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
         """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
-        count = max(2, round((radius * sweep - 0.6) / _HATCH_STEP))
+        count = min(_MOST_STROKES, max(2, round((radius * sweep - 0.6) / _HATCH_STEP)))
         normal = 1.0 if outside else -1.0
         strokes = []
         for i in range(count):

@@ -28,7 +28,10 @@ def run(arguments: argparse.Namespace) -> int:
     variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
     document = solution_document(variant, arguments.ask)
     if arguments.json:
-        print(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
+        try:
+            print(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
+        except ValueError:
+            raise InputError(Problem("the numbers grow beyond all bounds", file=arguments.family)) from None
     outcome = Outcome[document["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))

@@ -15,7 +15,7 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
 _SWEEP = math.radians(62)
-_RADII = (6.4, 8.8)
+_RADII = (6.2, 10.4)
 _OFF_RIM = 2.4
 _LONGEST = 16.0  # length of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u

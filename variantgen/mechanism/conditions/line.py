@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -19,6 +20,7 @@ class Line:
     through: PointName
     angle: Angle = 0.0
     towards: PointName | None = None
+    either: ClassVar[tuple[tuple[str, str], ...]] = (("angle", "towards"),)
 
     def _way(self, at: Mapping[str, Complex]) -> tuple[Complex, Real]:
         if self.towards is None:

@@ -19,6 +19,7 @@ class Foot:
     through: PointName
     angle: Angle = 0.0
     towards: PointName | None = None
+    either: ClassVar[tuple[tuple[str, str], ...]] = (("angle", "towards"),)
     failure: ClassVar[Outcome] = Outcome.DEGENERATE
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:

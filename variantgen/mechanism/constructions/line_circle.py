@@ -29,6 +29,7 @@ class LineCircle:
     angle: Angle = 0.0
     towards: PointName | None = None
     branch: Sense = 1.0
+    either: ClassVar[tuple[tuple[str, str], ...]] = (("angle", "towards"),)
     failure: ClassVar[Outcome] = Outcome.NOT_ASSEMBLED
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:

@@ -27,6 +27,10 @@ class LineLine:
     second_angle: Angle = 0.0
     first_towards: PointName | None = None
     second_towards: PointName | None = None
+    either: ClassVar[tuple[tuple[str, str], ...]] = (
+        ("first_angle", "first_towards"),
+        ("second_angle", "second_towards"),
+    )
     failure: ClassVar[Outcome] = Outcome.DEGENERATE
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
