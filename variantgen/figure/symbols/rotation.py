@@ -17,6 +17,7 @@ from variantgen.wording.formula import Symbol
 _SWEEP = math.radians(62)
 _RADII = (6.2, 10.4)
 _OFF_RIM = 2.4
+_SAMPLES = 11  # of an arc: closer together than a line and its head are wide
 _LONGEST = 16.0  # length of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
 _ROOMY = 14.0  # radius of a disc in which two arcs with their letters find room, u
@@ -72,17 +73,17 @@ def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Sym
     centre = sketch.at[pivot]
     width, height = label_size(formula)
     ways = np.exp(1j * np.array(_ANGLES))
-    parts = np.exp(1j * turn * np.array([-0.5, -0.25, 0.0, 0.25, 0.55]))
+    parts = np.exp(1j * turn * np.linspace(-0.5, 0.56, _SAMPLES))
     arcs = (centre + radius * ways[:, None] * parts[None, :]).ravel()
     names = centre + ways * (radius + 0.7 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag)))
-    crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, 5).sum(axis=1)
+    crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, _SAMPLES).mean(axis=1)
     covered = np.minimum(sketch.crossings(names, (0.5 * width + GAP, 0.5 * height + GAP)), 3)
     room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
     apart = [math.pi if other is None else abs(math.remainder(angle - other, math.tau)) for angle in _ANGLES]
     too_close = np.array(apart) < _SWEEP + math.radians(50)
-    inside = _on_other_discs(board, centre, arcs).reshape(-1, 5).sum(axis=1)
+    inside = _on_other_discs(board, centre, arcs).reshape(-1, _SAMPLES).mean(axis=1)
     strange = _near_other_arcs(board, names) + 0.5 * _near_other_arcs(board, centre + radius * ways)
-    return _ANGLES[int(np.argmin(3 * crossed + 5 * covered + 4 * room + 100 * too_close + 8 * strange + 3 * inside))]
+    return _ANGLES[int(np.argmin(15 * crossed + 5 * covered + 4 * room + 100 * too_close + 8 * strange + 15 * inside))]
 
 
 def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:
