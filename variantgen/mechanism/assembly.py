@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 
-# Share of the picture's size by which the conditions move per step, and the largest number of steps.
-_STEP, _MOST_STEPS = 0.05, 12
-_CORRECTIONS = 1
+# Share of the picture's size by which the conditions move per step, and the largest number of steps. Each step is one
+# of Newton's method, so what is left after it is of second order and goes into the next.
+_STEP, _MOST_STEPS = 0.04, 16
 _POLISH = 5
 # Of the size of the picture: what a converged chain may leave open (a few roundings of the coordinates).
 _CLOSED = 1e-13
@@ -89,30 +89,30 @@ class _Assembly:
     def run(self) -> tuple[dict[str, Complex], Flags]:
         """Follow the path; see :func:`assemble`."""
         start = self.residual()
-        first = np.linalg.det(self.jacobian())
+        jacobian = self.jacobian()
+        first = np.linalg.det(jacobian)
         sound = np.abs(first) > _SINGULAR
         # Steps short enough to stay on the branch; a picture that is nearly right needs but one.
         worst = float(np.max(np.abs(start) / self.size[..., None]))
         steps = min(_MOST_STEPS, max(1, math.ceil(worst / _STEP)))
         for step in range(1, steps + 1):
-            target = (1.0 - step / steps) * start
-            for _ in range(1 + _CORRECTIONS):
-                self._newton(target, sound)
-            ratio = np.linalg.det(self.jacobian()) / np.where(first == 0, 1.0, first)
-            sound = sound & (ratio > _SINGULAR)
+            self._newton(jacobian, (1.0 - step / steps) * start, sound)
+            jacobian = self.jacobian()
+            sound = sound & (np.linalg.det(jacobian) / np.where(first == 0, 1.0, first) > _SINGULAR)
         for _ in range(_POLISH):
-            self._newton(np.zeros_like(start), sound)
+            self._newton(jacobian, np.zeros_like(start), sound)
             left = np.max(np.abs(self.residual()), axis=-1)
             if np.all((left <= 0.01 * _CLOSED * self.size) | ~sound):
                 break
+            jacobian = self.jacobian()
         return {name: self.z[..., i] for i, name in enumerate(self.names)}, sound & (left <= _CLOSED * self.size)
 
-    def _newton(self, target: Table, sound: Flags) -> None:
+    def _newton(self, jacobian: Table, target: Table, sound: Flags) -> None:
         """One step towards ``residual = target``; variants that are given up stay where they are."""
-        jacobian = np.where(sound[..., None, None], self.jacobian(), np.eye(2 * len(self.names)))
+        safe = np.where(sound[..., None, None], jacobian, np.eye(2 * len(self.names)))
         lack = np.where(sound[..., None], target - self.residual(), 0.0)
         # Only a step shorter than the picture can belong to the path; it also keeps lost variants finite.
-        move = np.linalg.solve(jacobian, lack[..., None])[..., 0]
+        move = np.linalg.solve(safe, lack[..., None])[..., 0]
         longest = np.max(np.abs(move), axis=-1, keepdims=True)
         limit = self.size[..., None]
         move = move * np.where(longest > limit, limit / np.where(longest > 0, longest, 1.0), 1.0)

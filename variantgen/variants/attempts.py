@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.family import Family, Form, frame
 from variantgen.families.quantities import Quantity
+from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
 from variantgen.variants.screening import (
@@ -47,12 +48,13 @@ class Tally:
 
 @dataclass(frozen=True)
 class Attempts:
-    """A batch of attempts: grid indices per parameter, pose, and which student each belongs to."""
+    """A batch of attempts: grid indices per parameter, pose, which student each belongs to; its motion if solved."""
 
     index: dict[str, NDArray[np.int64]]
     pose: NDArray[np.int64]
     owner: NDArray[np.int64]
     number: NDArray[np.int64]
+    motion: Motion | None = None
 
     def take(self, chosen: NDArray[np.int64]) -> Attempts:
         """Those at the given places."""
@@ -61,6 +63,7 @@ class Attempts:
             self.pose[chosen],
             self.owner[chosen],
             self.number[chosen],
+            self.motion.take(chosen) if self.motion is not None else None,
         )
 
 
@@ -147,12 +150,14 @@ class FormDrawing:
         if not attempts.owner.size:
             return attempts
         motion = add_speeds(motion.take(passed), self.form.plan, self.order)
+        attempts = replace(attempts, motion=motion)
         return attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
 
     def _sound(self, attempts: Attempts) -> NDArray[np.bool_]:
         """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
         parameters, on_paper = self._si(attempts), self._frame(attempts)
-        motion = solve(self.form.scene(self.form.values(parameters), on_paper), self.order, self.form.plan)
+        motion = attempts.motion
+        assert motion is not None, "only promising attempts come here, and these are solved"
         gain = sensitivity(self.form, parameters, on_paper, self.asked, motion)
         good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
         self.tally.rejected["answers well conditioned"] += int(np.sum(~good))
