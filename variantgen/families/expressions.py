@@ -62,7 +62,7 @@ class Expression:
     def risky(self) -> bool:
         """Whether some values can leave it without a meaning."""
         return any(
-            isinstance(node, ast.Div) or (isinstance(node, ast.Name) and node.id in ("sqrt", "asin", "acos"))
+            isinstance(node, ast.Div | ast.Pow) or (isinstance(node, ast.Name) and node.id in ("sqrt", "asin", "acos"))
             for node in ast.walk(self.tree)
         )
 

@@ -34,7 +34,11 @@ class Demand:
         """What is expected, in words."""
         if self.allowed:
             return "one of " + ", ".join(f"{value:g}" for value in self.allowed)
-        return f"a value {self.least}" if self.least else "a value: no division by zero, no root of a negative number"
+        return (
+            f"a value {self.least}"
+            if self.least
+            else "a finite value: no division by zero, no root of a negative number"
+        )
 
     def met(self, values: Mapping[str, Real]) -> Flags:
         """Whether it is met, per variant."""
