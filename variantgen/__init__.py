@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from variantgen.builder import build
     from variantgen.check.family import check_family
     from variantgen.errors import InputError, VariantgenError
-    from variantgen.exam.blueprint import read_exam
     from variantgen.exam.roster import Student, read_roster
     from variantgen.families.load import family_names, load_family
     from variantgen.mechanism.scene import Scene
@@ -38,7 +37,6 @@ _HOMES = {
     "draw": "variants.draw",
     "family_names": "families.load",
     "load_family": "families.load",
-    "read_exam": "exam.blueprint",
     "read_roster": "exam.roster",
     "recompute": "mechanism.verify",
     "solution_document": "single",
@@ -57,7 +55,6 @@ __all__ = [
     "draw",
     "family_names",
     "load_family",
-    "read_exam",
     "read_roster",
     "recompute",
     "solution_document",

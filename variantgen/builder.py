@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
 from variantgen.outputs.folder import check_free, whole_folder
@@ -62,7 +62,7 @@ class _Part:
 
 
 def build(
-    exam: Exam,
+    exam: Exam | Path,
     students: Sequence[Student],
     out: Path,
     seed: str | None = None,
@@ -70,11 +70,12 @@ def build(
     force: bool = False,
     progress: Progress = lambda stage, done, total: None,
 ) -> Built:
-    """Build an exam (from :func:`read_exam`) into the folder ``out``, which is complete or not there.
+    """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
 
     Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json``. The same input gives the same bytes, whatever
     ``jobs`` is. Raises InputError for wrong input.
     """
+    exam = read_exam(exam) if isinstance(exam, Path) else exam
     check_free(out, force)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))

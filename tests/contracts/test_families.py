@@ -16,6 +16,7 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.variants.draw import Drawing as VariantDrawing
+from variantgen.variants.needed import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, to_plain, to_typst
 from variantgen.wording.language import languages, load_language
@@ -71,6 +72,17 @@ def test_labels_do_not_overlap_and_stay_on_the_paper(name: str) -> None:
             assert label.at.imag + label.size[1] / 2 <= figure.height
             for other in figure.labels[:i]:
                 assert not overlap(label, other), (variant.printed, to_plain(label.formula), to_plain(other.formula))
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_data_are_printed_in_the_usual_order(name: str) -> None:
+    order = ["length", "angle", "time", "angular velocity", "velocity", "angular acceleration", "acceleration"]
+    groups = [0, 1, 2, 3, 3, 4, 4]
+    for variant, _ in drawn(name, 2):
+        asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
+        given = [variant.form.parameters[n] for n in given_names(variant, asked)]
+        found = [groups[order.index(p.unit.measures)] for p in given if p.unit and not p.constant]
+        assert found == sorted(found)
 
 
 def neutral(formula: Formula) -> str:
@@ -155,11 +167,17 @@ def sources(derived: Mapping[str, Expression], names: Iterable[str]) -> set[str]
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(name: str) -> None:
-    for variant, figure in drawn(name, 40):
-        pairs = arcs_and_labels(figure)
-        rates = given_rates(variant) if pairs else {}
-        for arc, label in pairs:
-            assert np.sign(arc.sweep) == np.sign(rates[to_plain(label.formula)]), variant.printed
+    for variant, figure in drawn(name, 60):
+        arcs = {to_plain(label.formula): arc for arc, label in arcs_and_labels(figure)}
+        rates = given_rates(variant)
+        assert set(arcs) == {symbol for symbol, rate in rates.items() if rate != 0}
+        for symbol, arc in arcs.items():
+            assert np.sign(arc.sweep) == np.sign(rates[symbol]), variant.printed
+            # The two arcs of one body lie in different directions.
+            other = arcs.get(symbol.replace("ω", "ε"))
+            if symbol.startswith("ω") and other is not None:
+                middle, far = arc.start + arc.sweep / 2, other.start + other.sweep / 2
+                assert abs(np.angle(np.exp(1j * (middle - far)))) > np.radians(90), variant.printed
 
 
 @pytest.mark.parametrize("name", FAMILIES)

@@ -90,11 +90,15 @@ def test_special_golden_values() -> None:
 def test_printed_values_differ_from_the_exact_ones_only_where_an_erratum_says_so() -> None:
     for name in family_names():
         for case in load_cases(load_family(name)):
-            apart = [
-                key
-                for key, value in case.printed.items()
-                if abs(value - case.exact[key]) > 0.006 * abs(value) and not case.note
-            ]
-            wrong = [key for key, value in case.printed.items() if abs(value - case.exact[key]) > 0.01 * abs(value)]
+            # K28 rounds OD to two digits on the way, which its relative motion magnifies; the source says so.
+            bound = 0.007 if case.id == "K28" else 0.006
+            apart = [key for key, value in case.printed.items() if abs(value - case.exact[key]) > bound * abs(value)]
             assert not apart or case.erratum, (case.id, apart)
-            assert not wrong or case.erratum, (case.id, wrong)
+            if case.id in WRONG_IN_PRINT:
+                assert apart or case.id == "M22", case.id
+            assert bool(case.erratum) == (case.id in ERRATA), case.id
+
+
+# Errata of the sources: wrong printed results (M22 in the fourth digit), and slips on the way to right ones.
+WRONG_IN_PRINT = {"M22", "M35"}
+ERRATA = WRONG_IN_PRINT | {"M30", "M33", "M36"}

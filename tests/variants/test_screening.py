@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from variantgen.builder import build
-from variantgen.exam.blueprint import read_exam
 from variantgen.exam.roster import numbered
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
@@ -28,7 +27,7 @@ def test_a_wrong_solver_stops_the_build_and_writes_nothing(monkeypatch: pytest.M
     exam = tmp_path / "exam.toml"
     exam.write_text(CATALOG_EXAM, "utf-8")
     with pytest.raises(VerificationError, match=r"sleeve_on_crank.*seed, student, problem: 0, \d, 1\) for"):
-        build(read_exam(exam), numbered(3), tmp_path / "out")
+        build(exam, numbered(3), tmp_path / "out")
     assert [path.name for path in tmp_path.iterdir()] == ["exam.toml"]
 
 

@@ -84,6 +84,7 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
         return replace(item, **changes) if changes else item
 
     def shortened(value: Any) -> Any:
+        """An array over the batch or a tuple of parts with the chosen variants; anything else as it is."""
         if isinstance(value, np.ndarray) and value.shape == (size,):
             return value[index]
         if isinstance(value, tuple) and value and is_dataclass(value[0]):

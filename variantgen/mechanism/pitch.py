@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.component import Length
 
 
@@ -18,3 +18,8 @@ def line_of_centres(centre: Complex, around: Complex, radius: Length, inside: bo
     # Without a distance there is no contact: k = 0 is what no circle has.
     k = np.where(distance > 0, radius, 0.0) / np.where(distance > 0, distance, 1.0)
     return d, -k if inside else k
+
+
+def can_touch(k: Real, inside: bool) -> Flags:
+    """Whether two circles with the number k of their line of centres touch: apart, and outside each smaller than d."""
+    return np.isfinite(k) & (np.abs(k) > 0) & (inside | (k < 1.0))

@@ -256,6 +256,7 @@ def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
     forms: dict[str, set[int]] = {}
 
     def through(step: Step) -> set[int]:
+        """Unknowns in the velocity of the point that a step reaches."""
         match step:
             case Lead(_, c, r, _):
                 shape = scene.constraints[c].shapes()[r]

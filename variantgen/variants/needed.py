@@ -24,11 +24,11 @@ def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
 
 
 def _rank(parameter: Parameter) -> int:
-    """Lengths first, then angles and numbers, times, rates in the order of the family, constants."""
+    """Lengths first, then angles and numbers, times, velocities, accelerations, constants."""
     if parameter.constant:
-        return 4
+        return 5
     if parameter.is_rate:
-        return 3
+        return 4 if parameter.of_second_order else 3
     measures = parameter.unit.measures if parameter.unit else ""
     return {"length": 0, "time": 2}.get(measures, 1)
 

@@ -42,6 +42,7 @@ def _roomiest_side(board: Board, point: str) -> float:
     depth, half = _HEIGHT + 1.7, _HALF_BASE + 1.0
 
     def cost(angle: float) -> float:
+        """What a base in this direction covers, and how near it comes to the links."""
         down = cmath.rect(1.0, angle)
         sides = (half, 0.5 * depth) if abs(down.imag) > 0.5 else (0.5 * depth, half)
         covered = int(sketch.crossings([sketch.at[point] + (HINGE + 0.5 * depth) * down], sides)[0])

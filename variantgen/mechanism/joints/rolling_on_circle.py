@@ -10,7 +10,7 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
 from variantgen.mechanism.component import BodyName, PointName, Size
-from variantgen.mechanism.pitch import line_of_centres
+from variantgen.mechanism.pitch import can_touch, line_of_centres
 from variantgen.mechanism.rows import Contact, Joint, Placement, Shape, Speeds, VectorRow
 
 
@@ -52,8 +52,7 @@ class RollingOnCircle(Joint):
 
     def sound(self, at: Placement) -> Flags:
         """The centres are apart, and two circles that touch from outside are each smaller than their distance."""
-        _, k = self.ratio(at)
-        return np.isfinite(k) & (np.abs(k) > 0) & (self.inside | (k < 1.0))
+        return can_touch(self.ratio(at)[1], self.inside)
 
     def rows(self, at: Placement) -> tuple[VectorRow, ...]:
         """The velocity row of the class docstring."""
