@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.mechanism.blocks import indeterminate, triangular_blocks
+from variantgen.mechanism.mistakes import check_scene
 from variantgen.mechanism.placing import placing_order
 from variantgen.mechanism.rows import Shape
 from variantgen.mechanism.scene import Scene, label
@@ -121,9 +122,10 @@ class Plan:
 def analyse(scene: Scene) -> Plan:
     """The plan of a scene.
 
-    Raises InputError when points are defined in a circle, and when the scene is under- or over-determined; then the
-    message names what is free and which joints contradict or repeat each other.
+    Raises InputError for wrong names, when points are defined in a circle, and when the scene is under- or
+    over-determined; then the message names what is free and which joints contradict or repeat each other.
     """
+    check_scene(scene)
     placing, together, later = placing_order(scene)
     reach = _Reach(scene)
     reach.run()
