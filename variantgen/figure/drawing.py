@@ -101,9 +101,10 @@ class Label:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A finished figure: width and height in u, lines back to front, labels."""
+    """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen."""
 
     width: float
     height: float
     lines: tuple[Line, ...]
     labels: tuple[Label, ...]
+    alt: str = ""

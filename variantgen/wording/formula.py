@@ -29,10 +29,14 @@ class Index:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA."""
+    """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA.
+
+    ``upper`` is what stands above the index: the ``n`` or ``tau`` of a component of an acceleration.
+    """
 
     base: str
     index: tuple[Index, ...] = ()
+    upper: tuple[Index, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -90,8 +94,11 @@ def letters(text: str) -> list[tuple[str, str]]:
 def to_typst(formula: Formula) -> str:
     """Typst math markup, without the dollar signs."""
     match formula:
-        case Symbol(base, index):
-            return _typst_base(base) + (f"_({' '.join(_typst_index(i) for i in index)})" if index else "")
+        case Symbol(base, index, upper):
+            scripts = (("_", index), ("^", upper))
+            return _typst_base(base) + "".join(
+                f"{sign}({' '.join(_typst_index(i) for i in parts)})" for sign, parts in scripts if parts
+            )
         case Number(text):
             return _quoted(text)
         case UnitText(parts):
@@ -129,8 +136,11 @@ def _power(power: int) -> str:
 def to_plain(formula: Formula) -> str:
     """Plain text: ``ω_OA = 3 рад/с²``."""
     match formula:
-        case Symbol(base, index):
-            return GREEK.get(base, base) + ("_" + " ".join(GREEK.get(i.text, i.text) for i in index) if index else "")
+        case Symbol(base, index, upper):
+            scripts = (("^", upper), ("_", index))
+            return GREEK.get(base, base) + "".join(
+                sign + " ".join(GREEK.get(i.text, i.text) for i in parts) for sign, parts in scripts if parts
+            )
         case Number(text):
             return text
         case UnitText(parts):

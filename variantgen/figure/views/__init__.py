@@ -1,0 +1,26 @@
+"""The kinds of figures of a variant, one module per kind; found by their file names.
+
+Each module says ``ORDER``, the order of the motion it needs (0 positions, 1 velocities, 2 accelerations), and has a
+function ``draw(variant, motion, index, asked, language)`` that returns a :class:`~variantgen.figure.drawing.Drawing`
+or raises InputError where there is nothing of the kind to draw.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from types import ModuleType
+
+from variantgen.errors import InputError, Problem, nearest
+
+
+def view_names() -> list[str]:
+    """Names of the kinds of figures: ``statement``, ``velocity_plan``, ..."""
+    return sorted(module.name for module in pkgutil.iter_modules(__path__))
+
+
+def view(name: str) -> ModuleType:
+    """The module of one kind. Raises InputError for an unknown name."""
+    if name not in view_names():
+        raise InputError(Problem("unknown kind of figure", key="view", value=name, remedy=nearest(name, view_names())))
+    return importlib.import_module(f"{__name__}.{name}")
