@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import math
 from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
@@ -12,8 +13,8 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.labels import around
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius
+from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
@@ -22,7 +23,8 @@ from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
-_BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
+_LONGEST, _AREA = 74.0, 74.0 * 52.0  # room for the mechanism itself: its longer side (u), its area (u^2)
+_WIDEST, _HIGHEST = 94.0, 94.0  # room for everything but labels, u
 _HALF_SLOT = 1.6
 
 
@@ -62,14 +64,27 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
     scale = _scale([z[name] for name in shown], circles)
-    sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
     scene = take_scene(motion.scene, index, motion.size)
-    board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
+    while True:
+        sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
+        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
+        _draw(board, variant, asked, [r * scale for r in radii])
+        width, height = sketch.size()
+        excess = max(width / _WIDEST, height / _HIGHEST)
+        if excess <= 1:
+            return sketch.finish({name: sketch.at[name] for name in shown})
+        # Walls and guides reach beyond the mechanism: it is drawn smaller.
+        scale *= 0.98 / excess
+
+
+def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequence[float]) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs."""
+    sketch, form = board.sketch, board.form
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
-        sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
-        board.discs.setdefault(disc.body, []).append(radius * scale)
+        sketch.circle(sketch.at[disc.centre], radius, Layer.DISC, BOLD if disc.body else MEDIUM)
+        board.discs.setdefault(disc.body, []).append(radius)
     _draw_walls(board)
     _draw_links(board)
     given = set(given_names(variant, asked))
@@ -86,19 +101,16 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
             draw_length(board, length)
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.name in given:
-            concentric = [
-                r * scale for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre
-            ]
-            draw_radius(board, disc, radius * scale, concentric)
-        draw_disc_name(board, disc, radius * scale)
+            concentric = [r for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre]
+            draw_radius(board, disc, radius, concentric)
+        draw_disc_name(board, disc, radius)
     for joint in board.scene.joints:
         if _seeks_room(joint):
             _draw_symbol(board, joint)
-    _draw_points(board, shown)
+    _draw_points(board, board.shown)
     # Last, because the arrows of given motion go where there is room left.
     for driver in board.scene.drivers:
         _draw_symbol(board, driver)
-    return sketch.finish({name: sketch.at[name] for name in shown})
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:
@@ -126,7 +138,8 @@ def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) ->
     corners = [*places, *(c + r * d for c, r in discs for d in (1 + 1j, -1 - 1j))]
     width = max(c.real for c in corners) - min(c.real for c in corners)
     height = max(c.imag for c in corners) - min(c.imag for c in corners)
-    return min(_BOX.real / width if width else 1e9, _BOX.imag / height if height else 1e9)
+    area = _AREA / (width * height) if width * height else 1e18
+    return min(_LONGEST / max(width, height), math.sqrt(area))
 
 
 def _draw_links(board: Board) -> None:
