@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from variantgen.families.family import AngleMark, DiscMark, LengthMark
+from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
@@ -22,6 +22,7 @@ _BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
+_SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
 # Directions of a radius: those at half a right angle read best, above rather than below.
 _DIRECTIONS = np.radians(np.arange(0, 360, 15))
 _DIRECTION_COSTS = 0.3 * np.abs(np.cos(2 * _DIRECTIONS)) + 0.2 * (1 - np.sin(_DIRECTIONS)) + 0.001 * np.arange(24)
@@ -44,6 +45,14 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep, inner=True))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
+
+
+def draw_right_angle(board: Board, mark: RightAngle) -> None:
+    """A small square between two rays at right angles."""
+    corner = board.sketch.at[mark.at]
+    first, second = (_SQUARE * _ray(board, mark.at, name) for name in (mark.start, mark.end))
+    board.sketch.path((corner + first, corner + first + second, corner + second), Layer.MARK, THIN)
+    board.sketch.occupy(mark.at, first + second)
 
 
 def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:

@@ -157,11 +157,11 @@ class Sketch:
         """Ask for a label."""
         self.requests.append(request)
 
-    def size(self) -> tuple[float, float]:
-        """Width and height (u) of what is drawn so far."""
-        corners = [point for line in self.lines for point in _extent(line)]
-        x, y = [c.real for c in corners], [c.imag for c in corners]
-        return max(x) - min(x), max(y) - min(y)
+    def corners(self) -> tuple[complex, complex]:
+        """Lower left and upper right corner of what is drawn so far."""
+        points = [point for line in self.lines for point in _extent(line)]
+        x, y = [p.real for p in points], [p.imag for p in points]
+        return complex(min(x), min(y)), complex(max(x), max(y))
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""

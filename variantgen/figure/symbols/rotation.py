@@ -82,7 +82,7 @@ def _radii(board: Board, driver: Rotation, pivot: str) -> list[float]:
     """
     about = [disc for disc in board.form.figure.discs if not disc.arc and disc.centre == pivot]
     rims = sorted(r for disc in about for r in board.discs.get(disc.body, []))
-    own = max(board.discs.get(driver.body, [0.0]))
+    own = max((r for disc in about if disc.body == driver.body for r in board.discs[disc.body]), default=0.0)
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
     found = list(_RADII) if not own or alone else []
     found += [rim + off for rim in rims for off in _OFF_RIM]
