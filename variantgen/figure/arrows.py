@@ -13,7 +13,7 @@ from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0
 _ASIDE = 3.6
-_WIDER = 2.8
+_WIDER = 5.2
 _OFF_WALL = 3.4
 
 
