@@ -31,7 +31,8 @@ _BESIDE = 2.4  # u
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24
-_BETWEEN = np.array([0.3, 0.4, 0.5, 0.6, 0.7])  # places on the way from a label to what it names
+_BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
+_OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
 
 @dataclass
@@ -127,7 +128,10 @@ def _misleading(
     own = np.where(mine, squares, np.inf)
     own_at = np.argmin(own, axis=1)
     nearest = own[np.arange(len(own)), own_at]
-    between = places[:, None] + _BETWEEN * (points[own_at] - places)[:, None]
+    way = points[own_at] - places
+    clear = np.array([r.clear for r in requests])[owner]
+    way *= np.maximum(0.0, 1.0 - (clear + _OWN) / np.sqrt(nearest))
+    between = places[:, None] + _BETWEEN * way[:, None]
     thin = np.full(between.size, 0.05)
     barred = (occupancy.taken(between.ravel(), thin, thin).reshape(between.shape) > 0).any(axis=1)
     foreign = np.min(squares, axis=1, initial=np.inf, where=~mine)
