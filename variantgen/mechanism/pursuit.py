@@ -141,7 +141,8 @@ class Pursuit:
 
     def _correct(self, predicted: Vector, last: State, way: float) -> Vector | None:
         """Newton's method from the prediction; None where it does not converge or leads too far from it."""
-        q, still = predicted, np.zeros(1)
+        still = np.zeros(1)
+        q: Vector = predicted
         stride = abs(way - last.way) * float(np.max(np.abs(last.tangent)))
         try:
             inverse = np.linalg.inv(self.chain.jacobian(predicted[None], last.placement)[0])
@@ -152,7 +153,7 @@ class Pursuit:
             residual = self.chain.residual(q[None], still, last.placement)[0]
             residual[len(residual) - len(self.shares) :] -= (way - last.way) * self.shares
             change = inverse @ residual
-            q = np.asarray(q - change)
+            q = np.asarray(q - change, dtype=np.float64)
             if not np.max(np.abs(q - predicted)) <= allowed:
                 return None
             if np.max(np.abs(change)) < 1e-14:
@@ -163,8 +164,7 @@ class Pursuit:
         """``dq/ds`` from ``J dq = shares ds``."""
         right = np.zeros(len(jacobian))
         right[len(right) - len(self.shares) :] = self.shares
-        found: Vector = np.linalg.solve(jacobian, right)
-        return found
+        return np.asarray(np.linalg.solve(jacobian, right), dtype=np.float64)
 
     def _placement(self, q: Vector) -> Placement:
         """Positions (shape (1,)) with the marked places, and rotations since the instant."""
@@ -186,8 +186,8 @@ class Pursuit:
             for point, start, towards in self.limits
         )
 
-    def between(self, states: Sequence[State], ways: Field) -> tuple[Vector, dict[str, Field], dict[str, ComplexField]]:
-        """Displacements, rotations and places at the given ways, all within the states; shapes (K, U), (K,), (K,).
+    def between(self, states: Sequence[State], ways: Field) -> tuple[dict[str, Field], dict[str, ComplexField]]:
+        """Rotations of bodies (rad) and places of points (m) at the given ways, all within the states; shape (K,) each.
 
         Each is interpolated between two neighbours of the pursuit and corrected by Newton's method, all at once.
         """

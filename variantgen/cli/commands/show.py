@@ -10,13 +10,21 @@ from variantgen.cli.options import add_choice, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "show one problem of a family"
-DESCRIPTION = "Show one problem: statement, data, answers; with --out also its figure."
+DESCRIPTION = (
+    "Show one problem: statement, data, answers; with --out also its figure, with --motion plots of its motion."
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    parser.add_argument(
+        "--motion",
+        type=Path,
+        metavar="FILE",
+        help="plot the motion over the way of the driver: .pdf, .svg, .png or .gif",
+    )
     parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
 
 
@@ -34,14 +42,18 @@ def run(arguments: argparse.Namespace) -> int:
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
+    remark = f"{variant.family.name}  ·  seed {arguments.seed}"
+    if arguments.motion:
+        from variantgen.outputs.motion_plot import write_motion
+
+        write_motion(variant, asked, arguments.lang, arguments.motion, remark)
+        print(f"written: {arguments.motion}", file=sys.stderr)
     if arguments.out:
         from variantgen.outputs.single_page import write_single
 
-        write_single(
-            variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}"
-        )
+        write_single(variant, asked, found, arguments.lang, arguments.out, remark)
         print(f"written: {arguments.out}", file=sys.stderr)
-    else:
+    if not arguments.out and not arguments.motion:
         values = [(answer.value, answer.unit) for answer in found]
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
     return 0
