@@ -50,7 +50,8 @@ def course(variant: Variant, asked: Sequence[Quantity], samples: int = 361) -> C
         ) from None
     mark, sense = _mark_of_way(variant, asked, motion, lead)
     start = variant.si(mark.name) if mark else 0.0
-    before = (start if sense > 0 else FULL_TURN - start) % FULL_TURN
+    # A printed angle runs from 0 to a full turn; an angle turned since the instant has it in the middle.
+    before = (start if sense > 0 else FULL_TURN - start) % FULL_TURN if mark else 0.5 * FULL_TURN
     found = sweep(motion, variant.form.plan, before, samples, limits(variant.form, motion))
     values = np.degrees(start + sense * found.way) if lead.angular else found.way
     driver = motion.scene.drivers[lead.number]
@@ -105,15 +106,18 @@ def _turning(motion: Motion, at: str, name: str) -> float:
 
 
 def limits(form: Form, motion: Motion) -> list[tuple[str, str, str]]:
-    """Triples (point, start, towards) for what the equations do not know: rods and walls have ends.
+    """Triples (point, start, towards) for what the equations do not know: rods, slots and walls have ends.
 
-    A point that slides between two named ends of a rod stays between them, one that the screens keep inside too; a
-    point on a wall does not pass the corner with another wall.
+    A point that slides between two named ends of a rod stays between them, so does one in a slot that is
+    drawn and one that the screens keep inside; a point on a wall does not pass the corner with another wall.
     """
     between = list(form.screens.inside)
     for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
         if slide.line is not None and not set(slide.line) & set(form.figure.hidden):
             between.append((slide.point, *slide.line))
+    grooves = [(names[0], names[-1]) for names in form.figure.grooves if {names[0], names[-1]} <= motion.v.keys()]
+    for start, end in grooves:
+        between += [(p, start, end) for p in motion.v if p not in (start, end) and _is_on(motion, p, start, end)]
     found = [
         (point, start, end)
         for point, one, other in between

@@ -11,9 +11,9 @@ import numpy as np
 from variantgen.mechanism.motion import Field
 from variantgen.wording.language import Language
 
-# Quantiles of the values between which the largest span lies by which all values are still shown; towards a dead point,
-# where values grow beyond bounds, the part of the range that is not looked at.
-_CORE, _TALL, _BEYOND, _NEAR_DEAD = (0.03, 0.97), 5.0, 0.3, 0.07
+# Quantiles of the values, and how much taller than the span between them a curve may be to be shown whole; for ranges
+# with an end, where values may grow without limit, the part of the range beside it that is not looked at.
+_CORE, _TALL, _BEYOND, _NEAR_END = (0.03, 0.97), 5.0, 0.3, 0.07
 _PAD = 0.07
 _STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 # Steps of angles (degrees) that divide a turn.
@@ -21,14 +21,14 @@ _ANGLE_STEPS = (1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0)
 
 
 def visible_range(
-    curves: Sequence[Field], at: int, dead: tuple[bool, bool] = (False, False)
+    curves: Sequence[Field], at: int, bounded: tuple[bool, bool] = (False, False)
 ) -> tuple[float, float, bool]:
     """Lower and upper limit of an axis for some curves, and whether it cuts off very large values.
 
-    The values at the index ``at`` are always inside. NaN counts as missing. ``dead``: whether the curves begin and end
-    at a dead point.
+    The values at the index ``at`` are always inside. NaN counts as missing. ``bounded``: whether something
+    stops the motion at the beginning and at the end, where the values may grow beyond all bounds.
     """
-    ranges = [_range_of(curve, at, dead) for curve in curves]
+    ranges = [_range_of(curve, at, bounded) for curve in curves]
     low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
     whole_low, whole_high = min(float(np.nanmin(c)) for c in curves), max(float(np.nanmax(c)) for c in curves)
     pad = _PAD * (high - low)
@@ -36,15 +36,15 @@ def visible_range(
     return low - pad, high + pad, cut
 
 
-def _range_of(curve: Field, at: int, dead: tuple[bool, bool]) -> tuple[float, float]:
+def _range_of(curve: Field, at: int, bounded: tuple[bool, bool]) -> tuple[float, float]:
     """What is shown of one curve."""
-    trim = int(_NEAR_DEAD * len(curve))
-    middle = curve[trim * dead[0] : len(curve) - trim * dead[1]]
+    trim = int(_NEAR_END * len(curve))
+    middle = curve[trim * bounded[0] : len(curve) - trim * bounded[1]]
     whole, seen = curve[np.isfinite(curve)], middle[np.isfinite(middle)]
-    low, high = (float(x) for x in ((seen.min(), seen.max()) if any(dead) else np.quantile(seen, _CORE)))
+    low, high = (float(x) for x in ((seen.min(), seen.max()) if any(bounded) else np.quantile(seen, _CORE)))
     low, high = min(low, float(curve[at])), max(high, float(curve[at]))
     core, least, most = high - low, float(whole.min()), float(whole.max())
-    if most - least <= (2.0 if any(dead) else _TALL) * core:
+    if most - least <= (2.0 if any(bounded) else _TALL) * core:
         return least, most
     return max(least, low - _BEYOND * core), min(most, high + _BEYOND * core)
 

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from variantgen.figure.drawing import LETTER, Label, Layer
 from variantgen.figure.moving import Paper
 from variantgen.mechanism.motion import ComplexField
-from variantgen.outputs.motion_curves import panels
-from variantgen.outputs.pen import draw_lines, points_per_unit
+from variantgen.outputs.motion.curves import panels
+from variantgen.outputs.motion.panels import draw_panel, frame_paper
+from variantgen.outputs.motion.pen import draw_lines, points_per_unit
+from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.mathtext import to_mathtext
-
-if TYPE_CHECKING:
-    from variantgen.outputs.motion_plot import Subject
 
 _FRAMES = 60
 _SIZE = (7.2, 3.5)  # inches
@@ -71,8 +70,6 @@ class _Stage:
     """The figure of the film: what rests is drawn once, what moves is drawn for each picture."""
 
     def __init__(self, subject: Subject, figure: Any, indices: Sequence[int]) -> None:
-        from variantgen.outputs.motion_plot import draw_panel, frame_paper
-
         self.subject = subject
         sweep, moving = subject.course.sweep, subject.moving
         resting, frames, labels, paper = moving.film(indices, sweep.instant)

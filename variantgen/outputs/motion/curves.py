@@ -70,9 +70,9 @@ def origin(variant: Variant, motion: Motion, asked: Sequence[Quantity], instant:
 
 
 def _letters(curves: Sequence[Curve]) -> tuple[str, ...]:
-    """The letters of the coordinates, each once."""
+    """The letters of the coordinates, each once, in their order."""
     bases = [curve.formula.base for curve in curves if isinstance(curve.formula, Symbol)]
-    return tuple(dict.fromkeys(bases))
+    return tuple(sorted(set(bases)))
 
 
 def _positions(variant: Variant, course: Course, asked: Sequence[Quantity], language: Language) -> list[Curve]:
