@@ -1,8 +1,9 @@
 """Pursuit of a mechanism along its way: predictor and corrector on the closing equations, without leaving the branch.
 
 The way s is that of the leading driver; every driver is displaced by ``s`` times its share. A step goes along the
-tangent and is corrected by Newton's method. It is taken back and halved where the correction is large against the step,
-where the tangent bends sharply, or where a joint is not intact any more; so the ends of the way are found by bisection.
+tangent and is corrected by Newton's method. It is taken back and shortened where the correction is large against the
+step, where the tangent bends sharply, or where a joint is not intact any more; so the ends of the way are found by
+bisection.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ from variantgen.mechanism.rows import Placement
 
 # Largest rotation of a body (rad) and displacement (in sizes of the mechanism) of one step.
 _STEP = 0.1
+# Factor by which a step is shortened; not a half, or steps would meet again the point where one has failed.
+_SHORTER = 0.47
 # Shortest step, of a full turn or of the size: how well the ends of the way are known.
 _SHORTEST = 1e-8
 # Of the step: how far the corrector may move, and by how much the tangent may change.
@@ -28,7 +31,8 @@ _CORRECTION, _BEND = 0.25, 1.0
 # A point where the equations are singular is passed only if the tangent goes straight on.
 _STRAIGHT = 0.1
 _ITERATIONS, _CLOSED = 12, 1e-12
-_SINGULAR = 1e-11
+# Singular values (of the largest) that the differences of the Jacobian cannot tell from zero.
+_SINGULAR = 1e-7
 # Growth of the tangent by which a dead point is told from a joint that is at its limit.
 _BLOWN_UP = 100.0
 # Of the size squared: a point that just touches the end of its rod may go on.
@@ -89,24 +93,23 @@ class Pursuit:
         return fastest / self.fastest if self.fastest > 0 else np.inf
 
     def run(self, end: float) -> tuple[list[State], Stop | None]:
-        """States from the instant to the given way, or to where something stops it; and what does."""
+        """States from the instant to beyond the given way, or to where something stops it; and what does."""
         states = [self.origin]
         sense = float(np.sign(end))
         shortest = _SHORTEST * (2 * np.pi if np.isinf(self.longest) else self.longest)
         step, growth = np.inf, 1.0
-        while states[-1].way != end:
+        while sense * (end - states[-1].way) > 0:
             last = states[-1]
             step = min(growth * step, _STEP / max(float(np.max(np.abs(last.tangent))), 1e-9))
-            found = self._step(last, end if step >= abs(end - last.way) else last.way + sense * step)
+            found = self._step(last, last.way + sense * step)
             if isinstance(found, State):
                 states.append(found)
                 # After a failure the same step is tried twice before a longer one: the end is found by bisection.
-                growth = min(2.0, 2.0 * growth)
-                continue
-            step, growth = 0.5 * min(step, abs(end - last.way)), 0.5
-            if step < shortest:
+                growth = min(2.0, growth / _SHORTER)
+            elif step < shortest:
                 return states, self._cause(found, last)
-            step /= growth
+            else:
+                growth = _SHORTER
         return states, None
 
     def _cause(self, stop: Stop, last: State) -> Stop:

@@ -25,7 +25,7 @@ from variantgen.mechanism.structure import Plan
 FULL_TURN = 2 * np.pi
 # How far drivers go that could go on for ever, to either side, in sizes of the mechanism (its points' largest distance
 # from their middle): longer beside a driver that turns, and where it takes so long to turn a body half round.
-_FARTHEST, _LONG = 1.2, 3.0
+_FARTHEST, _LONG = 1.2, 4.0
 # Share of a step by which the last positions before a dead point follow each other.
 _CLOSER = (0.5, 0.25, 0.1, 0.03, 0.01)
 # Scaled determinant below which velocities have no digits left that a curve could show.
@@ -132,25 +132,28 @@ def _is_angular(driver: Constraint) -> bool:
 
 @dataclass(frozen=True)
 class _Reach:
-    """States from the instant outwards, and what stopped the way (None: it is as long as it was wanted)."""
+    """States from the instant outwards, the way that they cover, and what stopped it (None: it was long enough)."""
 
     states: list[State]
+    way: float
     stop: Stop | None
 
-    @property
-    def way(self) -> float:
-        return self.states[-1].way
+
+def _run(pursuit: Pursuit, wanted: float) -> _Reach:
+    """The way to a wanted place, or as far as it goes."""
+    states, stop = pursuit.run(wanted)
+    return _Reach(states, wanted if stop is None else states[-1].way, stop)
 
 
 def _reach(pursuit: Pursuit, before: float, whole: bool) -> tuple[_Reach, _Reach]:
     """The way below and above the instant; together at most a full turn."""
     if not whole:
-        return _Reach(*pursuit.run(-pursuit.longest)), _Reach(*pursuit.run(pursuit.longest))
-    low, high = _Reach(*pursuit.run(-before)), _Reach(*pursuit.run(FULL_TURN - before))
+        return _run(pursuit, -pursuit.longest), _run(pursuit, pursuit.longest)
+    low, high = _run(pursuit, -before), _run(pursuit, FULL_TURN - before)
     if high.stop is not None and low.stop is None:
-        low = _Reach(*pursuit.run(high.way - FULL_TURN))
+        low = _run(pursuit, high.way - FULL_TURN)
     elif low.stop is not None and high.stop is None:
-        high = _Reach(*pursuit.run(low.way + FULL_TURN))
+        high = _run(pursuit, low.way + FULL_TURN)
     return low, high
 
 

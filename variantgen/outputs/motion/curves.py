@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.sweep import Sweep
+from variantgen.single import answers
 from variantgen.variants.course import Course
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
@@ -27,7 +29,7 @@ _MEASURES = ("velocity", "angular velocity", "acceleration", "angular accelerati
 class Curve:
     """A quantity along the course, shape (K,), in its printed unit; ``now`` at the instant of the problem.
 
-    Where the quantity has no finite value there is NaN.
+    Where the quantity has no finite value there is NaN; one that has none at the instant is left out.
     """
 
     formula: Formula
@@ -53,7 +55,9 @@ def panels(
     length = variant.family.length_unit
     positions = _positions(variant, course, asked, language)
     found = [Panel(unit(length), tuple(positions), _letters(positions))] if positions else []
-    curves = [_curve(variant, course.sweep, quantity, language) for quantity in asked if quantity.component != "sense"]
+    printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.name for quantity in asked])}
+    plain = [quantity for quantity in asked if quantity.component != "sense" and math.isfinite(printed[quantity])]
+    curves = [_curve(variant, course.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:
         alike = tuple(curve for curve in curves if curve.unit.measures == measure and not curve.constant)
         if alike:
@@ -93,8 +97,8 @@ def _positions(variant: Variant, course: Course, asked: Sequence[Quantity], lang
     return found
 
 
-def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, language: Language) -> Curve:
-    """An asked quantity along the way; over a dead position that is passed it goes straight on."""
+def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, language: Language) -> Curve:
+    """An asked quantity along the way, ``now`` as it is printed; over a dead position that is passed it goes on."""
     measured = quantity.unit(variant.family.length_unit)
     values = np.array(quantity.value(sweep.motion), dtype=np.float64)
     if quantity.component == "angle":
@@ -108,12 +112,11 @@ def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, language: Languag
     if blind.any() and not blind.all():
         values[blind] = np.interp(sweep.way[blind], sweep.way[~blind], values[~blind])
     values[~np.isfinite(values)] = np.nan
-    now = float(values[sweep.instant])
     # Noise of a quantity that does not change is not shown as a curve.
     constant = bool(np.nanmax(values) - np.nanmin(values) <= _CONSTANT * _scale(sweep, quantity))
     shown = np.array([measured.from_si(float(value)) for value in values])
     name = language.quantity(quantity, variant.form.symbols)
-    return Curve(name, measured, shown, measured.from_si(now), constant)
+    return Curve(name, measured, shown, now, constant)
 
 
 def _scale(sweep: Sweep, quantity: Quantity) -> float:

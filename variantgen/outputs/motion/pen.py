@@ -9,7 +9,7 @@ from variantgen.figure.drawing import Arc, Line, Path, Strokes
 
 _FILLS = {"": "none", "paper": "white", "ink": "black", "shade": "0.9"}
 _DASHES: dict[str, Any] = {"": "-", "dashed": (0, (4, 2)), "dashdot": (0, (7, 2, 1, 2))}
-_THINNEST = 0.35  # points
+_THINNEST, _LARGEST = 0.35, 2.6  # points; points per u from which on lines do not get thicker
 
 
 def points_per_unit(axes: Any) -> float:
@@ -23,7 +23,7 @@ def draw_lines(axes: Any, lines: Iterable[Line], above: float = 2.0) -> list[Any
 
     The limits of the axes must be set before.
     """
-    points = points_per_unit(axes)
+    points = min(_LARGEST, points_per_unit(axes))
     added = []
     for line in sorted(lines, key=lambda line: line.layer):
         weight = max(_THINNEST, line.weight * points) if line.weight else 0.0
