@@ -22,6 +22,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path, Strokes
 from variantgen.mechanism.motion import ComplexField, Motion
+from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
@@ -59,6 +60,13 @@ class Moving:
         size = float(self.motion.length_scale()[0])
         shown = {name: self.motion.z[name] for name in shown_points(self.variant, self.asked)}
         return {name: z for name, z in shown.items() if np.ptp(z.real) + np.ptp(z.imag) > 1e-6 * size}
+
+    @cached_property
+    def ground(self) -> list[ComplexField]:
+        """Places (m) at which wheels touch what is at rest: rails and circles as far as they are rolled on."""
+        at = Placement(self.motion.z, self.motion.frame)
+        touches = [joint.contact_at(at) for joint in self.motion.scene.joints]
+        return [np.asarray(touch.place) for touch in touches if touch is not None and touch.other is None]
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
@@ -135,6 +143,12 @@ class Moving:
         place = complex(paper.at(np.array(centre)))
         return abs(line.radius - paper.scale * radius) + abs(line.centre - place) < _SAME
 
+    def _may_rest(self, line: Line, index: int, paper: Paper) -> bool:
+        """Whether a line that is drawn with the bases of hinges is part of them: no circle about a moving point."""
+        places = [complex(paper.at(z[index : index + 1])[0]) for z in self.paths.values()]
+        about = isinstance(line, Arc) and any(abs(line.centre - place) < _SAME for place in places)
+        return line.layer != Layer.GROUND and not about
+
     def corners(self, paper: Paper) -> list[complex]:
         """Lower left and upper right corner (u) of what the mechanism reaches."""
         return [complex(paper.at(np.array(corner))) for corner in self._box]
@@ -153,7 +167,8 @@ class Moving:
         bare, where = self._drawn(first, variant, bases=False)
         lines = [_moved(line, paper.shift - where.shift) for line in bare.lines]
         known = {_rounded(line) for line in lines}
-        resting = [line for line in drawing.lines if line.layer == Layer.GROUND or _rounded(line) not in known]
+        bases = [line for line in drawing.lines if _rounded(line) not in known and self._may_rest(line, first, paper)]
+        resting = [line for line in drawing.lines if line.layer == Layer.GROUND] + bases
         frames: list[list[Line]] = []
         last = lines
         for index in indices:

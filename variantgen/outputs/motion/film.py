@@ -22,6 +22,7 @@ _SIZE = (7.2, 3.5)  # inches
 _DPI = 100
 _PAUSE = 70  # milliseconds per picture
 _GREYS = 12
+_FRONT = 7.0  # order of drawing
 _BESIDE = 4.6  # between a moving point and its name, u
 
 
@@ -80,7 +81,12 @@ class _Stage:
         frame_paper(self.axes, [*moving.corners(paper), *(z for track in tracks.values() for z in track)], 7.0)
         for track in tracks.values():
             self.axes.plot(track.real, track.imag, color="0.5", linewidth=0.7, zorder=1.5)
-        draw_lines(self.axes, resting)
+        for ground in moving.ground:
+            track = paper.at(ground)
+            self.axes.plot(track.real, track.imag, color="black", linewidth=1.0, zorder=1.6)
+        draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND])
+        # Bases of hinges are in front of the links that turn about them.
+        draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], _FRONT)
         self.names = _names(subject, labels, paper)
         self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
         self.added: list[Any] = []
@@ -114,22 +120,28 @@ class _Stage:
 
 
 def _names(subject: Subject, labels: Sequence[Label], paper: Paper) -> list[tuple[str, ComplexField]]:
-    """Names of the points in mathtext, and their places (u) in all positions.
-
-    The name of a moving point is on the side away from the points that it is joined with.
-    """
-    motion, language = subject.course.sweep.motion, subject.language
-    moving = subject.moving.paths
+    """Names of the points in mathtext, and their places (u) in all positions; at rest beside points at rest."""
+    motion, language, moving = subject.course.sweep.motion, subject.language, subject.moving.paths
     named = {language.symbol(name, subject.variant.form.symbols): name for name in motion.z}
     found = []
     for label in labels:
         name = next((name for symbol, name in named.items() if symbol == label.formula), None)
         if name in moving:
-            bodies = [members for members in motion.scene.bodies.values() if name in members]
-            joined = {p for members in bodies for p in members if p != name and p not in subject.hidden}
-            ray = np.asarray(motion.z[name] - sum(motion.z[p] for p in joined) / max(1, len(joined)))
-            away = ray / np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
-            found.append((to_mathtext(label.formula), paper.at(motion.z[name]) + _BESIDE * away))
+            places = paper.at(motion.z[name]) + _BESIDE * _free_side(subject, name)
         elif name is not None:
-            found.append((to_mathtext(label.formula), np.full(motion.size, label.at)))
+            places = np.full(motion.size, label.at)
+        else:
+            continue
+        found.append((to_mathtext(label.formula), places))
     return found
+
+
+def _free_side(subject: Subject, name: str) -> ComplexField:
+    """Unit vectors from a point to where its name does not lie on its links: away from them and somewhat aside."""
+    motion = subject.course.sweep.motion
+    bodies = [members for members in motion.scene.bodies.values() if name in members]
+    joined = sorted({p for members in bodies for p in members if p != name and p in subject.shown})
+    rays = [motion.z[p] - motion.z[name] for p in joined]
+    units = np.array([ray / np.abs(ray) for ray in rays if np.min(np.abs(ray)) > 0] or [np.full(motion.size, -1.0)])
+    side = 0.8j * units[0] - np.mean(units, axis=0)
+    return np.asarray(side / np.where(np.abs(side) > 0, np.abs(side), 1.0))

@@ -51,7 +51,8 @@ def draw_panel(subject: Subject, axes: Any, panel: Panel, last: bool = True) -> 
         axes.set_xlabel(subject.abscissa_text, labelpad=1)
     axes.legend(
         loc="lower left",
-        bbox_to_anchor=(-0.03, 0.985),
+        bbox_to_anchor=(0.0, 1.0),
+        borderaxespad=0.0,
         ncols=2 if len(panel.curves) in (2, 4) else 3,
         frameon=False,
         fontsize=8.5,
@@ -102,6 +103,9 @@ class MechanismPicture:
         frame_paper(axes, self.corners, _PAPER_EDGE)
         for track in self.tracks:
             axes.plot(track.real, track.imag, color="0.35", linewidth=0.6, zorder=1.5)
+        for ground in self.subject.moving.ground:
+            track = self.paper.at(ground)
+            axes.plot(track.real, track.imag, color="black", linewidth=0.9, zorder=1.6)
         draw_lines(axes, self.drawing.lines)
         _draw_labels(axes, self.drawing)
         _number_paper(self.subject, axes, self.paper)

@@ -15,6 +15,7 @@ from variantgen.mechanism.sweep import End
 from variantgen.outputs.motion.curves import Panel
 from variantgen.outputs.motion.ranges import visible_range
 from variantgen.variants.course import Course
+from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Index, Symbol
 from variantgen.wording.language import Language
@@ -31,9 +32,9 @@ class Subject:
     language: Language
 
     @property
-    def hidden(self) -> tuple[str, ...]:
-        """Points that the figure does not show."""
-        return self.variant.form.figure.hidden
+    def shown(self) -> list[str]:
+        """Points that the figure shows."""
+        return shown_points(self.variant, self.asked)
 
     @property
     def moving(self) -> Moving:
