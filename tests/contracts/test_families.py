@@ -14,7 +14,7 @@ from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
-from variantgen.figure.faults import leaders
+from variantgen.figure.faults import figure_faults, inspect_labels, leaders
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.variants.draw import Drawing as VariantDrawing
 from variantgen.variants.needed import given_names
@@ -56,23 +56,12 @@ def drawn(name: str, count: int) -> list[tuple[Variant, Drawing]]:
     return found
 
 
-def overlap(first: Label, second: Label) -> bool:
-    gap = first.at - second.at
-    return abs(gap.real) < 0.5 * (first.size[0] + second.size[0]) and abs(gap.imag) < 0.5 * (
-        first.size[1] + second.size[1]
-    )
-
-
 @pytest.mark.parametrize("name", FAMILIES)
-def test_labels_do_not_overlap_and_stay_on_the_paper(name: str) -> None:
+def test_labels_are_clear_of_each_other_and_of_lines_and_on_the_paper(name: str) -> None:
     for variant, figure in drawn(name, 60):
-        for i, label in enumerate(figure.labels):
-            assert label.at.real - label.size[0] / 2 >= 0
-            assert label.at.real + label.size[0] / 2 <= figure.width
-            assert label.at.imag - label.size[1] / 2 >= 0
-            assert label.at.imag + label.size[1] / 2 <= figure.height
-            for other in figure.labels[:i]:
-                assert not overlap(label, other), (variant.printed, to_plain(label.formula), to_plain(other.formula))
+        seen = inspect_labels(figure)
+        assert not (seen.overlaps or seen.crossed or seen.outside), (variant.form.name, variant.printed, seen)
+        assert figure_faults(figure) == []
 
 
 @pytest.mark.parametrize("name", FAMILIES)

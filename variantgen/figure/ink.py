@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import Line, Path, Strokes
 
 Segments = NDArray[np.complex128]
+Sides = float | NDArray[np.float64]
 _SAGITTA = 0.04  # how far the chords of an arc may stay inside it, u
 
 
@@ -32,9 +33,12 @@ def ink(lines: Iterable[Line]) -> Segments:
 
 
 def boxes_crossed(
-    places: NDArray[np.complex128], half_sides: tuple[float, float], segments: Segments
+    places: NDArray[np.complex128], half_sides: tuple[Sides, Sides], segments: Segments
 ) -> NDArray[np.int64]:
-    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,)."""
+    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,).
+
+    The half sides are the same for all boxes or arrays of shape (P, 1).
+    """
     middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
     result: NDArray[np.int64] = np.sum(_crossing(middle, 0.5 * (segments[:, 1] - segments[:, 0]), half_sides), axis=1)
     return result
@@ -48,7 +52,7 @@ def box_crossings(
 
 
 def _crossing(
-    middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[float, float]
+    middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.bool_]:
     """Which segments (middle from the centre of the box, half their vector) cross a box."""
     hx, hy = half_sides

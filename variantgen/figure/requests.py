@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import LETTER
-from variantgen.figure.metrics import size
+from variantgen.figure.lettering import typeset
 from variantgen.wording.formula import Formula
 
 Places = NDArray[np.complex128]
@@ -20,9 +20,9 @@ _WIDE = math.radians(50)
 
 
 def label_size(formula: Formula) -> tuple[float, float]:
-    """Width and height of a label (u)."""
-    width, height = size(formula)
-    return LETTER * width, LETTER * height
+    """Width and height of the ink of a label (u)."""
+    found = typeset(formula)
+    return LETTER * found.width, LETTER * (found.top - found.bottom)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Layer, Line, Path, Strokes
-from variantgen.figure.ink import boxes_crossed, segments_of
+from variantgen.figure.ink import Sides, boxes_crossed, segments_of
 from variantgen.figure.labels import place_labels
 from variantgen.figure.requests import Request
 
@@ -118,8 +118,8 @@ class Sketch:
         result: NDArray[np.float64] = np.min(gaps, axis=1, initial=math.pi)
         return result
 
-    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[float, float]) -> NDArray[np.int64]:
-        """How many of the lines drawn so far cross the box about each place, shape (P,)."""
+    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
+        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
         return boxes_crossed(np.asarray(places), half_sides, self._segments())
 
     def circle_crossings(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -25,21 +24,13 @@ _LEAST = 5.0  # radius of an arc, u
 _MARGIN = 0.8  # free space on both sides of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
 _APART = math.radians(115)  # between the two arcs of one body
+_FINALISTS = 24
 _ANGLES = np.radians(np.arange(0, 360, 15))
 # Above first: ties go to the place where a reader expects the arc.
 _ANGLE_COSTS = 0.6 * (1 - np.sin(_ANGLES)) + 0.05 * np.abs(np.cos(_ANGLES)) + 0.001 * np.arange(_ANGLES.size)
 # Costs of a line that crosses an arc, of one under its letters, of a link close by, of the other arc or one of another
 # body near it, of a disc on which it lies without belonging there, of each step to a less usual radius.
 _CROSSED, _COVERED, _CLOSE, _TOGETHER, _STRANGER, _ON_DISC, _UNUSUAL = 12.0, 5.0, 3.0, 100.0, 8.0, 20.0, 1.2
-
-
-@dataclass(frozen=True)
-class _Arcs:
-    """Candidates for one arc of rotation: radius and direction of the middle, with costs, shape (K,)."""
-
-    radii: NDArray[np.float64]
-    angles: NDArray[np.float64]
-    costs: NDArray[np.float64]
 
 
 def draw(board: Board, driver: Rotation) -> None:
@@ -56,12 +47,7 @@ def draw(board: Board, driver: Rotation) -> None:
         formula = board.rate(driver, kind)
         if formula is None:
             continue
-        arcs = _candidates(board, pivot, radii, formula)
-        # The two arcs never lie side by side: which label and which sense belong together must be plain.
-        apart = [np.abs(np.remainder(arcs.angles - other + math.pi, math.tau) - math.pi) for other in taken]
-        costs = arcs.costs + sum(_TOGETHER * (gap < _APART) for gap in apart)
-        best = int(np.argmin(costs))
-        radius, middle = float(arcs.radii[best]), float(arcs.angles[best])
+        radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
         turn = math.copysign(_sweep(radius), rate)
         taken.append(middle)
         sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
@@ -92,8 +78,13 @@ def _radii(board: Board, driver: Rotation, pivot: str) -> list[float]:
     return clear or [max(rims, default=0.0) + off for off in _OFF_RIM]
 
 
-def _candidates(board: Board, pivot: str, radii: Sequence[float], formula: Symbol) -> _Arcs:
-    """All arcs with what they cross, what their letters would cover, and what they could be mistaken for."""
+def _roomiest_arc(
+    board: Board, pivot: str, radii: Sequence[float], formula: Symbol, taken: Sequence[float]
+) -> tuple[float, float]:
+    """Radius and direction of the middle of the arc that crosses least, with letters that cover least.
+
+    It is not mistaken for another one: the arcs of one body (``taken`` directions) never lie side by side.
+    """
     sketch = board.sketch
     centre = sketch.at[pivot]
     width, height = label_size(formula)
@@ -101,14 +92,20 @@ def _candidates(board: Board, pivot: str, radii: Sequence[float], formula: Symbo
     support = 1.0 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
     every = np.repeat(radii, _ANGLES.size)
     places = centre + np.concatenate([ways * (radius + support) for radius in radii])
-    covered = np.minimum(sketch.crossings(places, (0.5 * width + GAP, 0.5 * height + GAP)), 4)
     middles = centre + every * np.tile(ways, len(radii))
     room = np.maximum(0.0, math.radians(40) - sketch.freedom(pivot, _ANGLES))
     strange = _near_other_arcs(board, places) + 0.5 * _near_other_arcs(board, middles)
-    total = _UNUSUAL * np.repeat(np.arange(len(radii)), _ANGLES.size) + _COVERED * covered + _STRANGER * strange
+    total = _UNUSUAL * np.repeat(np.arange(len(radii)), _ANGLES.size) + _STRANGER * strange
     total += np.tile(_ANGLE_COSTS + _CLOSE * room, len(radii)) + _CROSSED * _crossed(board, centre, np.array(radii))
     total += _ON_DISC * _on_other_discs(board, centre, middles)
-    return _Arcs(every, np.tile(_ANGLES, len(radii)), total)
+    for other in taken:
+        gap = np.abs(np.remainder(np.tile(_ANGLES, len(radii)) - other + math.pi, math.tau) - math.pi)
+        total += _TOGETHER * (gap < _APART)
+    # What the letters would cover is asked only of the arcs that are best without it.
+    best = np.argsort(total, kind="stable")[:_FINALISTS]
+    covered = np.minimum(sketch.crossings(places[best], (0.5 * width + GAP, 0.5 * height + GAP)), 4)
+    chosen = int(best[np.argmin(total[best] + _COVERED * covered)])
+    return float(every[chosen]), float(_ANGLES[chosen % _ANGLES.size])
 
 
 def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
