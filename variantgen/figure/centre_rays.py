@@ -49,7 +49,8 @@ def draw_centres(board: Board, now: Instant, straight: Collection[str]) -> None:
         for name in moving[:_MOST_RAYS]:
             _draw_ray(board, now, name, body, places.get(body), name in straight)
     elsewhere = [name for name in board.shown if all(abs(sketch.at[name] - p) > DOT for p in places.values())]
-    letters = centre_letters({body: board.form.symbols.get(body, body) for body in places}, elsewhere)
+    # One index for all, where there are several, though some are too far away to be shown.
+    letters = centre_letters({body: board.form.symbols.get(body, body) for body in plane_bodies(now)}, elsewhere)
     for body, place in places.items():
         _draw_centre(board, place, letters[body])
 

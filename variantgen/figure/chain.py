@@ -62,6 +62,11 @@ class Chain:
         found = [name for turn in self.turns if turn.body == body for name in (turn.pole, turn.point)]
         return tuple(dict.fromkeys(found))
 
+    def is_found(self, point: str) -> bool:
+        """Whether the end of the vector of a point is found in a plan where two lines of known directions meet."""
+        ways = sum(turn.point == point for turn in self.turns) + (point in self.guides)
+        return ways + sum(slip.point == point and slip.carried for slip in self.slips) > 1
+
 
 def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> Chain:
     """The chain that leads to the asked quantities, through the points that the figure shows."""
@@ -186,3 +191,20 @@ def _guides(now: Instant, points: Sequence[str]) -> dict[str, complex]:
                 normal = complex(row.points[shape.points[0]])
                 found[shape.points[0]] = 1j * normal / abs(normal)
     return found
+
+
+def taken_apart(chain: Chain) -> set[tuple[str, str]]:
+    """Body and point of the accelerations that are shown with their components.
+
+    Of the points of a body on a fixed axis one is enough: the plan of the others is similar to the body. It is the one
+    below a sliding point where that is how the rotation is found.
+    """
+    found = {(turn.body, turn.point) for turn in chain.turns if turn.pole not in chain.resting}
+    found |= {(slip.body, slip.point) for slip in chain.slips if slip.pole not in chain.resting}
+    about_axes = [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting and not slip.carried]
+    about_axes += [(turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting]
+    about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting]
+    first: dict[str, tuple[str, str]] = {}
+    for body, point in about_axes:
+        first.setdefault(body or point, (body, point))
+    return found | set(first.values())

@@ -22,7 +22,8 @@ from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
 
 LONGEST = 15.0  # length of the longest vector of a figure, u
-_LEAST = 1.0  # vectors shorter than this cannot be seen, u
+LONGEST_OF_MANY = 21.0  # the same where many vectors start at one point
+LEAST = 1.6  # vectors shorter than this cannot be seen, u
 _MOST = 98.0  # width and height of a figure but for its labels, u
 _FIRST_SIZE, _LEAST_SIZE = 0.86, 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
@@ -66,7 +67,7 @@ class MotionBoard(Board):
 
         Returns whether it starts at the point itself. Nothing is drawn of a vector too short to be seen.
         """
-        if abs(vector) < _LEAST:
+        if abs(vector) < LEAST:
             return False
         start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
         # Below the hinges: the arrow comes out of the circle.
@@ -109,19 +110,19 @@ def draw_on_mechanism(
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
-def scale_of(vectors: Sequence[complex]) -> float:
-    """Figure units per m/s or m/s^2: the longest vector gets the greatest length."""
+def scale_of(vectors: Sequence[complex], length: float = LONGEST) -> float:
+    """Figure units per m/s or m/s^2, so that the longest vector has the given length (u)."""
     longest = max((abs(vector) for vector in vectors), default=0.0)
-    return LONGEST / longest if longest and math.isfinite(longest) else 0.0
+    return length / longest if longest and math.isfinite(longest) else 0.0
 
 
 def named_together(named: Sequence[tuple[Symbol, complex]], scale: float) -> list[tuple[Formula, complex]]:
     """Vectors of one point; those that are equal are one arrow with both names, what cannot be seen is left out."""
     found: list[tuple[Formula, complex]] = []
     for symbol, vector in named:
-        if scale * abs(vector) < _LEAST:
+        if scale * abs(vector) < LEAST:
             continue
-        same = next((i for i, (_, other) in enumerate(found) if scale * abs(other - vector) < _LEAST), None)
+        same = next((i for i, (_, other) in enumerate(found) if scale * abs(other - vector) < LEAST), None)
         if same is None:
             found.append((symbol, vector))
         elif isinstance(found[same][0], Symbol):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Chain, Slip, Turn
+from variantgen.figure.chain import Chain, Slip, Turn, taken_apart
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.instant import Instant
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan
@@ -45,7 +45,7 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
     for point in chain.points:
         plan.ends.append((image(point, primed=True), now.a[point]))
         plan.vectors.append(Vector(0j, now.a[point], absolute("a", point), whole=True))
-    shown = _taken_apart(chain)
+    shown = taken_apart(chain)
     for turn in chain.turns:
         _add_turn(plan, chain, now, turn, (turn.body, turn.point) in shown)
     for slip in chain.slips:
@@ -54,23 +54,6 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
         if any(turn.point == point for turn in chain.turns):
             plan.lines.append((now.a[point], way))
     return plan
-
-
-def _taken_apart(chain: Chain) -> set[tuple[str, str]]:
-    """Body and point of the accelerations that are shown with their components.
-
-    Of the points of a body on a fixed axis one is enough: the plan of the others is similar to the body. It is the one
-    below a sliding point where that is how the rotation is found.
-    """
-    found = {(turn.body, turn.point) for turn in chain.turns if turn.pole not in chain.resting}
-    found |= {(slip.body, slip.point) for slip in chain.slips if slip.pole not in chain.resting}
-    about_axes = [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting and not slip.carried]
-    about_axes += [(turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting]
-    about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting]
-    first: dict[str, tuple[str, str]] = {}
-    for body, point in about_axes:
-        first.setdefault(body or point, (body, point))
-    return found | set(first.values())
 
 
 def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, apart: bool) -> None:
@@ -82,7 +65,7 @@ def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, apart: b
     ]
     if apart:
         _add_pair(plan, start, normal, now.tangential(turn.point, turn.pole), parts)
-    if _is_found(chain, turn.point):
+    if chain.is_found(turn.point):
         plan.lines.append((now.a[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
 
 
@@ -134,9 +117,3 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
     normal = bend * speed**2
     names = [compound("a", "rel", point, language, upper) for upper in (NORMAL, TANGENTIAL)]
     return _add_pair(plan, start, normal, relative - normal, names)
-
-
-def _is_found(chain: Chain, point: str) -> bool:
-    """Whether the end of an acceleration is found where two lines of known directions meet."""
-    ways = sum(turn.point == point for turn in chain.turns) + (point in chain.guides)
-    return ways + sum(slip.point == point and slip.carried for slip in chain.slips) > 1

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Slip, Turn
+from variantgen.figure.chain import Slip, Turn, taken_apart
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.instant import Instant
-from variantgen.figure.motion_board import MotionBoard, draw_on_mechanism, named_together, scale_of
+from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.figure.vector_names import NORMAL, TANGENTIAL, about, absolute, compound
 from variantgen.mechanism.motion import Motion
@@ -36,7 +36,7 @@ def _annotate(board: MotionBoard, found: Solved, language: Language) -> None:
     """Accelerations with their components, then arcs where there is room left."""
     now = found.now
     parts = components(found, language)
-    scale = scale_of([vector for named in parts.values() for _, vector in named])
+    scale = scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
         for symbol, vector in named_together(named, scale):
             poles = {absolute("a", turn.pole) for turn in found.chain.turns if turn.point == point}
@@ -52,8 +52,10 @@ def components(found: Solved, language: Language) -> dict[str, Named]:
     """The acceleration of each point of the chain and what it is put together from (m/s^2)."""
     now, chain = found.now, found.chain
     parts: dict[str, Named] = {point: [(absolute("a", point), now.a[point])] for point in chain.points}
+    apart = taken_apart(chain)
     for turn in chain.turns:
-        parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting)
+        if (turn.body, turn.point) in apart:
+            parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting)
     for slip in chain.slips:
         parts.setdefault(slip.point, []).extend(_slip_parts(now, slip, language))
     return parts

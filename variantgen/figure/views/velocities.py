@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from variantgen.families.quantities import Quantity
 from variantgen.figure.centre_rays import draw_centres
 from variantgen.figure.drawing import MEDIUM, Drawing
-from variantgen.figure.motion_board import MotionBoard, draw_on_mechanism, named_together, scale_of
+from variantgen.figure.motion_board import LEAST, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.figure.vector_names import absolute, compound
 from variantgen.mechanism.motion import Motion
@@ -39,7 +39,7 @@ def _annotate(board: MotionBoard, found: Solved, language: Language) -> None:
     for name in points:
         vectors = named_together([(absolute("v", name), now.v[name]), *parts.get(name, [])], scale)
         for i, (symbol, vector) in enumerate(vectors):
-            whole = i == 0 and abs(vector - now.v[name]) * scale < 1.0
+            whole = i == 0 and abs(vector - now.v[name]) * scale < LEAST
             if board.vector(name, scale * vector, symbol, *(() if whole else (MEDIUM,))) and whole:
                 straight.add(name)
     draw_centres(board, now, straight)

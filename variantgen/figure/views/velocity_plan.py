@@ -45,7 +45,7 @@ def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language)
     for point, way in chain.guides.items():
-        if _is_found(chain, point):
+        if chain.is_found(point):
             plan.lines.append((now.v[point], way))
     for body in now.scene.bodies:
         members = chain.members(body)[1:]
@@ -58,7 +58,7 @@ def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn) -> None:
     if turn.pole not in chain.resting:
         symbol = about("v", turn.point, turn.pole)
         plan.vectors.append(Vector(now.v[turn.pole], now.v[turn.point], symbol))
-    if _is_found(chain, turn.point):
+    if chain.is_found(turn.point):
         plan.lines.append((now.v[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
 
 
@@ -75,12 +75,6 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
     plan.lines.append((end, slip.path.tangent(now.z)))
     if not slip.carried and slip.pole is not None:
         plan.lines.append((end, 1j * (now.z[slip.point] - now.z[slip.pole])))
-
-
-def _is_found(chain: Chain, point: str) -> bool:
-    """Whether the end of a velocity is found where two lines of known directions meet."""
-    ways = sum(turn.point == point for turn in chain.turns) + (point in chain.guides)
-    return ways + sum(slip.point == point and slip.carried for slip in chain.slips) > 1
 
 
 def _are_apart(now: Instant, body: str, first: str, second: str) -> bool:
