@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.build import mechanism
+from variantgen.figure.clean import first_clean
 from variantgen.figure.drawing import BOLD, Drawing, Layer
+from variantgen.figure.plans import EQUAL
 from variantgen.figure.requests import along_arrow
 from variantgen.figure.symbols import rotation
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -24,13 +27,14 @@ from variantgen.wording.language import Language
 LONGEST = 15.0  # length of the longest vector of a figure, u
 LONGEST_OF_MANY = 21.0  # the same where many vectors start at one point
 LEAST = 1.6  # vectors shorter than this cannot be seen, u
-_MOST = 98.0  # width and height of a figure but for its labels, u
+_MOST = 92.0  # width and height of a figure but for its labels, u
 _FIRST_SIZE, _LEAST_SIZE = 0.86, 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
+_STRETCHES = (1.0, 0.85, 1.12, 0.7)
 _ASIDE = (0.0, 2.2, 3.4, 4.8)  # how far an arrow is moved off a line on which it would lie, u
 _HALF_LANE = 0.35  # half the width of the paper that an arrow takes, u
 _SAMPLES = np.linspace(0.3, 1.0, 15)
-_COVERED = 0.45  # part of an arrow that may lie on other lines
+_COVERED = 0.3  # part of an arrow that may lie on other lines
 
 
 class MotionBoard(Board):
@@ -94,14 +98,27 @@ def draw_on_mechanism(
     index: int,
     asked: Sequence[Quantity],
     language: Language,
-    annotate: Callable[[MotionBoard], None],
+    annotate: Callable[[MotionBoard, float], None],
 ) -> Drawing:
-    """The mechanism without data, with what ``annotate`` adds, small enough for everything to find room."""
+    """The mechanism without data, with what ``annotate`` adds, small enough for everything to find room.
+
+    ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
+    letters find room.
+    """
+
+    def drawn(stretch: float) -> Drawing:
+        """The figure with vectors of one size."""
+        return _fitted(lambda size: mechanism(variant, motion, index, asked, language, False, size), annotate, stretch)
+
+    return first_clean(partial(drawn, stretch) for stretch in _STRETCHES)
+
+
+def _fitted(base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float) -> Drawing:
+    """The figure on a mechanism of the size with which everything is on the paper."""
     size = _FIRST_SIZE
     for _ in range(_TRIES):
-        plain = mechanism(variant, motion, index, asked, language, marks=False, size=size)
-        board = MotionBoard(**vars(plain))
-        annotate(board)
+        board = MotionBoard(**vars(base(size)))
+        annotate(board, stretch)
         low, high = board.sketch.corners()
         excess = max((high - low).real, (high - low).imag) / _MOST
         if excess <= 1 or size <= _LEAST_SIZE:
@@ -122,9 +139,9 @@ def named_together(named: Sequence[tuple[Symbol, complex]], scale: float) -> lis
     for symbol, vector in named:
         if scale * abs(vector) < LEAST:
             continue
-        same = next((i for i, (_, other) in enumerate(found) if scale * abs(other - vector) < LEAST), None)
+        same = next((i for i, (_, other) in enumerate(found) if abs(other - vector) < EQUAL * abs(vector)), None)
         if same is None:
             found.append((symbol, vector))
-        elif isinstance(found[same][0], Symbol):
-            found[same] = (Equation(found[same][0], symbol), found[same][1])
+        elif isinstance(first := found[same][0], Symbol):
+            found[same] = (Equation(first, symbol), vector)
     return found

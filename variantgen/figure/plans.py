@@ -6,19 +6,23 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
+from functools import partial
 
 import numpy as np
 
 from variantgen.families.units import Unit
+from variantgen.figure.clean import first_clean
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.requests import Request, along_line, around, label_size
 from variantgen.figure.sketch import DOT, Sketch
 from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
 from variantgen.wording.language import Language
 
-_ROOM, _WIDE_ROOM = (64.0, 50.0), (84.0, 72.0)  # for a plan without its letters, few vectors or many, u
+_ROOM, _WIDE_ROOM = (64.0, 50.0), (80.0, 70.0)  # for a plan without its letters, few vectors or many, u
 _MANY = 8
+_SIZES = (1.0, 0.94, 1.05, 0.88)  # of a plan, tried until all letters find room
 COINCIDENT = 1.3  # points of a plan that are nearer to each other than this have one place, u
+EQUAL = 1e-6  # relative difference below which two vectors are said to be equal
 _BEYOND = 6.0  # how far a construction line runs on, u
 _ASIDE = 2.4  # between a vector and one that lies on it, u
 _ALONG = math.radians(2.5)
@@ -58,6 +62,11 @@ class VectorPlan:
 def draw_plan(plan: VectorPlan, unit: Unit, language: Language) -> Drawing:
     """The finished plan; ``unit`` is that of its scale."""
     scale = _scale(plan.extent, _ROOM if len(plan.vectors) <= _MANY else _WIDE_ROOM)
+    return first_clean(partial(_drawn, plan, size * scale, unit, language) for size in _SIZES)
+
+
+def _drawn(plan: VectorPlan, scale: float, unit: Unit, language: Language) -> Drawing:
+    """The plan at a scale (u per m/s or m/s^2)."""
     sketch = Sketch({"pole": 0j}, scale)
     ends = _gathered([(plan.pole, 0j), *((symbol, scale * end) for symbol, end in plan.ends)])
     vectors = [Vector(scale * v.start, scale * v.end, v.symbol, v.whole) for v in plan.vectors]
@@ -106,19 +115,29 @@ def _draw_construction(sketch: Sketch, end: complex, way: complex) -> None:
 
 
 def _draw_vectors(sketch: Sketch, vectors: Sequence[Vector]) -> None:
-    """The rays from the pole, then what lies between their ends; equal ones are one arrow with both names."""
+    """The rays from the pole, then what lies between their ends; what coincides is one arrow with all names."""
     drawn: list[Vector] = []
     for vector in sorted(vectors, key=lambda v: not v.whole):
         if any(_same(vector, other) for other in drawn):
             continue
-        equal = [v.symbol for v in vectors if _same(vector, v)]
-        formula: Formula = equal[0] if len(equal) == 1 else Equation(equal[0], equal[1])
+        formula = _names([v for v in vectors if _same(vector, v)])
         aside = _aside(vector, drawn)
         start, end = vector.start + aside, vector.end + aside
         weight = BOLD if vector.whole else MEDIUM
         sketch.arrow(start, end, Layer.VECTOR, weight, min(2.6, 0.7 * abs(end - start)))
         sketch.label(_beside(formula, start, end, _free_from(vector, vectors)))
         drawn.append(Vector(start, end, vector.symbol, vector.whole))
+
+
+def _names(vectors: Sequence[Vector]) -> Formula:
+    """The name of one arrow for vectors that cannot be told apart: an equation only where they are equal."""
+    first, *others = vectors
+    if not others:
+        return first.symbol
+    length = abs(first.end - first.start)
+    if all(abs((v.end - v.start) - (first.end - first.start)) < EQUAL * length for v in others):
+        return Equation(first.symbol, others[0].symbol)
+    return Listing(tuple(v.symbol for v in vectors))
 
 
 def _same(first: Vector, second: Vector) -> bool:

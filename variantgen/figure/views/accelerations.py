@@ -8,6 +8,7 @@ relative and Coriolis accelerations. Arcs show the true senses of the angular ac
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.chain import Slip, Turn, taken_apart
@@ -29,14 +30,15 @@ Named = list[tuple[Symbol, complex]]
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The figure of one variant. Raises InputError where accelerations are not asked or there are none."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_on_mechanism(variant, motion, index, asked, language, lambda board: _annotate(board, found, language))
+    annotate = partial(_annotate, found, language)
+    return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(board: MotionBoard, found: Solved, language: Language) -> None:
+def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: float) -> None:
     """Accelerations with their components, then arcs where there is room left."""
     now = found.now
     parts = components(found, language)
-    scale = scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
+    scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
         for symbol, vector in named_together(named, scale):
             poles = {absolute("a", turn.pole) for turn in found.chain.turns if turn.point == point}

@@ -7,6 +7,7 @@ too far away is not shown, then short rays show the way to it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.centre_rays import draw_centres
@@ -26,15 +27,16 @@ _NOTHING = 1e-9  # of the largest rate
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The figure of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_on_mechanism(variant, motion, index, asked, language, lambda board: _annotate(board, found, language))
+    annotate = partial(_annotate, found, language)
+    return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(board: MotionBoard, found: Solved, language: Language) -> None:
+def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: float) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
     parts = compound_velocities(found, language)
     points = [name for name in board.shown if name in now.v]
-    scale = scale_of([*(now.v[name] for name in points), *(v for named in parts.values() for _, v in named)])
+    scale = stretch * scale_of([*(now.v[name] for name in points), *(v for named in parts.values() for _, v in named)])
     straight = set()
     for name in points:
         vectors = named_together([(absolute("v", name), now.v[name]), *parts.get(name, [])], scale)
