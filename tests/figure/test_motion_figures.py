@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -26,6 +28,7 @@ EN = load_language("en")
 SEEDS = 4
 
 
+@cache
 def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, int, Drawing]]:
     """The figures of several variants; none where the form asks for no accelerations."""
     variants, motion, asked = variants_of(name, form, SEEDS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import replace
+from functools import cache
 from typing import ClassVar
 
 import numpy as np
@@ -29,6 +30,7 @@ EN = load_language("en")
 SEEDS = 4
 
 
+@cache
 def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, int, Drawing]]:
     """The plans of several variants; none where the form asks for no accelerations."""
     variants, motion, asked = variants_of(name, form, SEEDS)

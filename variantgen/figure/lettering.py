@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph
 from variantgen.wording.formula import (
     GREEK,
@@ -58,6 +59,13 @@ def typeset(formula: Formula) -> Lettering:
     bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
     top = max((p.at.imag + p.glyph.top for p in run.glyphs), default=0.0)
     return Lettering(tuple(run.glyphs), run.x, bottom, top)
+
+
+def letters_of(label: Label) -> list[tuple[Glyph, complex]]:
+    """The glyphs of a label with where their origins are on the paper (u); ``label.at`` is the middle of the ink."""
+    found = typeset(label.formula)
+    origin = label.at - LETTER * complex(0.5 * found.width, 0.5 * (found.top + found.bottom))
+    return [(placed.glyph, origin + LETTER * placed.at) for placed in found.glyphs]
 
 
 class _Run:

@@ -45,4 +45,5 @@ def centre_letters(bodies: Mapping[str, str], taken: Collection[str]) -> dict[st
     """The letters of velocity centres by body; ``bodies`` gives the index of each, ``taken`` are names of points."""
     if len(bodies) == 1 and "P" not in taken:
         return dict.fromkeys(bodies, Symbol("P"))
-    return {body: Symbol("P", (Index(name or "v"),)) for body, name in bodies.items()}
+    unnamed = Symbol("P", (Index("v"),)) if "P" in taken else Symbol("P")
+    return {body: Symbol("P", (Index(name),)) if name else unnamed for body, name in bodies.items()}
