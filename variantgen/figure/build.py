@@ -43,7 +43,11 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
-    board = mechanism(variant, motion, index, asked, language)
+    return finished(mechanism(variant, motion, index, asked, language))
+
+
+def finished(board: Board) -> Drawing:
+    """The drawing of a board: labels placed, everything in order."""
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
@@ -55,14 +59,16 @@ def mechanism(
     language: Language,
     marks: bool = True,
     size: float = 1.0,
+    scale: float | None = None,
 ) -> Board:
     """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
 
     Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
-    in proportion to that in the statement. Raises InputError like :func:`statement_figure`.
+    in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Raises InputError
+    like :func:`statement_figure`.
     """
     try:
-        return _fitted(variant, motion, index, asked, language, marks, size)
+        return _fitted(variant, motion, index, asked, language, marks, size, scale)
     except (ZeroDivisionError, OverflowError):
         raise InputError(
             Problem(
@@ -82,6 +88,7 @@ def _fitted(
     language: Language,
     marks: bool,
     size: float,
+    kept: float | None,
 ) -> Board:
     form = variant.form
     shown = shown_points(variant, asked)
@@ -91,7 +98,7 @@ def _fitted(
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
-    scale = size * _scale([z[name] for name in shown], circles)
+    scale = kept or size * _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
@@ -101,7 +108,7 @@ def _fitted(
             draw_axes(board)
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
-        if excess <= 1:
+        if excess <= 1 or kept:
             return board
         # Walls and guides reach beyond the mechanism: it is drawn smaller.
         scale *= 0.98 / excess

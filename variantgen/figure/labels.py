@@ -173,7 +173,9 @@ def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
             return
         for i in (k for k in order if k in pending):
             choices[i].taken = int(np.argmin(choices[i].costs + _pair_costs(choices, i)))
-        pending = set(_conflicting(choices))
+        # A label that could be led to, but still lies on a line, tries again in view of what has moved.
+        stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
+        pending = set(_conflicting(choices)) | stuck
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:

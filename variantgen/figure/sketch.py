@@ -185,7 +185,7 @@ class Sketch:
         return Drawing(
             high.real - low.real,
             high.imag - low.imag,
-            tuple(_moved(line, -low) for line in ordered),
+            tuple(moved(line, -low) for line in ordered),
             tuple(type(label)(label.formula, label.at - low, label.size) for label in labels),
             scale=self.scale,
             origin=-low,
@@ -202,7 +202,8 @@ def _extent(line: Line) -> list[complex]:
     return [line.at(i / 8) for i in range(9)]
 
 
-def _moved(line: Line, by: complex) -> Line:
+def moved(line: Line, by: complex) -> Line:
+    """A line at another place."""
     if isinstance(line, Path):
         return Path(tuple(p + by for p in line.points), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):

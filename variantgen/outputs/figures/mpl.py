@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import ToolMissingError
 from variantgen.figure.curves import Step, curves
-from variantgen.figure.drawing import LETTER, Drawing, Layer
+from variantgen.figure.drawing import LETTER, Drawing, Layer, Line
 from variantgen.figure.lettering import letters_of
 from variantgen.outputs.figures import MILLIMETRES
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _FILLS = {"": "none", "ink": "black", "paper": "white", "shade": "0.92"}
 _DASHES = {"": "solid", "dashed": (0, (6, 3.6)), "dashdot": (0, (8, 2.4, 1.2, 2.4))}
-_POINTS = 72 / 25.4
+_POINTS = 72 / 25.4  # to the millimetre
+_THINNEST = 0.35  # points
+_ABOVE = 2.0
 
 
 def need_matplotlib() -> None:
@@ -39,7 +43,7 @@ def figure(drawing: Drawing) -> Figure:
     return made
 
 
-def draw_on(axes: Axes, drawing: Drawing, labels: bool = True) -> None:
+def draw_on(axes: Axes, drawing: Drawing) -> None:
     """Draw on axes, which get the extent of the drawing (u), equal scales and no frame."""
     from matplotlib.patches import PathPatch, Rectangle
 
@@ -47,28 +51,46 @@ def draw_on(axes: Axes, drawing: Drawing, labels: bool = True) -> None:
     axes.set_ylim(0, drawing.height)
     axes.set_aspect("equal")
     axes.set_axis_off()
-    pen = MILLIMETRES * _POINTS
-    for curve in curves(drawing):
-        axes.add_patch(
-            PathPatch(
-                _path(curve.steps),
-                facecolor=_FILLS[curve.fill],
-                edgecolor="black" if curve.weight else "none",
-                linewidth=curve.weight * pen,
-                linestyle=_DASHES[curve.dash],
-                capstyle="round",
-                joinstyle="round",
-                zorder=2 + curve.layer,
-            )
-        )
-    for label in drawing.labels if labels else ():
+    draw_lines(axes, drawing.lines, MILLIMETRES * _POINTS)
+    front = _ABOVE + Layer.LABEL
+    for label in drawing.labels:
         corner = label.at - complex(*label.size) / 2
-        paper = Rectangle((corner.real, corner.imag), *label.size, facecolor="white", edgecolor="none")
-        paper.set_zorder(2 + Layer.LABEL)
+        paper = Rectangle((corner.real, corner.imag), *label.size, facecolor="white", edgecolor="none", zorder=front)
         axes.add_patch(paper)
         for glyph, at in letters_of(label):
             steps = [(kind, tuple(at + LETTER * point for point in points)) for kind, points in glyph.steps]
-            axes.add_patch(PathPatch(_path(steps), facecolor="black", edgecolor="none", zorder=3 + Layer.LABEL))
+            axes.add_patch(PathPatch(_path(steps), facecolor="black", edgecolor="none", zorder=front + 1))
+
+
+def draw_lines(axes: Axes, lines: Iterable[Line], points: float, above: float = _ABOVE) -> list[Artist]:
+    """Draw lines in the order of their layers on axes whose coordinates are u; ``points`` to the u give their weight.
+
+    Returns what was added, to be removed again; ``above`` is the order of the hindmost layer.
+    """
+    from matplotlib.patches import PathPatch
+
+    added: list[Artist] = []
+    for curve in curves(lines):
+        patch = PathPatch(
+            _path(curve.steps),
+            facecolor=_FILLS[curve.fill],
+            edgecolor="black" if curve.weight else "none",
+            linewidth=max(_THINNEST, curve.weight * points) if curve.weight else 0.0,
+            linestyle=_DASHES[curve.dash],
+            capstyle="round",
+            joinstyle="round",
+            zorder=above + curve.layer,
+        )
+        added.append(axes.add_artist(patch))
+    return added
+
+
+def points_per_unit(axes: Axes) -> float:
+    """Printer's points per u of axes whose coordinates are u."""
+    box, (low, high) = axes.get_position(), axes.get_xlim()
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    return float(72 * box.width * figure.get_size_inches()[0] / (high - low))
 
 
 def _path(steps: Any) -> Any:
