@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from types import ModuleType
@@ -15,6 +16,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.labels import around
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius
 from variantgen.figure.sketch import DOT, HINGE, Sketch
+from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import fixed_points
@@ -98,7 +100,7 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     # Last, because the arrows of given motion go where there is room left.
     for driver in board.scene.drivers:
         _draw_symbol(board, driver)
-    return sketch.finish({name: sketch.at[name] for name in shown})
+    return replace(sketch.finish({name: sketch.at[name] for name in shown}), alt=describe(board, given))
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

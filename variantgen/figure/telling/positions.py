@@ -1,0 +1,59 @@
+"""Where the named points lie, each seen from one that is known already."""
+
+from __future__ import annotations
+
+from variantgen.figure.telling.directions import compass
+from variantgen.figure.telling.teller import Teller
+
+_APART = 1e-6  # u
+
+
+def positions(teller: Teller) -> list[str]:
+    """``A above and to the right of O`` for each point but the first, fixed hinges first, along the bodies."""
+    board = teller.board
+    told = {point: ends for body in board.form.bodies for point, ends in teller.between[body].items()}
+    waiting = [point for point in board.shown if point not in told or point in teller.fixed]
+    if not waiting:
+        return []
+    known = [_first(teller, waiting)]
+    waiting.remove(known[0])
+    found = []
+    while waiting:
+        point, origin = _next(teller, waiting, known)
+        waiting.remove(point)
+        known.append(point)
+        # What lies between two points that are known is known from the parts.
+        known += [name for name, ends in told.items() if name not in known and set(ends) <= set(known)]
+        place = teller.place(teller.at(point) - teller.at(origin), teller.name(origin))
+        found.append(f"{teller.name(point)} {place}")
+    return found
+
+
+def _first(teller: Teller, points: list[str]) -> str:
+    """Where a reader starts: a fixed hinge, the centre of a disc, or the first point."""
+    centres = [circle.mark.centre for circle in teller.circles]
+    return next((point for known in (teller.fixed, teller.resting, centres) for point in points if point in known), points[0])
+
+
+def _next(teller: Teller, waiting: list[str], known: list[str]) -> tuple[str, str]:
+    """The next point and the one that it is seen from: fixed hinges, then along bodies, then across joints."""
+    for point in waiting:
+        if point in teller.fixed:
+            return point, known[0]
+    for groups in (teller.board.form.bodies.values(), teller.coupled):
+        for point in waiting:
+            own = [group for group in groups if point in group]
+            near = [origin for origin in known if any(origin in group for group in own)]
+            if near:
+                return point, _level_with(teller, point, known) or near[0]
+    return waiting[0], _level_with(teller, waiting[0], known) or known[0]
+
+
+def _level_with(teller: Teller, point: str, known: list[str]) -> str:
+    """A known point at rest or centre of a disc that the point is exactly above, below or beside; nothing if none is."""
+    origins = teller.resting | {circle.mark.centre for circle in teller.circles}
+    for origin in known:
+        step = teller.at(point) - teller.at(origin)
+        if origin in origins and abs(step) > _APART and len(compass(step)) == 1:
+            return origin
+    return ""
