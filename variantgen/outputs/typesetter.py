@@ -104,6 +104,7 @@ def figure_data(drawing: ink.Drawing) -> dict[str, Any]:
         "w": round(drawing.width, 2),
         "h": round(height, 2),
         "letter": ink.LETTER,
+        "alt": drawing.alt,
         "curves": [[weight, fill, dash, steps] for (_, weight, fill, dash), steps in curves.items()],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }

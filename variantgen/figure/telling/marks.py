@@ -67,9 +67,7 @@ def _carrier(teller: Teller, corner: str, ray: complex) -> str:
 def _length(teller: Teller, mark: LengthMark) -> str:
     way = teller.at(mark.end) - teller.at(mark.start)
     ends = [_bearer(teller, point, way) for point in (mark.start, mark.end)]
-    return teller.say(
-        "length", symbol=_symbol(teller, mark.name), first=ends[0], second=ends[1], line=teller.line(way)
-    )
+    return teller.say("length", symbol=_symbol(teller, mark.name), first=ends[0], second=ends[1], line=teller.line(way))
 
 
 def _bearer(teller: Teller, point: str, way: complex) -> str:
@@ -78,9 +76,7 @@ def _bearer(teller: Teller, point: str, way: complex) -> str:
         return teller.name(point)
     unit, place = way / abs(way), teller.at(point)
     level = [
-        other
-        for other in teller.board.shown
-        if abs(((teller.at(other) - place) * unit.conjugate()).real) < _LEVEL
+        other for other in teller.board.shown if abs(((teller.at(other) - place) * unit.conjugate()).real) < _LEVEL
     ]
     return teller.name(min(level, key=lambda other: abs(teller.at(other) - place), default=""))
 

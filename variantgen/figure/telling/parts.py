@@ -53,7 +53,9 @@ def _bars(teller: Teller) -> list[str]:
         else:
             others += [text for pair in drawn if (text := _bar_through(teller, body, pair))]
     groups = ((straight, "bar", "bars"), (slotted, "slotted_arm", "slotted_arms"))
-    return [teller.say(one if len(own) == 1 else many, bars=", ".join(own)) for own, one, many in groups if own] + others
+    return [
+        teller.say(one if len(own) == 1 else many, bars=", ".join(own)) for own, one, many in groups if own
+    ] + others
 
 
 def _with_points(teller: Teller, body: str) -> str:

@@ -32,7 +32,9 @@ def positions(teller: Teller) -> list[str]:
 def _first(teller: Teller, points: list[str]) -> str:
     """Where a reader starts: a fixed hinge, the centre of a disc, or the first point."""
     centres = [circle.mark.centre for circle in teller.circles]
-    return next((point for known in (teller.fixed, teller.resting, centres) for point in points if point in known), points[0])
+    return next(
+        (point for known in (teller.fixed, teller.resting, centres) for point in points if point in known), points[0]
+    )
 
 
 def _next(teller: Teller, waiting: list[str], known: list[str]) -> tuple[str, str]:
@@ -50,7 +52,7 @@ def _next(teller: Teller, waiting: list[str], known: list[str]) -> tuple[str, st
 
 
 def _level_with(teller: Teller, point: str, known: list[str]) -> str:
-    """A known point at rest or centre of a disc that the point is exactly above, below or beside; nothing if none is."""
+    """A known point at rest or centre of a disc exactly above, below or beside the point; nothing if none is."""
     origins = teller.resting | {circle.mark.centre for circle in teller.circles}
     for origin in known:
         step = teller.at(point) - teller.at(origin)

@@ -11,9 +11,7 @@ from variantgen.mechanism.drivers.extension import Extension
 
 def tell(teller: Teller, items: Sequence[Extension]) -> list[str]:
     """A clause for each cylinder."""
-    return [
-        teller.say("extension", start=teller.name(driver.start), end=teller.name(driver.end)) for driver in items
-    ]
+    return [teller.say("extension", start=teller.name(driver.start), end=teller.name(driver.end)) for driver in items]
 
 
 def arrows(teller: Teller, driver: Extension) -> list[Arrow]:

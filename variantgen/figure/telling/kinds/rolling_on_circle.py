@@ -20,7 +20,9 @@ def _clause(teller: Teller, joint: RollingOnCircle) -> str:
         return teller.say(key + "_of_disc", disc=disc, other=teller.disc(joint.around, joint.on, "_of"))
     ray = teller.at(joint.centre) - teller.at(joint.around)
     wheel = teller.at(joint.centre) + (ray if joint.inside else -ray) / abs(ray) * _radius(teller, joint)
-    touching = [name for name in teller.shown(teller.board.form.bodies[joint.body]) if abs(teller.at(name) - wheel) < 1e-6]
+    touching = [
+        name for name in teller.shown(teller.board.form.bodies[joint.body]) if abs(teller.at(name) - wheel) < 1e-6
+    ]
     contact = teller.say("contact", point=teller.name(touching[0])) if touching else ""
     return teller.say(key, disc=disc, centre=teller.name(joint.around), contact=contact)
 

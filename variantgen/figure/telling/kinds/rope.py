@@ -39,7 +39,7 @@ def _same_rim(first: Bend, second: Bend) -> bool:
 def _clause(teller: Teller, path: Path) -> str:
     ways = [_straight(teller, first, second) for first, second in pairwise(path)]
     names = []
-    for i, bend in enumerate(path):
+    for i in range(len(path)):
         arriving = ways[i - 1] if i > 0 else None
         leaving = ways[i] if i < len(ways) else None
         if arriving is not None and leaving is not None:
@@ -52,7 +52,11 @@ def _clause(teller: Teller, path: Path) -> str:
 def _straight(teller: Teller, first: Bend, second: Bend) -> complex:
     """The direction of a straight piece on paper."""
     circles = [
-        (teller.at(bend.point), float(bend.radius) * teller.board.sketch.scale, float(teller.board.frame.sense * bend.side))
+        (
+            teller.at(bend.point),
+            float(bend.radius) * teller.board.sketch.scale,
+            float(teller.board.frame.sense * bend.side),
+        )
         for bend in (first, second)
     ]
     return complex(thread_direction(*circles[0], *circles[1])[0])

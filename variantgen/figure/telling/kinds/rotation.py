@@ -25,7 +25,9 @@ def arrows(teller: Teller, driver: Rotation) -> list[Arrow]:
         symbol = board.rate(driver, kind) if rate else None
         if symbol is not None:
             name, sense = to_plain(symbol), teller.sense(float(board.frame.sense) * rate)
-            found.append(Arrow(teller.say("rotation", symbol=name, sense=sense, where=_centre(teller, driver.body)), name))
+            found.append(
+                Arrow(teller.say("rotation", symbol=name, sense=sense, where=_centre(teller, driver.body)), name)
+            )
     return found
 
 

@@ -22,5 +22,7 @@ def arrows(teller: Teller, driver: Travel) -> list[Arrow]:
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:
             ahead = directed(rate, way)
-            found += teller.straight_arrow("travel", driver.point, ahead, board.rate(driver, kind), way=teller.way(ahead))
+            found += teller.straight_arrow(
+                "travel", driver.point, ahead, board.rate(driver, kind), way=teller.way(ahead)
+            )
     return found

@@ -24,5 +24,7 @@ def arrows(teller: Teller, driver: VectorMotion) -> list[Arrow]:
     for kind, rate, angle in rates:
         if rate:
             ahead = directed(rate, complex(board.frame.direction(angle)))
-            found += teller.straight_arrow("vector_motion", driver.point, ahead, board.rate(driver, kind), way=teller.way(ahead))
+            found += teller.straight_arrow(
+                "vector_motion", driver.point, ahead, board.rate(driver, kind), way=teller.way(ahead)
+            )
     return found
