@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from variantgen.figure.telling.directions import is_parallel
-from variantgen.figure.telling.teller import Segment, Teller
+from variantgen.figure.telling.shown import Segment
+from variantgen.figure.telling.teller import Teller
 
 _ON_RIM = 1e-6  # of the radius: how far off a rim a point of it may be by rounding
 
