@@ -100,6 +100,19 @@ def pattern(phrase: str, **groups: str) -> re.Pattern[str]:
     return re.compile("".join(parts) + r"\Z")
 
 
+def asked_together(name: str, quantity: str) -> list[Told]:
+    """The first form of a family in each language, with one quantity asked."""
+    form = next(iter(load_family(name).forms.values()))
+    variants = VariantDrawing(load_family(name), None).after([("told", 0)], [0])
+    asked = [parse_quantity(quantity, form.sample)]
+    motion = solve_variants(variants, 2)
+    spoken = [load_language(lang) for lang in languages()]
+    return [
+        Told(variants[0], asked, motion, 0, language, statement_figure(variants[0], motion, 0, asked, language))
+        for language in spoken
+    ]
+
+
 def words_of(text: str) -> set[str]:
     """Names and symbols in a text: everything in Latin or Greek letters and digits."""
     return set(
@@ -138,6 +151,25 @@ def test_everything_labelled_is_named_and_nothing_else(name: str, velocities: bo
         for word in names:
             parts = {"".join(part) for part in letters(word)} if "_" not in word else set()
             assert word in each.labels or (parts and parts <= points), (word, text)
+
+
+@pytest.mark.parametrize(("quantity", "shown"), [("v_B.x", True), ("v_B.angle", True), ("v_B", False)])
+def test_axes_are_told_where_they_are_drawn(quantity: str, shown: bool) -> None:
+    for each in asked_together("slider_crank", quantity):
+        assert ({"x", "y"} <= each.labels) is shown
+        assert (each.words["axes"] in each.items("marks")) is shown
+
+
+@pytest.mark.parametrize("name", ["point_on_rotating_disc", "sliding_block_on_rotating_rod"])
+def test_right_angles_are_told_and_right(name: str) -> None:
+    marked = [each for each in told(name) if each.variant.form.figure.right_angles]
+    assert marked
+    for each in marked:
+        said = [item for item in each.items("marks") if pattern(each.words["right_angle"], corner=".*?").match(item)]
+        for mark, item in zip(each.variant.form.figure.right_angles, said, strict=True):
+            start, end = (each.z[name] - each.z[mark.at] for name in (mark.start, mark.end))
+            assert abs((start * end.conjugate()).real) < 1e-9 * abs(start * end)
+            assert each.words["at_corner"].format(corner=mark.at) in item
 
 
 @pytest.mark.parametrize("name", FAMILIES)

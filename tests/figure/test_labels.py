@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
 
 from variantgen.figure.drawing import Arc, Layer
-from variantgen.figure.labels import along_line, around, boxes_crossed, place_labels
+from variantgen.figure.ink import boxes_crossed, gaps_to_box
+from variantgen.figure.labels import place_labels
+from variantgen.figure.occupancy import CELL, Occupancy
+from variantgen.figure.requests import along_line, around
 from variantgen.wording.formula import Index, Symbol
 
 A, B = Symbol("A"), Symbol("B")
@@ -21,7 +26,8 @@ def test_a_label_keeps_off_lines() -> None:
     # A fan of lines fills everything but the lower left.
     fan = [40 * np.exp(1j * angle) for angle in np.linspace(-1.2, 2.8, 40)]
     segments = np.array([[0j, end] for end in fan])
-    (label,) = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    (label,), leaders = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    assert not leaders
     assert boxes_crossed(np.array([label.at]), (label.size[0] / 2, label.size[1] / 2), segments).tolist() == [0]
     assert label.at.real < 0
     assert label.at.imag < 0
@@ -29,7 +35,7 @@ def test_a_label_keeps_off_lines() -> None:
 
 def test_labels_of_coinciding_wishes_are_spread() -> None:
     requests = [around(Symbol(letter), complex(0.5 * i), 1.0) for i, letter in enumerate("ABCDE")]
-    labels = place_labels(requests, np.zeros((0, 2), dtype=complex), [])
+    labels, _ = place_labels(requests, np.zeros((0, 2), dtype=complex), [])
     for i, one in enumerate(labels):
         for other in labels[:i]:
             gap = one.at - other.at
@@ -43,6 +49,43 @@ def test_same_input_same_places() -> None:
     segments = np.array([[0j, 20 + 5j]])
     first = place_labels(requests, segments, [0j, 20 + 5j])
     assert place_labels(requests, segments, [0j, 20 + 5j]) == first
+
+
+def test_a_label_without_room_is_led_to() -> None:
+    # Short strokes all around the point leave no free place near it.
+    ways = np.exp(1j * np.linspace(0, 2 * np.pi, 60, endpoint=False))
+    segments = np.stack((1.5 * ways, 9.0 * ways), axis=1)
+    (label,), (leader,) = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    half = (label.size[0] / 2, label.size[1] / 2)
+    assert boxes_crossed(np.array([label.at]), half, segments).tolist() == [0]
+    # The leader begins at the symbol, points at its centre, and ends at the letter.
+    start, end = leader.points
+    assert 1.0 <= abs(start) <= 2.0
+    assert abs((end * np.conj(start)).imag) < 1e-9
+    assert gaps_to_box(label.at, half, np.array([[end, end]]))[0] < 0.5
+
+
+def test_gaps_of_segments_and_boxes() -> None:
+    segments = np.array([[5 + 0j, 9 + 0j], [-1 + 3j, 1 + 3j], [4 + 5j, 5 + 4j], [-9 - 9j, 9 + 9j]])
+    expected = [5 - 2, 3 - 1, np.sqrt(2) * (9 - 3) / 2, 0.0]
+    assert np.allclose(gaps_to_box(0j, (2.0, 1.0), segments), expected)
+
+
+@given(st.lists(st.tuples(*[st.floats(-40, 40)] * 4), min_size=1, max_size=30), st.integers(0, 2**32 - 1))
+def test_no_ink_is_missed_by_the_grid(ends: list[tuple[float, float, float, float]], seed: int) -> None:
+    segments = np.array([[complex(a, b), complex(c, d)] for a, b, c, d in ends])
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(-50, 50, 200) + 1j * rng.uniform(-50, 50, 200)
+    half = rng.uniform(0.5, 4.0, (200, 2))
+    found = Occupancy(segments).taken(places, half[:, 0], half[:, 1])
+    for place, (hx, hy), cells in zip(places, half, found, strict=True):
+        crossed = boxes_crossed(np.array([place]), (hx, hy), segments)[0]
+        # The corner of a cell may be cut unseen; nothing else is missed, and nothing far is counted.
+        if boxes_crossed(np.array([place]), (hx - 0.05, hy - 0.05), segments)[0]:
+            assert cells
+        if not boxes_crossed(np.array([place]), (hx + CELL, hy + CELL), segments)[0]:
+            assert not cells
+        assert crossed or not cells or np.min(gaps_to_box(place, (hx, hy), segments)) <= 1.5 * CELL
 
 
 def test_bezier_pieces_follow_the_circle() -> None:

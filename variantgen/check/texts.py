@@ -78,8 +78,13 @@ def _false_marks(variant: Variant, motion: Motion, place: int) -> list[str]:
         for mark in hints.angles
     ]
     found += [(mark.name, abs(z[mark.end] - z[mark.start]), "length") for mark in hints.lengths]
+    skew = [
+        f"the angle marked as right at {mark.at} is not right"
+        for mark in hints.right_angles
+        if abs(math.cos(cmath.phase(ray(mark.at, mark.end) / ray(mark.at, mark.start)))) > _EQUAL
+    ]
     found += [(disc.name, float(disc.radius.value(values)), "radius") for disc in hints.discs if disc.name]
-    return [
+    return skew + [
         f"the {kind} marked {name} is not the given one"
         for name, size, kind in found
         if not _same(size, float(values[name]), kind)

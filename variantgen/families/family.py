@@ -136,6 +136,15 @@ class AngleMark:
 
 
 @dataclass(frozen=True)
+class RightAngle:
+    """A right angle to be marked by a small square: at a point, between two rays (see :class:`AngleMark`)."""
+
+    at: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
 class LengthMark:
     """A length to be drawn as a dimension line between two points."""
 
@@ -168,7 +177,8 @@ class FigureHints:
     ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
     links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
     hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
-    on a wall); ``stems``: points whose guide is a sleeve about a rod along it.
+    on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
+    text speaks of.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -184,6 +194,7 @@ class FigureHints:
     walls: tuple[tuple[str, ...], ...] = ()
     bare: tuple[str, ...] = ()
     stems: tuple[str, ...] = ()
+    right_angles: tuple[RightAngle, ...] = ()
 
 
 @dataclass(frozen=True)

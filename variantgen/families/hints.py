@@ -10,7 +10,16 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import Expression
-from variantgen.families.family import AngleMark, Comparison, DiscMark, FigureHints, LengthMark, Pose, Screens
+from variantgen.families.family import (
+    AngleMark,
+    Comparison,
+    DiscMark,
+    FigureHints,
+    LengthMark,
+    Pose,
+    RightAngle,
+    Screens,
+)
 from variantgen.tables import Table
 
 ExpressionReader = Callable[..., Expression]
@@ -74,6 +83,7 @@ def read_figure(
     """The marks that the drawing needs."""
     angles = [_angle(item, points) for item in table.tables("angles")]
     lengths = [_length(item, points) for item in table.tables("lengths")]
+    right_angles = [_right_angle(item, points) for item in table.tables("right_angles")]
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
@@ -93,6 +103,7 @@ def read_figure(
         walls,
         bare,
         stems,
+        tuple(right_angles),
     )
 
 
@@ -125,6 +136,17 @@ def _angle(table: Table, points: set[str]) -> AngleMark:
     rays = points | set(DIRECTIONS)
     mark = AngleMark(
         table.need("name", str, ""),
+        _known(table, "at", table.need("at", str, ""), points),
+        _known(table, "from", table.need("from", str, ""), rays),
+        _known(table, "to", table.need("to", str, ""), rays),
+    )
+    table.finish()
+    return mark
+
+
+def _right_angle(table: Table, points: set[str]) -> RightAngle:
+    rays = points | set(DIRECTIONS)
+    mark = RightAngle(
         _known(table, "at", table.need("at", str, ""), points),
         _known(table, "from", table.need("from", str, ""), rays),
         _known(table, "to", table.need("to", str, ""), rays),

@@ -8,7 +8,7 @@ import numpy as np
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.labels import along_arrow
+from variantgen.figure.requests import along_arrow
 from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0
@@ -88,8 +88,8 @@ def _roomier_side(board: Board, point: complex, ahead: complex, gap: float, take
     ways = [reach * side for reach in (gap, gap + _WIDER) for side in sides]
     ways = [way for way in ways if (way * taken.conjugate()).real <= 0]
     lanes = [[point + way + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for way in ways]
-    crossed = [int(np.sum(board.sketch.crossings(lane, (1.2, 1.2)))) for lane in lanes]
-    return ways[crossed.index(min(crossed))]
+    crossed = board.sketch.crossings(np.array(lanes).ravel(), (1.2, 1.2)).reshape(len(ways), -1).sum(axis=1)
+    return ways[int(np.argmin(crossed))]
 
 
 def directed(rate: float, way: complex) -> complex:

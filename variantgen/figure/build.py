@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import importlib
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import pairwise
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
+from variantgen.figure.axes import draw_axes
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.labels import around
-from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius
+from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
+from variantgen.figure.links import draw_links, draw_walls
+from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
+from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
@@ -24,8 +27,9 @@ from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
-_BOX = complex(66.0, 50.0)  # room for the mechanism itself, u
-_HALF_SLOT = 1.6
+_LONGEST, _AREA = 74.0, 74.0 * 52.0  # room for the mechanism itself: its longer side (u), its area (u^2)
+AXIAL = {"x", "y", "angle"}  # components of quantities that refer to axes
+_WIDEST, _HIGHEST = 94.0, 94.0  # room for everything but labels, u
 
 
 @cache
@@ -64,20 +68,37 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
     scale = _scale([z[name] for name in shown], circles)
-    sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
     scene = take_scene(motion.scene, index, motion.size)
-    board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
+    while True:
+        sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
+        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
+        _draw(board, variant, asked, [r * scale for r in radii])
+        low, high = sketch.corners()
+        excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
+        if excess <= 1:
+            drawing = sketch.finish({name: sketch.at[name] for name in shown})
+            return replace(drawing, alt=describe(board, given_names(variant, asked), _has_axes(asked)))
+        # Walls and guides reach beyond the mechanism: it is drawn smaller.
+        scale *= 0.98 / excess
+
+
+def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequence[float]) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs."""
+    sketch, form = board.sketch, board.form
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
-        sketch.circle(sketch.at[disc.centre], radius * scale, Layer.DISC, BOLD if disc.body else MEDIUM)
-        board.discs.setdefault(disc.body, []).append(radius * scale)
-    _draw_walls(board)
-    _draw_links(board)
+        sketch.circle(sketch.at[disc.centre], radius, Layer.DISC, BOLD if disc.body else MEDIUM)
+        board.discs.setdefault(disc.body, []).append(radius)
+    draw_walls(board)
+    draw_links(board)
     given = set(given_names(variant, asked))
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
+    for corner in form.figure.right_angles:
+        if {corner.at, corner.start, corner.end} <= {*board.shown, *DIRECTIONS, *form.figure.hidden}:
+            draw_right_angle(board, corner)
     for driver in board.scene.drivers:
         _draw_parts(board, driver)
     for joint in board.scene.joints:
@@ -88,19 +109,23 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
             draw_length(board, length)
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.name in given:
-            concentric = [
-                r * scale for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre
-            ]
-            draw_radius(board, disc, radius * scale, concentric)
-        draw_disc_name(board, disc, radius * scale)
+            concentric = [r for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre]
+            draw_radius(board, disc, radius, concentric)
+        draw_disc_name(board, disc, radius)
     for joint in board.scene.joints:
         if _seeks_room(joint):
             _draw_symbol(board, joint)
-    _draw_points(board, shown)
+    _draw_points(board, board.shown)
     # Last, because the arrows of given motion go where there is room left.
     for driver in board.scene.drivers:
         _draw_symbol(board, driver)
-    return replace(sketch.finish({name: sketch.at[name] for name in shown}), alt=describe(board, given))
+    if _has_axes(asked):
+        draw_axes(board)
+
+
+def _has_axes(asked: Sequence[Quantity]) -> bool:
+    """Whether what is asked refers to the axes x and y."""
+    return any(quantity.component in AXIAL for quantity in asked)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:
@@ -128,71 +153,8 @@ def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) ->
     corners = [*places, *(c + r * d for c, r in discs for d in (1 + 1j, -1 - 1j))]
     width = max(c.real for c in corners) - min(c.real for c in corners)
     height = max(c.imag for c in corners) - min(c.imag for c in corners)
-    return min(_BOX.real / width if width else 1e9, _BOX.imag / height if height else 1e9)
-
-
-def _draw_links(board: Board) -> None:
-    sketch = board.sketch
-    for body, start, end in board.form.bars:
-        a, b = sketch.at[start], sketch.at[end]
-        if body in board.form.figure.slotted:
-            _draw_slotted(sketch, a, b)
-        else:
-            sketch.path((a, b), Layer.LINK)
-        sketch.occupy(start, b - a)
-        sketch.occupy(end, a - b)
-        for point in board.form.bodies[body][2:]:
-            for far in (a, b):
-                sketch.occupy(point, far - sketch.at[point])
-    for names in board.form.figure.thin:
-        sketch.path([sketch.at[name] for name in names], Layer.GROUND, THIN)
-        _occupy_both_ways(sketch, names)
-    for names in board.form.figure.lines:
-        sketch.path([sketch.at[name] for name in names], Layer.LINK)
-        _occupy_both_ways(sketch, names)
-    for body in board.form.figure.plates:
-        names = board.form.bodies[body]
-        sketch.path([sketch.at[name] for name in names], Layer.DISC, closed=True, fill="shade")
-        _occupy_both_ways(sketch, (*names, names[0]))
-
-    for groove in board.form.figure.grooves:
-        _draw_groove(sketch, sketch.at[groove[0]], sketch.at[groove[-1]])
-
-
-def _draw_groove(sketch: Sketch, start: complex, end: complex) -> None:
-    """A slot closed at both ends, over what lies below it."""
-    side = _HALF_SLOT * 1j * (end - start) / abs(end - start)
-    sketch.path((start - side, end - side, end + side, start + side), Layer.LINK, MEDIUM, closed=True, fill="paper")
-
-
-def _occupy_both_ways(sketch: Sketch, names: Sequence[str]) -> None:
-    for first, second in pairwise(names):
-        step = sketch.at[second] - sketch.at[first]
-        sketch.occupy(first, step)
-        sketch.occupy(second, -step)
-
-
-def _draw_slotted(sketch: Sketch, start: complex, end: complex) -> None:
-    """A slotted arm: a bar from its pivot to the slot, then two edges closed at the ends."""
-    way = (end - start) / abs(end - start)
-    side, near = _HALF_SLOT * 1j * way, start + min(6.0, 0.2 * abs(end - start)) * way
-    sketch.path((start, near), Layer.LINK)
-    sketch.path((near - side, end - side, end + side, near + side), Layer.LINK, MEDIUM, closed=True, fill="paper")
-
-
-def _draw_walls(board: Board) -> None:
-    """Hatched lines, on the side away from the mechanism."""
-    sketch = board.sketch
-    seen = [sketch.at[name] for name in board.shown]
-    middle = sum(seen) / len(seen)
-    for names in board.form.figure.walls:
-        for first, second in pairwise(names):
-            a, b = sketch.at[first], sketch.at[second]
-            normal = 1j * (b - a) / abs(b - a)
-            away = -normal if ((middle - a) * normal.conjugate()).real > 0 else normal
-            sketch.path((a, b), Layer.GROUND)
-            sketch.hatch(a, b, away)
-        _occupy_both_ways(sketch, names)
+    area = _AREA / (width * height) if width * height else 1e18
+    return min(_LONGEST / max(width, height), math.sqrt(area))
 
 
 def _draw_points(board: Board, shown: Sequence[str]) -> None:
@@ -219,4 +181,7 @@ def _is_axle(board: Board, point: str, owners: Sequence[str]) -> bool:
 
 
 def _is_free_end(board: Board, point: str) -> bool:
-    return any(point in (start, end) for _, start, end in board.form.bars)
+    """Whether a point is the end of a bar or the corner of a plate, which needs no dot."""
+    ends = {point for _, *both in board.form.bars for point in both}
+    corners = {point for body in board.form.figure.plates for point in board.form.bodies[body]}
+    return point in ends | corners

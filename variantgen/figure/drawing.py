@@ -101,10 +101,15 @@ class Label:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen."""
+    """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen.
+
+    A place z (m) on paper is drawn at ``scale * z + origin``.
+    """
 
     width: float
     height: float
     lines: tuple[Line, ...]
     labels: tuple[Label, ...]
     alt: str = ""
+    scale: float = 1.0
+    origin: complex = 0j

@@ -2,33 +2,98 @@
 
 from __future__ import annotations
 
-from variantgen.figure.drawing import Drawing, Label
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from variantgen.figure.drawing import Drawing, Label, Layer, Line, Path
+from variantgen.figure.ink import gaps_to_box, segments_of
 from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
 _LONGEST = 5.0
+WIDEST, HIGHEST = 108.0, 108.0  # limits of a figure, u
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """The labels of a figure: which cover what, how many have a leader, and the smallest free space around one (u)."""
+
+    overlaps: tuple[tuple[str, str], ...]
+    crossed: tuple[str, ...]
+    outside: tuple[str, ...]
+    leaders: int
+    clearance: float
+
+
+def leaders(drawing: Drawing) -> list[Path]:
+    """The thin lines that lead from labels to what they name."""
+    return [line for line in drawing.lines if isinstance(line, Path) and line.layer == Layer.LABEL]
+
+
+def inspect_labels(drawing: Drawing) -> Inspection:
+    """Labels that cover each other, are crossed by a line (half its weight counts) or leave the paper."""
+    names = [to_plain(label.formula) for label in drawing.labels]
+    overlaps = [
+        (names[i], names[j])
+        for (i, first), (j, second) in combinations(enumerate(drawing.labels), 2)
+        if _gap(first, second) <= 0
+    ]
+    gaps = [_gap(first, second) for first, second in combinations(drawing.labels, 2)]
+    segments, weights = _weighted(drawing.lines)
+    crossed = []
+    for name, label in zip(names, drawing.labels, strict=True):
+        free = _free_space(label, segments, weights, leaders(drawing))
+        gaps.append(free)
+        if free <= 0:
+            crossed.append(name)
+    outside = [name for name, label in zip(names, drawing.labels, strict=True) if _leaves(label, drawing)]
+    return Inspection(
+        tuple(overlaps), tuple(crossed), tuple(outside), len(leaders(drawing)), float(min(gaps, default=np.inf))
+    )
 
 
 def figure_faults(drawing: Drawing) -> list[str]:
-    """Labels that cover each other or leave the paper, and extreme proportions."""
-    found = []
-    for i, label in enumerate(drawing.labels):
-        name = to_plain(label.formula)
-        half_width, half_height = 0.5 * label.size[0], 0.5 * label.size[1]
-        across = half_width <= label.at.real <= drawing.width - half_width
-        if not (across and half_height <= label.at.imag <= drawing.height - half_height):
-            found.append(f"the label {name} leaves the figure")
-        found += [
-            f"the labels {name} and {to_plain(other.formula)} cover each other"
-            for other in drawing.labels[:i]
-            if _overlap(label, other)
-        ]
+    """Faults of the labels and extreme proportions, in words."""
+    seen = inspect_labels(drawing)
+    found = [f"the label {name} leaves the figure" for name in seen.outside]
+    found += [f"the labels {first} and {second} cover each other" for first, second in seen.overlaps]
+    found += [f"the label {name} lies on a line" for name in seen.crossed]
     if max(drawing.width, drawing.height) > _LONGEST * min(drawing.width, drawing.height):
         found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too long")
+    if drawing.width > WIDEST or drawing.height > HIGHEST:
+        found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too large")
     return found
 
 
-def _overlap(first: Label, second: Label) -> bool:
-    gap = first.at - second.at
-    wide, high = (0.5 * (first.size[axis] + second.size[axis]) for axis in (0, 1))
-    return abs(gap.real) < wide and abs(gap.imag) < high
+def _weighted(lines: tuple[Line, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Segments of all lines, shape (S, 2), and half the weight of each, shape (S,)."""
+    parts = [(segments_of(line), 0.5 * line.weight) for line in lines]
+    segments = np.array([s for found, _ in parts for s in found], dtype=complex).reshape(-1, 2)
+    return segments, np.repeat([weight for _, weight in parts], [len(found) for found, _ in parts])
+
+
+def _free_space(label: Label, segments: np.ndarray, weights: np.ndarray, own: list[Path]) -> float:
+    """Distance of a label from the nearest line but its own leader (which ends at its box)."""
+    half = (0.5 * label.size[0], 0.5 * label.size[1])
+    gaps = gaps_to_box(label.at, half, segments) - weights
+    for leader in own:
+        if gaps_to_box(label.at, half, np.array([[leader.points[-1], leader.points[-1]]]))[0] < 1.0:
+            mine = np.all(np.isin(segments, leader.points), axis=1)
+            gaps = np.where(mine, np.inf, gaps)
+    return float(np.min(gaps, initial=np.inf))
+
+
+def _leaves(label: Label, drawing: Drawing) -> bool:
+    half_width, half_height = 0.5 * label.size[0], 0.5 * label.size[1]
+    across = half_width <= label.at.real <= drawing.width - half_width
+    return not (across and half_height <= label.at.imag <= drawing.height - half_height)
+
+
+def _gap(first: Label, second: Label) -> float:
+    """Free space between two labels; zero or less where they cover each other."""
+    step = first.at - second.at
+    dx = abs(step.real) - 0.5 * (first.size[0] + second.size[0])
+    dy = abs(step.imag) - 0.5 * (first.size[1] + second.size[1])
+    return max(dx, dy) if dx <= 0 or dy <= 0 else float(np.hypot(dx, dy))

@@ -1,197 +1,213 @@
 """Placement of labels by optimisation: candidates for each, cost for collisions, deterministic.
 
-Every label has candidate positions. A position costs by what its box would cover (lines, symbols, other labels), by
-how far it is, and by how close it comes to things it does not belong to. Labels are placed one after the other, then
-each is tried again in view of the others until nothing improves.
+A place costs by what its box would cover (lines, other labels), by how far it is, and by how near it comes to things
+that it does not name. Every label first takes its best place. Labels that then cover each other are moved in turn. A
+label that finds no free place near what it names goes farther off and gets a thin leader.
 """
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import LETTER, Label
-from variantgen.figure.metrics import size
-from variantgen.wording.formula import Formula
+from variantgen.figure.drawing import THIN, Label, Layer, Path
+from variantgen.figure.ink import Segments, box_crossings, boxes_crossed
+from variantgen.figure.occupancy import Occupancy
+from variantgen.figure.requests import Costs, Places, Request, far_from
 
 GAP = 0.8  # free space around a label, u
-# Costs of a line through a label (counted up to a number), of two labels over each other, of a label nearer to another
-# point than to its own, and of a rate nearer to another one's arrow than to its own, which would be misread.
-_LINE, _MOST_LINES, _LABEL, _STRANGER, _MISREAD = 20.0, 6, 300.0, 12.0, 60.0
-_WIDE = math.radians(50)
-_SWEEPS = 3
-
-Segments = NDArray[np.complex128]
-
-
-def label_size(formula: Formula) -> tuple[float, float]:
-    """Width and height of a label (u)."""
-    width, height = size(formula)
-    return LETTER * width, LETTER * height
+_TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
+# Costs of ink under a label and per cell of it, of less than the wished free space, of two labels over each other, of a
+# label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own (which would be
+# misread), of a leader and of each line or label that it crosses.
+_INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 60.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
+_SWEEPS = 4
+_LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
+_LEADER_SAMPLES = 24
 
 
-Places = NDArray[np.complex128]
-Costs = NDArray[np.float64]
+@dataclass
+class _Choice:
+    """The candidates of one label with what they cost apart from other labels, and which of them need a leader."""
 
-
-@dataclass(frozen=True)
-class Request:
-    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
-
-    ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
-    """
-
-    formula: Formula
-    anchor: complex
+    request: Request
     places: Places
     costs: Costs
-    extent: tuple[complex, ...] = ()
+    led: NDArray[np.bool_]
+    taken: int = -1
 
     @property
-    def box(self) -> tuple[float, float]:
-        """Half width and half height (u)."""
-        width, height = label_size(self.formula)
-        return 0.5 * width, 0.5 * height
+    def place(self) -> complex:
+        """The chosen centre."""
+        return complex(self.places[self.taken])
+
+    @property
+    def leader(self) -> Path | None:
+        """The leader of the chosen place, where it needs one."""
+        return _leader(self.request, self.place) if self.led[self.taken] else None
 
 
-_WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
-_RINGS = np.array([0.0, 1.6, 3.6, 6.0])
-_AROUND_COSTS = (2.0 * np.arange(4)[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]).ravel()
-_PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
-_ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
-_ARC_RINGS = np.array([0.7, 2.2, 4.5, 7.5])
-_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
+def place_labels(
+    requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]
+) -> tuple[list[Label], list[Path]]:
+    """Labels where they cost least, and the leaders of those that are far from what they name.
 
-
-def around(formula: Formula, point: complex, clear: float) -> Request:
-    """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
-    width, height = label_size(formula)
-    with np.errstate(divide="ignore"):
-        support = np.minimum(0.5 * width / np.abs(_WAYS.real), 0.5 * height / np.abs(_WAYS.imag))
-    places = point + _WAYS[None, :] * (clear + 0.5 + _RINGS[:, None] + support[None, :])
-    return Request(formula, point, places.ravel(), _AROUND_COSTS)
-
-
-def along_line(formula: Formula, start: complex, end: complex, clear: float = 0.9) -> Request:
-    """Candidates on both sides of a line, best near its middle."""
-    width, height = label_size(formula)
-    normal = 1j * (end - start) / abs(end - start)
-    support = clear + 0.5 * (width * abs(normal.real) + height * abs(normal.imag))
-    middle = start + _PARTS * (end - start)
-    costs = 10 * np.abs(_PARTS - 0.5)
-    places = np.concatenate((middle + support * normal, middle - support * normal))
-    return Request(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)))
-
-
-def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
-    """Candidates beside an arrow, best near its head, and before its head."""
-    beside = along_line(formula, start, end)
-    way = (end - start) / abs(end - start)
-    half_width, half_height = beside.box
-    support = half_width * abs(way.real) + half_height * abs(way.imag)
-    ahead = end + way * (np.array([1.0, 2.5, 5.0, 8.0, 11.0]) + support)
-    far, farther = (along_line(formula, start, end, clear) for clear in (3.5, 7.0))
-    near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
-    costs = np.concatenate(
-        (beside.costs + near_head, [1.5, 3.0, 5.0, 8.0, 11.0], far.costs + 7.0, farther.costs + 10.0)
-    )
-    extent = tuple(start + part * (end - start) for part in (0.0, 0.25, 0.5, 0.75))
-    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs, extent)
-
-
-def along_arc(
-    formula: Formula, centre: complex, radius: float, start: float, sweep: float, inner: bool = False
-) -> Request:
-    """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
-    width, height = label_size(formula)
-    ways = np.exp(1j * (start + _ARC_PARTS * sweep))
-    support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
-    places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
-    middle = centre + cmath.rect(radius, start + 0.5 * sweep)
-    extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
-    found, costs = places.ravel(), _ARC_COSTS
-    if inner and abs(sweep) > _WIDE:
-        found = np.concatenate((found, centre + 0.6 * radius * ways))
-        costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
-    return Request(formula, middle, found, costs, extent)
-
-
-def place_labels(requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]) -> list[Label]:
-    """Labels where they cost least; ``segments`` has shape (S, 2), ``strangers`` are other named points."""
+    ``segments`` (shape (S, 2)) are lines to keep clear of, ``strangers`` further named points.
+    """
     if not requests:
-        return []
-    known = [*strangers, *(r.anchor for r in requests)]
-    arrows = [point for r in requests if r.extent for point in (r.anchor, *r.extent)]
-    fixed = [
-        r.costs
-        + _line_costs(r, segments)
-        + _STRANGER * _nearer(r, known)
-        + _MISREAD * (_nearer(r, arrows) if r.extent else 0.0)
-        for r in requests
-    ]
-    places, boxes = [r.places for r in requests], [r.box for r in requests]
-    chosen = [-1] * len(requests)
-    order = sorted(range(len(requests)), key=lambda i: -float(np.min(fixed[i])))
-    for _ in range(_SWEEPS):
-        before = list(chosen)
-        for i in order:
-            cost = fixed[i] + _label_costs(i, places, boxes, chosen)
-            chosen[i] = int(np.argmin(cost))
-        if chosen == before:
-            break
+        return [], []
+    occupancy = Occupancy(segments)
+    choices = _near_choices(requests, occupancy, strangers)
+    for choice in choices:
+        choice.taken = int(np.argmin(choice.costs))
+    _settle(choices, _conflicting(choices))
+    crowded = sorted({i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK} | set(_conflicting(choices)))
+    if crowded:
+        for i in crowded:
+            choices[i] = _with_leaders(choices[i], occupancy)
+        _settle(choices, crowded)
+    labels = [Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1])) for c in choices]
+    return labels, [leader for c in choices if (leader := c.leader)]
+
+
+def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: Sequence[complex]) -> list[_Choice]:
+    """The candidates of all labels, judged together."""
+    count = [len(r.places) for r in requests]
+    places = np.concatenate([r.places for r in requests])
+    owner = np.repeat(np.arange(len(requests)), count)
+    boxes = np.array([r.box for r in requests])[owner]
+    costs = np.concatenate([r.costs for r in requests])
+    costs += _ink_costs(occupancy, places, boxes)
+    # Near a foreign point or arrow: only worth asking where there is no ink.
+    asked = np.flatnonzero(costs < _INK)
+    costs[asked] += _misleading(requests, strangers, places[asked], owner[asked])
+    bounds = np.cumsum(count)[:-1]
     return [
-        Label(r.formula, complex(r.places[k]), (2 * r.box[0], 2 * r.box[1]))
-        for r, k in zip(requests, chosen, strict=True)
+        _Choice(request, at, cost, np.zeros(len(at), dtype=bool))
+        for request, at, cost in zip(requests, np.split(places, bounds), np.split(costs, bounds), strict=True)
     ]
 
 
-def _line_costs(request: Request, segments: Segments) -> NDArray[np.float64]:
-    """Cost of the segments that cross the box of each candidate."""
-    hx, hy = request.box
-    crossed = boxes_crossed(request.places, (hx + GAP, hy + GAP), segments)
-    result: NDArray[np.float64] = _LINE * np.minimum(crossed, _MOST_LINES)
+def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
+    """Cost of the lines under or close to the box about each place."""
+    under = occupancy.taken(places, boxes[:, 0] + _TIGHT, boxes[:, 1] + _TIGHT)
+    close = occupancy.taken(places, boxes[:, 0] + GAP, boxes[:, 1] + GAP)
+    result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
     return result
 
 
-def boxes_crossed(
-    places: NDArray[np.complex128], half_sides: tuple[float, float], segments: Segments
-) -> NDArray[np.int64]:
-    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,)."""
-    hx, hy = half_sides
-    middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
-    half = 0.5 * (segments[:, 1] - segments[:, 0])[None, :]
-    dx, dy = np.abs(half.real), np.abs(half.imag)
-    crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
-    crossing &= np.abs(half.real * middle.imag - half.imag * middle.real) <= hx * dy + hy * dx
-    result: NDArray[np.int64] = np.sum(crossing, axis=1)
+def _misleading(
+    requests: Sequence[Request], strangers: Sequence[complex], places: Places, owner: NDArray[np.intp]
+) -> Costs:
+    """Cost of each candidate that is nearer to a foreign point (or a foreign arrow) than to what the label names."""
+    points = np.array([p for r in requests for p in r.own] + list(strangers), dtype=complex)
+    belongs = np.repeat(np.arange(len(requests)), [len(r.own) for r in requests])
+    belongs = np.concatenate((belongs, np.full(len(strangers), -1)))
+    arrow = np.array([bool(r.extent) for r in requests])
+    dx, dy = places.real[:, None] - points.real[None, :], places.imag[:, None] - points.imag[None, :]
+    squares = dx * dx + dy * dy
+    # A stranger at the very place that a label names is no stranger.
+    same = np.abs(points[:, None] - points[None, :]) < 1e-6
+    mine = np.array([(same & (belongs == k)[None, :]).any(axis=1) for k in range(len(requests))])[owner]
+    nearest = np.min(squares, axis=1, initial=np.inf, where=mine)
+    foreign = np.min(squares, axis=1, initial=np.inf, where=~mine)
+    on_arrow = np.concatenate((arrow[belongs[belongs >= 0]], np.zeros(len(strangers), dtype=bool)))
+    foreign_arrow = np.min(squares, axis=1, initial=np.inf, where=~mine & on_arrow[None, :])
+    result: Costs = _STRANGER * (foreign < nearest) + _MISREAD * (arrow[owner] & (foreign_arrow < nearest))
     return result
 
 
-def _nearer(request: Request, strangers: Sequence[complex]) -> NDArray[np.float64]:
-    """1 for each candidate that is nearer to a foreign point than to what the label names, else 0."""
-    own = np.array([request.anchor, *request.extent])
-    others = np.array([p for p in strangers if np.min(np.abs(p - own)) > 1e-6], dtype=complex)
-    if not others.size:
-        return np.zeros(len(request.places))
-    nearest, mine = (np.min(np.abs(request.places[:, None] - points[None, :]), axis=1) for points in (others, own))
-    return np.where(nearest < mine, 1.0, 0.0)
+def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
+    """The choice with far candidates added."""
+    request = choice.request
+    places, costs = far_from(request)
+    boxes = np.broadcast_to(request.box, (len(places), 2))
+    parts = np.linspace(0.0, 1.0, _LEADER_SAMPLES)
+    # The leader from the edge of the symbol to the label: how many of its pieces run over ink.
+    steps = places - request.anchor
+    start = request.anchor + (request.clear + 0.8) * steps / np.abs(steps)
+    samples = start[:, None] + parts[None, :] * (places - start)[:, None]
+    thin = np.full(samples.size, 0.05)
+    cut = occupancy.taken(samples.ravel(), thin, thin).reshape(samples.shape) > 0
+    crossings = cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1)
+    costs = costs + _LEADER + _CUT * crossings + _ink_costs(occupancy, places, boxes)
+    return _Choice(
+        request,
+        np.concatenate((choice.places, places)),
+        np.concatenate((choice.costs, costs)),
+        np.concatenate((choice.led, np.ones(len(places), dtype=bool))),
+        choice.taken,
+    )
 
 
-def _label_costs(
-    i: int, places: Sequence[NDArray[np.complex128]], boxes: Sequence[tuple[float, float]], chosen: Sequence[int]
-) -> NDArray[np.float64]:
-    """Cost of the overlaps of each candidate of label i with the labels that are placed."""
-    others = [j for j, k in enumerate(chosen) if k >= 0 and j != i]
+def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
+    """Move labels that cover each other until none does; those with the fewest good places move first."""
+    order = sorted(range(len(choices)), key=lambda i: -float(np.min(choices[i].costs)))
+    pending = set(first)
+    for _ in range(_SWEEPS):
+        if not pending:
+            return
+        for i in (k for k in order if k in pending):
+            choices[i].taken = int(np.argmin(choices[i].costs + _pair_costs(choices, i)))
+        pending = set(_conflicting(choices))
+
+
+def _conflicting(choices: Sequence[_Choice]) -> list[int]:
+    """Labels that cover another one."""
+    centres = np.array([c.place for c in choices])
+    boxes = np.array([c.request.box for c in choices])
+    gap = centres[:, None] - centres[None, :]
+    reach = boxes[:, None, :] + boxes[None, :, :] + _TIGHT
+    covers = (np.abs(gap.real) < reach[..., 0]) & (np.abs(gap.imag) < reach[..., 1])
+    np.fill_diagonal(covers, val=False)
+    return [int(i) for i in np.flatnonzero(covers.any(axis=1))]
+
+
+def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:
+    """Cost of the overlaps of each candidate of label i with the other labels where they stand now."""
+    others = [j for j in range(len(choices)) if j != i]
     if not others:
-        return np.zeros(len(places[i]))
-    taken = np.array([places[j][chosen[j]] for j in others])
-    reach = np.array([(boxes[i][0] + boxes[j][0] + GAP, boxes[i][1] + boxes[j][1] + GAP) for j in others])
-    gap = places[i][:, None] - taken[None, :]
-    overlaps = (np.abs(gap.real) < reach[:, 0]) & (np.abs(gap.imag) < reach[:, 1])
-    result: NDArray[np.float64] = _LABEL * np.sum(overlaps, axis=1)
-    return result
+        return np.zeros(len(choices[i].places))
+    taken = np.array([choices[j].place for j in others])
+    boxes = np.array([choices[j].request.box for j in others])
+    gap = choices[i].places[:, None] - taken[None, :]
+    dx = np.abs(gap.real) - boxes[:, 0] - choices[i].request.box[0]
+    dy = np.abs(gap.imag) - boxes[:, 1] - choices[i].request.box[1]
+    space = np.maximum(dx, dy)
+    result: Costs = np.sum(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP), axis=1)
+    return result + _leader_costs(choices, i)
+
+
+def _leader_costs(choices: Sequence[_Choice], i: int) -> Costs:
+    """Cost of other labels' leaders under each candidate of label i, and of its own leaders over other labels."""
+    own = choices[i]
+    costs = np.zeros(len(own.places))
+    led = np.flatnonzero(own.led)
+    half_width, half_height = own.request.box
+    for j, other in enumerate(choices):
+        if j == i:
+            continue
+        if led.size:
+            box = (other.request.box[0] + _TIGHT, other.request.box[1] + _TIGHT)
+            anchors = np.full(led.size, own.request.anchor)
+            costs[led] += _LABEL * box_crossings(other.place, box, anchors, own.places[led])
+        if leader := other.leader:
+            box = (half_width + _TIGHT, half_height + _TIGHT)
+            costs += _LABEL * boxes_crossed(own.places, box, np.array([leader.points]))
+    return costs
+
+
+def _leader(request: Request, place: complex) -> Path | None:
+    """A thin line from the edge of the symbol to the edge of the label; none where the two nearly touch."""
+    step = place - request.anchor
+    way = step / abs(step)
+    half_width, half_height = request.box
+    reach = min(half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf)
+    start = request.anchor + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
+    end = place - (reach + _LEADER_GAP) * way
+    if ((end - start) * way.conjugate()).real < 1.0:
+        return None
+    return Path((start, end), Layer.LABEL, THIN)

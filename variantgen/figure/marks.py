@@ -8,11 +8,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from variantgen.families.family import AngleMark, DiscMark, LengthMark
+from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
-from variantgen.figure.labels import Request, along_arc, along_line, label_size
+from variantgen.figure.labels import GAP
+from variantgen.figure.requests import Request, along_arc, along_line, along_radius, label_size
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
@@ -21,6 +22,10 @@ _BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
+_SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
+# Directions of a radius: those at half a right angle read best, above rather than below.
+_DIRECTIONS = np.radians(np.arange(0, 360, 15))
+_DIRECTION_COSTS = 0.3 * np.abs(np.cos(2 * _DIRECTIONS)) + 0.2 * (1 - np.sin(_DIRECTIONS)) + 0.001 * np.arange(24)
 
 
 def draw_angle(board: Board, mark: AngleMark) -> None:
@@ -29,7 +34,7 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     corner = sketch.at[mark.at]
     rays = [_ray(board, mark.at, name) for name in (mark.start, mark.end)]
     for name, ray in zip((mark.start, mark.end), rays, strict=True):
-        if sketch.freedom(mark.at, cmath.phase(ray)) > math.radians(2):
+        if sketch.freedom(mark.at, np.angle([ray]))[0] > math.radians(2):
             far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
             sketch.path((corner, far), Layer.GROUND, THIN)
             if name in sketch.at:
@@ -40,6 +45,14 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep, inner=True))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
+
+
+def draw_right_angle(board: Board, mark: RightAngle) -> None:
+    """A small square between two rays at right angles."""
+    corner = board.sketch.at[mark.at]
+    first, second = (_SQUARE * _ray(board, mark.at, name) for name in (mark.start, mark.end))
+    board.sketch.path((corner + first, corner + first + second, corner + second), Layer.MARK, THIN)
+    board.sketch.occupy(mark.at, first + second)
 
 
 def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
@@ -102,7 +115,7 @@ def _dimension(board: Board, start: complex, end: complex, name: str) -> None:
     else:
         sketch.arrow(end + 3 * _HEAD * way, end, Layer.MARK, THIN, _HEAD)
         sketch.arrow(start - 3 * _HEAD * way, start, Layer.MARK, THIN, _HEAD)
-    sketch.label(along_line(board.symbol(name), start, end, 0.7))
+    sketch.label(along_line(board.symbol(name), start, end))
 
 
 def draw_radius(board: Board, mark: DiscMark, radius: float, concentric: Sequence[float]) -> None:
@@ -114,17 +127,33 @@ def draw_radius(board: Board, mark: DiscMark, radius: float, concentric: Sequenc
     if mark.arc:
         _draw_radius_of_arc(board, mark, radius)
         return
-    angles = [math.radians(a) for a in (45, 135, 30, 150, 60, 120, 225, 315, 210, 330, 240, 300)]
-    angle = max(angles, key=lambda a: (round(sketch.freedom(mark.centre, a), 3), -angles.index(a)))
     centre = sketch.at[mark.centre]
-    rim = centre + cmath.rect(radius, angle)
-    sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
     # Of concentric discs the letter of the larger stands in the ring that is its own.
     inner = max((other for other in concentric if other < radius - 0.1), default=0.0)
-    start = centre + cmath.rect(inner, angle) if radius - inner > _LEAST_RING else centre
-    sketch.label(along_line(board.symbol(mark.name), start, rim, 0.6))
+    begin = inner if radius - inner > _LEAST_RING else 0.0
+    formula = board.symbol(mark.name)
+    way = cmath.rect(1.0, _roomiest_radius(board, mark.centre, radius, begin, label_size(formula)))
+    rim = centre + radius * way
+    sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
+    sketch.label(along_radius(formula, centre, rim, centre + begin * way))
     for turn in (-_RADII_APART, 0.0, _RADII_APART):
-        sketch.occupy(mark.centre, cmath.rect(1.0, angle + turn))
+        sketch.occupy(mark.centre, way * cmath.rect(1.0, turn))
+
+
+def _roomiest_radius(board: Board, point: str, radius: float, begin: float, letters: tuple[float, float]) -> float:
+    """The direction in which a radius and its letter cross least of what is drawn, far from what leaves the centre."""
+    sketch = board.sketch
+    centre = sketch.at[point]
+    ways = np.exp(1j * _DIRECTIONS)
+    crossed = sketch.rays_crossed(centre, _DIRECTIONS, 0.0, radius - 0.3)
+    half_width, half_height = 0.5 * letters[0], 0.5 * letters[1]
+    support = 1.0 + half_width * np.abs(ways.imag) + half_height * np.abs(ways.real)
+    beside = [centre + (0.5 * (begin + radius) + side * 1j * support) * ways for side in (1, -1)]
+    ahead = centre + (radius + 1.0 + half_width * np.abs(ways.real) + half_height * np.abs(ways.imag)) * ways
+    covered = sketch.crossings(np.concatenate((*beside, ahead)), (half_width + GAP, half_height + GAP))
+    best = np.min(np.minimum(covered.reshape(3, -1), 4) + np.array([[0.0], [0.0], [0.6]]), axis=0)
+    room = np.maximum(0.0, math.radians(30) - sketch.freedom(point, _DIRECTIONS))
+    return float(_DIRECTIONS[int(np.argmin(3 * crossed + 2 * best + 8 * room + _DIRECTION_COSTS))])
 
 
 def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
@@ -138,7 +167,7 @@ def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
     rims = [centre + cmath.rect(radius, middle + turn) for turn in _BESIDE]
     rim = min(rims, key=lambda place: int(sketch.crossings([0.5 * (centre + place)], (0.25 * radius, 2.0))[0]))
     sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
-    sketch.label(along_line(board.symbol(mark.name), centre, rim, 0.6))
+    sketch.label(along_radius(board.symbol(mark.name), centre, rim, centre))
     sketch.occupy(mark.centre, rim - centre)
 
 
@@ -151,7 +180,11 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     formula = Symbol(name)
     width, height = label_size(formula)
     half = 0.5 * math.hypot(width, height)
-    reach = radius - half - 0.8 if radius > _ROOMY else radius + half + 0.6
-    ways = np.exp(1j * math.tau / 16 * np.arange(16))
+    inside = [radius - half - off for off in (0.9, 2.4, 4.2, 6.5) if radius - half - off > half]
+    reach = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
+    ways = np.exp(1j * math.tau / 24 * np.arange(24))
     centre = board.sketch.at[mark.centre]
-    board.sketch.label(Request(formula, centre, centre + reach * ways, np.linspace(0.0, 0.3, 16)))
+    places = centre + np.array(reach)[:, None] * ways[None, :]
+    costs = 1.5 * np.arange(len(reach))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
+    rim = tuple(complex(place) for place in centre + radius * ways[::4])
+    board.sketch.label(Request(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))

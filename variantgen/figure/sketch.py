@@ -6,20 +6,22 @@ import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Layer, Line, Path, Strokes
-from variantgen.figure.labels import Request, boxes_crossed, place_labels
+from variantgen.figure.ink import Sides, boxes_crossed, segments_of
+from variantgen.figure.labels import place_labels
+from variantgen.figure.requests import Request
 
 MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
 DOT = 0.65  # radius of a marked point, u
 _HATCH_STEP, _HATCH_DEPTH = 1.15, 1.5
 _MOST_STROKES = 400
+_SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 
 
 @dataclass
@@ -39,15 +41,12 @@ class Sketch:
         """Draw a polyline; it is an obstacle for labels."""
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
         self.lines.append(line)
-        ends = line.points + line.points[:1] if line.closed else line.points
-        self._obstacles += list(pairwise(ends))
+        self._obstacles += segments_of(line)
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
         self.lines.append(arc)
-        count = max(4, math.ceil(abs(arc.sweep) / 0.35))
-        points = [arc.at(i / count) for i in range(count + 1)]
-        self._obstacles += list(pairwise(points))
+        self._obstacles += segments_of(arc, _SAGITTA)
 
     def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
         """Draw a circle."""
@@ -65,12 +64,12 @@ class Sketch:
         count = min(_MOST_STROKES, max(2, round((abs(end - start) - 0.6) / _HATCH_STEP)))
         feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
         self.lines.append(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND))
-        far = normal * _HATCH_DEPTH
+        first, last = feet[0], feet[-1]
         self._obstacles += [
-            (start + far, end + far),
-            (start, start + far),
-            (end, end + far),
-            (start + far / 2, end + far / 2),
+            (first + stroke, last + stroke),
+            (first, first + stroke),
+            (last, last + stroke),
+            (first + stroke / 2, last + stroke / 2),
         ]
 
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
@@ -84,8 +83,7 @@ class Sketch:
             strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
         self.lines.append(Strokes(tuple(strokes), Layer.GROUND))
         far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
-        pieces = max(4, math.ceil(sweep / 0.35))
-        self._obstacles += list(pairwise([far.at(i / pieces) for i in range(pieces + 1)]))
+        self._obstacles += segments_of(far, _SAGITTA)
 
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
@@ -113,14 +111,42 @@ class Sketch:
         """Note that something leaves a point in a direction."""
         self.busy.setdefault(point, []).append(cmath.phase(direction))
 
-    def freedom(self, point: str, angle: float) -> float:
-        """Angle from a direction to the nearest taken one at a point (rad)."""
-        taken = self.busy.get(point, [])
-        return min((abs(math.remainder(angle - other, math.tau)) for other in taken), default=math.pi)
+    def freedom(self, point: str, angles: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Angle from each direction to the nearest taken one at a point (rad), shape (A,)."""
+        taken = np.array(self.busy.get(point, []))
+        gaps = np.abs(np.remainder(angles[:, None] - taken[None, :] + math.pi, math.tau) - math.pi)
+        result: NDArray[np.float64] = np.min(gaps, axis=1, initial=math.pi)
+        return result
 
-    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[float, float]) -> NDArray[np.int64]:
-        """How many of the lines drawn so far cross the box about each place, shape (P,)."""
+    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
+        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
         return boxes_crossed(np.asarray(places), half_sides, self._segments())
+
+    def circle_crossings(
+        self, centre: complex, radii: NDArray[np.float64]
+    ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Where the lines drawn so far cross circles about a centre: numbers of the circles, directions (rad)."""
+        segments = self._segments()
+        start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
+        # |start + t step| = radius
+        a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
+        root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
+        circle, line = np.nonzero((root >= 0) & (a > 0))
+        start, step, a, b, root = start[line], step[line], a[line], b[line], np.sqrt(root[circle, line])
+        t = np.concatenate(((-b - root) / a, (-b + root) / a))
+        on = (t >= 0) & (t <= 1)
+        places = np.tile(start, 2)[on] + t[on] * np.tile(step, 2)[on]
+        return np.tile(circle, 2)[on], np.angle(places)
+
+    def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
+        """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""
+        segments = (self._segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
+        low, high = segments[..., 0], segments[..., 1]
+        rise = high.imag - low.imag
+        over = (low.imag <= 0) != (high.imag <= 0)
+        place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
+        result: NDArray[np.int64] = np.sum(over & (place > start) & (place < end), axis=1)
+        return result
 
     def _segments(self) -> NDArray[np.complex128]:
         if len(self._known) != len(self._obstacles):
@@ -131,9 +157,16 @@ class Sketch:
         """Ask for a label."""
         self.requests.append(request)
 
+    def corners(self) -> tuple[complex, complex]:
+        """Lower left and upper right corner of what is drawn so far."""
+        points = [point for line in self.lines for point in _extent(line)]
+        x, y = [p.real for p in points], [p.imag for p in points]
+        return complex(min(x), min(y)), complex(max(x), max(y))
+
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels = place_labels(self.requests, self._segments(), list(named.values()))
+        labels, leaders = place_labels(self.requests, self._segments(), list(named.values()))
+        self.lines += leaders
         corners = [point for line in self.lines for point in _extent(line)]
         for label in labels:
             half = complex(*label.size) / 2
@@ -146,6 +179,8 @@ class Sketch:
             high.imag - low.imag,
             tuple(_moved(line, -low) for line in ordered),
             tuple(type(label)(label.formula, label.at - low, label.size) for label in labels),
+            scale=self.scale,
+            origin=-low,
         )
 
 

@@ -18,7 +18,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure import drawing as ink
+from variantgen.figure.curves import curves
+from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, to_typst
 
@@ -74,38 +75,22 @@ def typesetter() -> Iterator[Typesetter]:
         yield Typesetter(Path(folder))
 
 
-def figure_data(drawing: ink.Drawing) -> dict[str, Any]:
-    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u.
-
-    Lines of one layer and one pen are one curve: the engine's time goes by the number of elements.
-    """
+def figure_data(drawing: Drawing) -> dict[str, Any]:
+    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
     height = drawing.height
 
     def xy(point: complex) -> list[float]:
         return [round(point.real, 2), round(height - point.imag, 2)]
 
-    curves: dict[tuple[Any, ...], list[list[Any]]] = {}
-    for line in drawing.lines:
-        match line:
-            case ink.Strokes(segments, layer, weight):
-                steps = [[key, *xy(point)] for segment in segments for key, point in zip("ml", segment, strict=True)]
-                style = (layer, weight, "", "")
-            case ink.Path():
-                steps = [["l" if i else "m", *xy(point)] for i, point in enumerate(line.points)]
-                steps += [["z"]] if line.closed else []
-                style = (line.layer, line.weight, line.fill, line.dash)
-            case ink.Arc():
-                steps = [["m", *xy(line.at(0))]]
-                steps += [["c", *xy(a), *xy(b), *xy(end)] for a, b, end in line.cubics()]
-                steps += [["z"]] if line.full else []
-                style = (line.layer, line.weight, line.fill, line.dash)
-        curves.setdefault(style, []).extend(steps)
+    def step(kind: str, points: tuple[complex, ...]) -> list[Any]:
+        return [kind.lower(), *(number for point in points for number in xy(point))]
+
     return {
         "w": round(drawing.width, 2),
         "h": round(height, 2),
-        "letter": ink.LETTER,
+        "letter": LETTER,
         "alt": drawing.alt,
-        "curves": [[weight, fill, dash, steps] for (_, weight, fill, dash), steps in curves.items()],
+        "curves": [[c.weight, c.fill, c.dash, [step(*s) for s in c.steps]] for c in curves(drawing)],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }
 

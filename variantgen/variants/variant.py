@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from numpy.typing import NDArray
 from variantgen.families.family import Family, Form, frame
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
+
+if TYPE_CHECKING:
+    from variantgen.outputs.picture import Picture
 
 
 @dataclass(frozen=True)
@@ -35,6 +39,16 @@ class Variant:
         parameters = self.form.parameters
         told = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
         return self.family.name, self.form.name, tuple(sorted(told))
+
+    def figure(self, view: str = "statement", language: str = "en", ask: Sequence[str] = ()) -> Picture:
+        """The figure of the problem or, with ``view``, a plan or another kind of figure; a notebook shows it.
+
+        ``ask`` names the quantities asked (none: those of the form). Raises InputError.
+        """
+        # The one import against the order of the layers: a notebook asks the variant for its figure.
+        from variantgen.outputs.picture import picture
+
+        return picture(self, view, language, ask)
 
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""

@@ -18,6 +18,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_choice(parser)
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
     parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
+    parser.add_argument("--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf or .tikz")
+    parser.add_argument("--view", default="statement", metavar="KIND", help="kind of figure (default: statement)")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -34,6 +36,9 @@ def run(arguments: argparse.Namespace) -> int:
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
+    if arguments.figure:
+        variant.figure(arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
+        print(f"written: {arguments.figure}", file=sys.stderr)
     if arguments.out:
         from variantgen.outputs.single_page import write_single
 
@@ -41,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
             variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}"
         )
         print(f"written: {arguments.out}", file=sys.stderr)
-    else:
+    elif not arguments.figure:
         values = [(answer.value, answer.unit) for answer in found]
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
     return 0

@@ -5,6 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 
+import numpy as np
+
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.sketch import HINGE
@@ -40,12 +42,9 @@ def _roomiest_side(board: Board, point: str) -> float:
     """The side on which the base covers least of what is drawn already and is far from the links at the hinge."""
     sketch = board.sketch
     depth, half = _HEIGHT + 1.7, _HALF_BASE + 1.0
-
-    def cost(angle: float) -> float:
-        """What a base in this direction covers, and how near it comes to the links."""
-        down = cmath.rect(1.0, angle)
-        sides = (half, 0.5 * depth) if abs(down.imag) > 0.5 else (0.5 * depth, half)
-        covered = int(sketch.crossings([sketch.at[point] + (HINGE + 0.5 * depth) * down], sides)[0])
-        return 2.0 * covered + 6.0 * max(0.0, math.radians(58) - sketch.freedom(point, angle))
-
-    return min(_SIDES, key=cost)
+    down = np.exp(1j * np.array(_SIDES))
+    upright = (np.abs(down.imag) > 0.5)[:, None]
+    sides = (np.where(upright, half, 0.5 * depth), np.where(upright, 0.5 * depth, half))
+    covered = sketch.crossings(sketch.at[point] + (HINGE + 0.5 * depth) * down, sides)
+    close = np.maximum(0.0, math.radians(58) - sketch.freedom(point, np.array(_SIDES)))
+    return _SIDES[int(np.argmin(2.0 * covered + 6.0 * close))]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,21 +11,26 @@ from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Arc, Layer
-from variantgen.figure.labels import GAP, along_arc, label_size
+from variantgen.figure.labels import GAP
+from variantgen.figure.requests import along_arc, label_size
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
 _SWEEP = math.radians(62)
-_RADII = (6.2, 10.4)
-_OFF_RIM = 2.4
-_SAMPLES = 11  # of an arc: closer together than a line and its head are wide
 _LONGEST = 16.0  # length of an arc, u
+_RADII = (6.2, 8.4, 10.4)
+_OFF_RIM = (2.4, 4.8)
+_LEAST = 5.0  # radius of an arc, u
+_MARGIN = 0.8  # free space on both sides of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
-_ROOMY = 14.0  # radius of a disc in which two arcs with their letters find room, u
+_APART = math.radians(115)  # between the two arcs of one body
+_FINALISTS = 24
+_ANGLES = np.radians(np.arange(0, 360, 15))
 # Above first: ties go to the place where a reader expects the arc.
-_ANGLES = tuple(
-    math.radians(a) for a in (60, 80, 100, 120, 40, 140, 20, 160, 0, 180, 200, 220, 240, 260, 280, 300, 320, 340)
-)
+_ANGLE_COSTS = 0.6 * (1 - np.sin(_ANGLES)) + 0.05 * np.abs(np.cos(_ANGLES)) + 0.001 * np.arange(_ANGLES.size)
+# Costs of a line that crosses an arc, of one under its letters, of a link close by, of the other arc or one of another
+# body near it, of a disc on which it lies without belonging there, of each step to a less usual radius.
+_CROSSED, _COVERED, _CLOSE, _TOGETHER, _STRANGER, _ON_DISC, _UNUSUAL = 12.0, 5.0, 3.0, 100.0, 8.0, 20.0, 1.2
 
 
 def draw(board: Board, driver: Rotation) -> None:
@@ -33,57 +39,85 @@ def draw(board: Board, driver: Rotation) -> None:
     pivot = board.centre_of_rotation(driver.body)
     sense = float(board.frame.sense)
     rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
-    # The two arcs never lie side by side: which label and which sense belong together must be plain.
-    placed: float | None = None
-    for radius, (kind, rate) in zip(_radii(board, driver, pivot), rates, strict=True):
+    radii = _radii(board, driver, pivot)
+    taken: list[float] = []
+    for kind, rate in rates:
         if rate == 0 or (kind == "epsilon" and not board.accelerations):
             continue
-        turn = math.copysign(min(_SWEEP, _LONGEST / radius), rate)
         formula = board.rate(driver, kind)
         if formula is None:
             continue
-        middle = _roomiest(board, pivot, radius, turn, formula, placed)
-        placed = middle
-        request = along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn)
+        radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
+        turn = math.copysign(_sweep(radius), rate)
+        taken.append(middle)
         sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
-        sketch.label(request)
+        sketch.label(along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn))
         for part in (-0.5, 0.0, 0.5):
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
 
 
-def _radii(board: Board, driver: Rotation, pivot: str) -> tuple[float, float]:
-    """Radii of the two arcs: about the pivot or, for a small disc or one of several driven bodies, outside the rim."""
-    rim = max(board.discs.get(driver.body, [0.0]))
+def _sweep(radius: float) -> float:
+    """Angle of an arc: a wide one is not longer than a narrow one."""
+    return min(_SWEEP, _LONGEST / radius)
+
+
+def _radii(board: Board, driver: Rotation, pivot: str) -> list[float]:
+    """Radii of an arc, the usual ones first: about the pivot, or along the rim of a disc of the body.
+
+    An arc keeps off the rims of discs about the same axis.
+    """
+    about = [disc for disc in board.form.figure.discs if not disc.arc and disc.centre == pivot]
+    rims = sorted(r for disc in about for r in board.discs.get(disc.body, []))
+    own = max((r for disc in about if disc.body == driver.body for r in board.discs[disc.body]), default=0.0)
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
-    if rim == 0:
-        # The arcs of a crank do not run along the rim of a wheel about the same axis.
-        centred = [disc for disc in board.form.figure.discs if disc.centre == pivot and not disc.arc]
-        rims = [
-            r for disc in centred for r in board.discs[disc.body] if _RADII[0] - _OFF_RIM < r < _RADII[1] + _OFF_RIM
-        ]
-        rim = max(rims, default=0.0)
-    if rim == 0 or (alone and rim > _ROOMY):
-        return _RADII
-    return rim + _OFF_RIM, rim + 2 * _OFF_RIM
+    found = list(_RADII) if not own or alone else []
+    found += [rim + off for rim in rims for off in _OFF_RIM]
+    if own > 2 * _LEAST:
+        found.append(own - 3.0)
+    clear = [r for r in found if r >= _LEAST and all(abs(r - rim) > _OFF_RIM[0] - 0.1 for rim in rims)]
+    return clear or [max(rims, default=0.0) + off for off in _OFF_RIM]
 
 
-def _roomiest(board: Board, pivot: str, radius: float, turn: float, formula: Symbol, other: float | None) -> float:
-    """The direction in which the arc and the label at its middle cross least of what is drawn already."""
+def _roomiest_arc(
+    board: Board, pivot: str, radii: Sequence[float], formula: Symbol, taken: Sequence[float]
+) -> tuple[float, float]:
+    """Radius and direction of the middle of the arc that crosses least, with letters that cover least.
+
+    It is not mistaken for another one: the arcs of one body (``taken`` directions) never lie side by side.
+    """
     sketch = board.sketch
     centre = sketch.at[pivot]
     width, height = label_size(formula)
-    ways = np.exp(1j * np.array(_ANGLES))
-    parts = np.exp(1j * turn * np.linspace(-0.5, 0.56, _SAMPLES))
-    arcs = (centre + radius * ways[:, None] * parts[None, :]).ravel()
-    names = centre + ways * (radius + 0.7 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag)))
-    crossed = np.minimum(sketch.crossings(arcs, (0.7, 0.7)), 1).reshape(-1, _SAMPLES).mean(axis=1)
-    covered = np.minimum(sketch.crossings(names, (0.5 * width + GAP, 0.5 * height + GAP)), 3)
-    room = np.array([max(0.0, math.radians(40) - sketch.freedom(pivot, angle)) for angle in _ANGLES])
-    apart = [math.pi if other is None else abs(math.remainder(angle - other, math.tau)) for angle in _ANGLES]
-    too_close = np.array(apart) < _SWEEP + math.radians(50)
-    inside = _on_other_discs(board, centre, arcs).reshape(-1, _SAMPLES).mean(axis=1)
-    strange = _near_other_arcs(board, names) + 0.5 * _near_other_arcs(board, centre + radius * ways)
-    return _ANGLES[int(np.argmin(15 * crossed + 5 * covered + 4 * room + 100 * too_close + 8 * strange + 15 * inside))]
+    ways = np.exp(1j * _ANGLES)
+    support = 1.0 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
+    every = np.repeat(radii, _ANGLES.size)
+    places = centre + np.concatenate([ways * (radius + support) for radius in radii])
+    middles = centre + every * np.tile(ways, len(radii))
+    room = np.maximum(0.0, math.radians(40) - sketch.freedom(pivot, _ANGLES))
+    strange = _near_other_arcs(board, places) + 0.5 * _near_other_arcs(board, middles)
+    total = _UNUSUAL * np.repeat(np.arange(len(radii)), _ANGLES.size) + _STRANGER * strange
+    total += np.tile(_ANGLE_COSTS + _CLOSE * room, len(radii)) + _CROSSED * _crossed(board, centre, np.array(radii))
+    total += _ON_DISC * _on_other_discs(board, centre, middles)
+    for other in taken:
+        gap = np.abs(np.remainder(np.tile(_ANGLES, len(radii)) - other + math.pi, math.tau) - math.pi)
+        total += _TOGETHER * (gap < _APART)
+    # What the letters would cover is asked only of the arcs that are best without it.
+    best = np.argsort(total, kind="stable")[:_FINALISTS]
+    covered = np.minimum(sketch.crossings(places[best], (0.5 * width + GAP, 0.5 * height + GAP)), 4)
+    chosen = int(best[np.argmin(total[best] + _COVERED * covered)])
+    return float(every[chosen]), float(_ANGLES[chosen % _ANGLES.size])
+
+
+def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How many lines each arc meets or nearly meets, arcs of one radius after those of another."""
+    circles = (radii[:, None] + np.array([-_MARGIN, 0.0, _MARGIN])[None, :]).ravel()
+    circle, direction = board.sketch.circle_crossings(centre, circles)
+    half = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii])[circle // 3]
+    gaps = np.abs(np.remainder(direction[None, :] - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
+    met = gaps < half[None, :]
+    count = [np.sum(met[:, circle // 3 == k], axis=1) for k in range(len(radii))]
+    result: NDArray[np.float64] = np.minimum(np.concatenate(count), 6).astype(float)
+    return result
 
 
 def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:
@@ -91,12 +125,9 @@ def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDAr
     found = np.zeros(len(places), dtype=bool)
     for disc in board.form.figure.discs:
         other = board.sketch.at[disc.centre]
-        radius = max(board.discs.get(disc.body, [0.0])) + _OFF_RIM
+        radius = max(board.discs.get(disc.body, [0.0])) + _OFF_RIM[0]
         if abs(other - centre) > radius:
             found |= np.abs(places - other) < radius
-        elif abs(other - centre) > _OFF_RIM:
-            # Inside a ring: not across it.
-            found |= np.abs(places - other) > radius - 2 * _OFF_RIM
     return found
 
 

@@ -17,11 +17,12 @@ from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.rows import Constraint
 
 
-def describe(board: Board, given: Collection[str]) -> str:
-    """What a statement figure shows, in words, once it is drawn on ``board``; ``given`` are the printed parameters.
+def describe(board: Board, given: Collection[str], axes: bool = False) -> str:
+    """What a statement figure shows, in words, once it is drawn on ``board``.
 
-    Tells what is fixed, what joins what, where each named point lies, which data are marked and the senses of the
-    given rates: nothing that the figure does not show, in the language of the board.
+    ``given`` are the printed parameters; ``axes``: the axes x and y are drawn. Tells what is fixed, what joins what,
+    where each named point lies, which data are marked and the senses of the given rates: nothing that the figure does
+    not show, in the language of the board.
     """
     teller = Teller(board, given)
     scene = board.scene
@@ -35,7 +36,7 @@ def describe(board: Board, given: Collection[str]) -> str:
         ("", hinges(teller)),
         *(("", clauses) for clauses in (*joints, *driven)),
         ("positions", positions(teller)),
-        ("marks", marks(teller)),
+        ("marks", [*marks(teller), *([teller.say("axes")] if axes else [])]),
         ("arrows", [arrow.phrase for arrow in teller.arrows]),
     ]
     sentences = [_sentence(teller, key, clauses) for key, clauses in listed if clauses]

@@ -1,10 +1,10 @@
-"""Given angles, dimensions and radii in words: where the figure marks them."""
+"""Angles, dimensions and radii in words: where the figure marks them."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 
-from variantgen.families.family import AngleMark, DiscMark, LengthMark
+from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.telling.directions import is_parallel
 from variantgen.figure.telling.teller import Teller
@@ -16,9 +16,11 @@ _ON_LINE = 1e-6
 
 
 def marks(teller: Teller) -> list[str]:
-    """A phrase for each given angle, dimension and radius."""
+    """A phrase for each given angle, right angle, given dimension and radius."""
     figure = teller.board.form.figure
+    seen = {*teller.board.shown, *DIRECTIONS, *figure.hidden}
     found = [_angle(teller, mark) for mark in figure.angles if mark.name in teller.given]
+    found += [_right_angle(teller, mark) for mark in figure.right_angles if {mark.at, mark.start, mark.end} <= seen]
     found += [_length(teller, mark) for mark in figure.lengths if mark.name in teller.given]
     return found + [_radius(teller, mark) for mark in figure.discs if mark.name in teller.given]
 
@@ -29,8 +31,18 @@ def _symbol(teller: Teller, name: str) -> str:
 
 def _angle(teller: Teller, mark: AngleMark) -> str:
     rays = [_ray(teller, mark.at, end) for end in (mark.start, mark.end)]
-    corner = teller.say("at_corner", corner=teller.name(mark.at)) if teller.is_shown(mark.at) else ""
-    return teller.say("angle", symbol=_symbol(teller, mark.name), corner=corner, first=rays[0], second=rays[1])
+    return teller.say(
+        "angle", symbol=_symbol(teller, mark.name), corner=_at(teller, mark.at), first=rays[0], second=rays[1]
+    )
+
+
+def _right_angle(teller: Teller, mark: RightAngle) -> str:
+    rays = [_ray(teller, mark.at, end) for end in (mark.start, mark.end)]
+    return teller.say("right_angle", corner=_at(teller, mark.at), first=rays[0], second=rays[1])
+
+
+def _at(teller: Teller, corner: str) -> str:
+    return teller.say("at_corner", corner=teller.name(corner)) if teller.is_shown(corner) else ""
 
 
 def _ray(teller: Teller, corner: str, end: str) -> str:

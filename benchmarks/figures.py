@@ -1,0 +1,151 @@
+"""The figures of the whole catalogue, inspected by program: labels, sizes, hinges, time.
+
+    python benchmarks/figures.py [--seeds N] [--family NAME ...] [--language ru]
+
+Draws N variants of every form of every family and counts labels that cover another label, a line or a symbol, or leave
+the paper; leaders; the smallest free space around a label; hinges nearer to each other than a symbol; the largest
+figures; the time of a figure. Prints a Markdown table and, run on the whole catalogue, writes it to
+``benchmarks/figures.md``. Times depend on the machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import statistics
+import time
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from variantgen.families.family import Family, Form
+from variantgen.families.load import family_names, load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.figure.build import statement_figure
+from variantgen.figure.drawing import Arc, Drawing, Layer
+from variantgen.figure.faults import inspect_labels
+from variantgen.figure.sketch import HINGE
+from variantgen.variants.draw import Drawing as Draws
+from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.formula import Symbol
+from variantgen.wording.language import load_language
+
+HEAD = """\
+| family | form | figures | label on label | label on line | off paper | unnamed points | leaders | least space, u | \
+hinges too near | not to scale | no text | largest, u | median, ms |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"""
+
+
+@dataclass
+class Tally:
+    """Counts over the figures of one form (or of all)."""
+
+    figures: int = 0
+    overlaps: int = 0
+    crossed: int = 0
+    outside: int = 0
+    unnamed: int = 0
+    leaders: int = 0
+    near: int = 0
+    off_scale: int = 0
+    silent: int = 0
+    clearances: list[tuple[float, str]] = field(default_factory=list)
+    width: float = 0.0
+    height: float = 0.0
+    times: list[float] = field(default_factory=list)
+    worst: list[str] = field(default_factory=list)
+
+    def row(self, name: str, form: str) -> str:
+        """One line of the table."""
+        return (
+            f"| {name} | {form} | {self.figures} | {self.overlaps} | {self.crossed} | {self.outside} | {self.unnamed}"
+            f" | {self.leaders} | {min(self.clearances)[0]:.2f} | {self.near} | {self.off_scale} | {self.silent}"
+            f" | {self.width:.0f} x {self.height:.0f} | {1e3 * statistics.median(self.times):.2f} |"
+        )
+
+    def add(self, other: Tally) -> None:
+        """Count another tally in."""
+        for name in ("figures", "overlaps", "crossed", "outside", "unnamed", "leaders", "near", "off_scale", "silent"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        self.clearances += other.clearances
+        self.times += other.times
+        self.width, self.height = max(self.width, other.width), max(self.height, other.height)
+
+
+def hinges_too_near(drawing: Drawing) -> int:
+    """Pairs of hinge circles whose centres are nearer than one symbol (two radii)."""
+    places = [
+        line.centre
+        for line in drawing.lines
+        if isinstance(line, Arc) and line.layer == Layer.HINGE and abs(line.radius - HINGE) < 1e-9
+    ]
+    return sum(1e-6 < abs(first - second) < 2 * HINGE for i, first in enumerate(places) for second in places[:i])
+
+
+def off_scale(drawing: Drawing, places: list[complex]) -> bool:
+    """Whether the hinges drawn are not where the solved points are, to 0.1 % of the width (one scale, no turning)."""
+    drawn = [line.centre for line in drawing.lines if isinstance(line, Arc) and line.layer == Layer.HINGE]
+    if not drawn or len(places) < 2:
+        return False
+    scale, shift = drawing.scale, drawing.origin
+    return any(min(abs(scale * z + shift - d) for z in places) > 1e-3 * drawing.width for d in drawn)
+
+
+def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally:
+    """All figures of one form."""
+    language = load_language(language_name)
+    narrowed = replace(family, forms={form.name: form})
+    variants = Draws(narrowed, None).after([("figures", i) for i in range(seeds)], [0] * seeds)
+    asked = [parse_quantity(text, form.sample) for text in form.ask]
+    motion = solve_variants(variants, 0)
+    tally = Tally()
+    for i, variant in enumerate(variants):
+        start = time.perf_counter()
+        drawing = statement_figure(variant, motion, i, asked, language)
+        tally.times.append(time.perf_counter() - start)
+        seen = inspect_labels(drawing)
+        tally.figures += 1
+        tally.overlaps += len(seen.overlaps)
+        tally.crossed += len(seen.crossed)
+        tally.outside += len(seen.outside)
+        tally.leaders += seen.leaders
+        drawn = {label.formula for label in drawing.labels}
+        points = shown_points(variant, asked)
+        tally.unnamed += sum(Symbol(form.symbols.get(point, point) or point) not in drawn for point in points)
+        tally.near += hinges_too_near(drawing)
+        tally.off_scale += off_scale(drawing, [complex(motion.z[name][i]) for name in motion.z])
+        tally.silent += not drawing.alt
+        tally.clearances.append((seen.clearance, f"seed {i}"))
+        tally.width, tally.height = max(tally.width, drawing.width), max(tally.height, drawing.height)
+        if seen.overlaps or seen.crossed or seen.outside:
+            tally.worst.append(f"{family.name}/{form.name} {i}: {seen.overlaps} {seen.crossed} {seen.outside}")
+    return tally
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seeds", type=int, default=300)
+    parser.add_argument("--family", nargs="*")
+    parser.add_argument("--language", default="ru")
+    parser.add_argument("--worst", action="store_true", help="name the figures with faults")
+    options = parser.parse_args()
+    lines, total = [HEAD], Tally()
+    for name in options.family or family_names():
+        family = load_family(name)
+        for form in family.forms.values():
+            tally = inspect(family, form, options.seeds, options.language)
+            total.add(tally)
+            lines.append(tally.row(name, form.name))
+            print(lines[-1], flush=True)
+            if options.worst:
+                print(*tally.worst, sep="\n")
+    lines.append(total.row("all", ""))
+    print(lines[-1])
+    note = f"{options.seeds} seeds per form, Python {platform.python_version()}, {platform.machine()}"
+    text = "\n".join([f"# The figures, inspected\n\n`python benchmarks/figures.py`: {note}.\n", *lines]) + "\n"
+    if not options.family:
+        Path(__file__).with_suffix(".md").write_text(text, "utf-8")
+
+
+if __name__ == "__main__":
+    main()

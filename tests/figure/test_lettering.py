@@ -1,0 +1,107 @@
+"""Letters of figures stand as the typesetting engine sets them: widths, ink, places."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+
+import pytest
+
+from variantgen.families.load import family_names, load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.figure.build import statement_figure
+from variantgen.figure.glyphs import TABLE
+from variantgen.figure.lettering import typeset
+from variantgen.figure.requests import label_size
+from variantgen.outputs.glyph_table import table
+from variantgen.outputs.typesetter import typesetter
+from variantgen.variants.draw import Drawing as Draws
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, UnitText, to_plain, to_typst
+from variantgen.wording.language import languages, load_language
+
+# What the figures of plans need besides the letters of the catalogue.
+FURTHER = [
+    Symbol("a", (Index("BA"),), (Index("n"),)),
+    Symbol("a", (Index("B"),), (Index("tau"),)),
+    Symbol("v", (Index("O1A"),)),
+    Symbol("f", (), (Index("n"),)),
+    Measured(Number("2"), UnitText((("м/с", 1),))),
+    Measured(Number("0,5"), UnitText((("cm/s", 2),))),
+    Measured(Number("\N{MINUS SIGN}30"), UnitText((("°", 1),), tight=True)),
+    Equation(Symbol("omega", (Index("AB"),)), Measured(Number("1.25"), UnitText((("rad/s", 1),)))),
+]
+HEAD = """#import "common.typ": document-style
+#show: document-style.with("ru")
+#show math.equation: set text(top-edge: "bounds", bottom-edge: "bounds")
+#set text(size: 100pt)
+"""
+
+
+@pytest.fixture(scope="module")
+def formulas() -> list[Formula]:
+    """Every label of the catalogue's figures."""
+    found: set[Formula] = set(FURTHER)
+    for name in family_names():
+        family = load_family(name)
+        for form in family.forms.values():
+            variants = Draws(replace(family, forms={form.name: form}), None).after([("letters", 0)], [0])
+            asked = [parse_quantity(text, form.sample) for text in form.ask]
+            motion = solve_variants(variants, 0)
+            for language in languages():
+                figure = statement_figure(variants[0], motion, 0, asked, load_language(language))
+                found |= {label.formula for label in figure.labels}
+    return sorted(found, key=to_plain)
+
+
+def test_sizes_are_those_of_the_engine(formulas: list[Formula]) -> None:
+    import typst
+
+    sizes = ",\n".join(f"(measure(${f}$).width / 1pt, measure(${f}$).height / 1pt)" for f in map(to_typst, formulas))
+    with typesetter() as engine:
+        source = engine.root / "measure.typ"
+        source.write_text(f"{HEAD}#context [#metadata(({sizes},)) <sizes>]\n", "utf-8")
+        answer = typst.query(str(source), "<sizes>", field="value", root=str(engine.root), ignore_system_fonts=True)
+    (measured,) = json.loads(answer) if isinstance(answer, str) else answer
+    assert len(measured) == len(formulas) > 60
+    for formula, (width, height) in zip(formulas, measured, strict=True):
+        set_here = typeset(formula)
+        assert set_here.width == pytest.approx(width / 100, abs=0.01), to_plain(formula)
+        assert set_here.top - set_here.bottom == pytest.approx(height / 100, abs=0.01), to_plain(formula)
+
+
+def test_glyphs_stand_where_the_engine_puts_them(formulas: list[Formula]) -> None:
+    body = "#pagebreak(weak: true)\n".join(f"#place(top + left, dx: 9pt, dy: 9pt, ${to_typst(f)}$)\n" for f in formulas)
+    with typesetter() as engine:
+        (engine.root / "places.typ").write_text(f"{HEAD}#set page(width: 900pt, height: 300pt, margin: 0pt)\n{body}")
+        pages = [page.decode() for page in engine.compile("places.typ", {}, "svg")]
+    for formula, page in zip(formulas, pages, strict=True):
+        found = []
+        for x, y, group in re.findall(
+            r'<g transform="matrix\(1 0 0 -1 (-?[\d.]+) (-?[\d.]+)\)">(.*?)</g>', page.split("<defs>")[0]
+        ):
+            found += [
+                complex(float(x) + float(dx) - 9, -float(y)) / 100
+                for dx in re.findall(r'<use [^>]*? x="([^"]*)"', group)
+            ]
+        here = [placed.at for placed in typeset(formula).glyphs]
+        assert len(found) == len(here), to_plain(formula)
+        # The engine's order of scripts is another one, and its baseline lies elsewhere.
+        base = min(found, key=lambda z: z.real)
+        places = sorted((z - base for z in found), key=lambda z: (round(z.real, 2), z.imag))
+        for one, other in zip(places, sorted(here, key=lambda z: (round(z.real, 2), z.imag)), strict=True):
+            assert abs(one - other) < 0.015, to_plain(formula)
+
+
+def test_the_table_is_that_of_the_engine() -> None:
+    assert table() == json.loads(TABLE.read_text("utf-8"))
+
+
+def test_a_letter_that_is_not_in_the_table_takes_room() -> None:
+    assert typeset(Number("\N{CJK UNIFIED IDEOGRAPH-4E2D}")).width > 0.2
+
+
+def test_labels_count_with_ink() -> None:
+    low, high = label_size(Symbol("v")), label_size(Symbol("B"))
+    assert low[1] < 0.75 * high[1]

@@ -1,0 +1,196 @@
+"""All back ends draw the same: places recovered from each output are those of the drawing."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from variantgen.errors import InputError
+from variantgen.figure.drawing import Arc, Drawing, Layer
+from variantgen.figure.drawing import Path as Polyline
+from variantgen.figure.lettering import letters_of, typeset
+from variantgen.outputs.figures import MILLIMETRES, back_ends, write_figure
+from variantgen.outputs.figures.svg import svg
+from variantgen.outputs.figures.tikz import tikz
+from variantgen.outputs.picture import Picture, picture
+from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.single import one_variant
+from variantgen.wording.formula import Index, Symbol
+
+FAMILIES = ["sleeve_on_crank", "planetary_train", "movable_pulley", "guided_plate", "hydraulic_hoist", "ladder"]
+NUMBER = r"-?\d*\.?\d+"
+
+
+@pytest.fixture(params=FAMILIES)
+def drawn(request: pytest.FixtureRequest) -> Picture:
+    return picture(one_variant(request.param, seed="4"), language="ru")
+
+
+def corners(drawing: Drawing) -> list[complex]:
+    return [point for line in drawing.lines if isinstance(line, Polyline) for point in line.points]
+
+
+def near(wanted: list[complex], found: list[complex], tolerance: float) -> None:
+    every = np.array(found)
+    for place in wanted:
+        assert np.min(np.abs(every - place)) <= tolerance, place
+
+
+def svg_places(drawing: Drawing, text: str) -> tuple[list[complex], list[complex]]:
+    """Points of the curves and origins of the letters of an SVG, y up."""
+    root = ET.fromstring(text)
+    space = "{http://www.w3.org/2000/svg}"
+    lines, letters = root.findall(f"{space}g")
+    points = []
+    for path in lines.findall(f"{space}path"):
+        numbers = [float(n) for n in re.findall(NUMBER, path.attrib["d"])]
+        points += [complex(x, drawing.height - y) for x, y in zip(numbers[0::2], numbers[1::2], strict=True)]
+    origins = []
+    for path in letters.findall(f"{space}path"):
+        x, y = (float(n) for n in re.findall(NUMBER, path.attrib["transform"])[:2])
+        origins.append(complex(x, drawing.height - y))
+    return points, origins
+
+
+def test_svg_has_every_line_and_letter_in_its_place(drawn: Picture) -> None:
+    drawing = drawn.drawing
+    points, origins = svg_places(drawing, drawn.svg)
+    near(corners(drawing), points, 0.01)
+    near([arc.at(t) for arc in drawing.lines if isinstance(arc, Arc) for t in (0, 1)], points, 0.01)
+    wanted = [at for label in drawing.labels for _, at in letters_of(label)]
+    assert len(origins) == len(wanted)
+    near(wanted, origins, 0.01)
+
+
+def test_figures_of_one_page_do_not_clash() -> None:
+    figures = [picture(one_variant("four_bar", seed=seed)).drawing for seed in ("1", "2", "3")]
+    texts = [svg(Drawing(f.width, f.height, f.lines, f.labels, alt="same words"), "Title") for f in figures]
+    names = [name for text in texts for name in re.findall(r'id="([^"]*)"', text)]
+    assert len(names) == len(set(names)) == 6
+    again = figures[0]
+    assert texts[0] == svg(Drawing(again.width, again.height, again.lines, again.labels, alt="same words"), "Title")
+
+
+def test_words_of_an_svg_are_text() -> None:
+    drawing = picture(one_variant("four_bar")).drawing
+    text = svg(Drawing(drawing.width, drawing.height, drawing.lines, drawing.labels, alt='<script> & "words"'))
+    description = ET.fromstring(text).find("{http://www.w3.org/2000/svg}desc")
+    assert description is not None
+    assert description.text == '<script> & "words"'
+
+
+def engine_places(node: ET.Element, shift: complex, flipped: bool) -> list[complex]:
+    """Origins of the glyphs of an SVG of the engine, whose groups are nested."""
+    transform = node.attrib.get("transform", "")
+    numbers = [float(number) for number in re.findall(NUMBER, transform)]
+    if transform:
+        assert transform.startswith(("matrix(1 0 0 ", "translate("))
+        shift += complex(numbers[-2], (-1 if flipped else 1) * numbers[-1])
+        flipped ^= transform.startswith("matrix") and numbers[3] < 0
+    found = [shift + float(node.attrib["x"])] if node.tag.endswith("use") else []
+    for child in node:
+        found += engine_places(child, shift, flipped)
+    return found
+
+
+def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
+    drawing = drawn.drawing
+    data = figure_data(drawing)
+    page = '#import "figure.typ": draw-figure\n#import "common.typ": *\n'
+    page += "#set page(width: auto, height: auto, margin: 0pt)\n"
+    page += '#show: document-style.with("ru")\n#draw-figure(json(bytes(sys.inputs.data)).figure, 1000pt, 1pt)\n'
+    with typesetter() as engine:
+        (engine.root / "one.typ").write_text(page)
+        made = engine.compile("one.typ", {"figure": data}, "svg")[0].decode()
+    found = [complex(z.real, drawing.height - z.imag) for z in engine_places(ET.fromstring(made), 0j, False)]
+    wanted = [at for label in drawing.labels for _, at in letters_of(label)]
+    assert len(found) == len(wanted)
+    near(wanted, found, 0.06)
+
+
+def test_matplotlib_has_every_line_and_letter_in_its_place(drawn: Picture) -> None:
+    drawing = drawn.drawing
+    made = drawn.matplotlib()
+    (axes,) = made.axes
+    assert (axes.get_xlim(), axes.get_ylim()) == ((0, drawing.width), (0, drawing.height))
+    assert made.get_size_inches() * 25.4 == pytest.approx([MILLIMETRES * drawing.width, MILLIMETRES * drawing.height])
+    patches = [patch for patch in axes.patches if hasattr(patch, "get_path") and type(patch).__name__ == "PathPatch"]
+    below = [patch for patch in patches if patch.get_zorder() <= 2 + Layer.LABEL]
+    places = [complex(*vertex) for patch in below for vertex in patch.get_path().vertices]
+    near(corners(drawing), places, 1e-9)
+    glyphs = [patch for patch in patches if patch.get_zorder() > 2 + Layer.LABEL]
+    assert len(glyphs) == sum(len(letters_of(label)) for label in drawing.labels)
+    for label in drawing.labels:
+        ink = np.concatenate([p.get_path().vertices for p in glyphs if p.get_path().codes[-1] == 79])
+        low = label.at.imag - 0.5 * label.size[1]
+        assert np.min(np.abs(ink[:, 1] - low)) < 0.25
+
+
+def test_tikz_has_every_line_and_label_in_its_place(drawn: Picture) -> None:
+    drawing, source = drawn.drawing, drawn.tikz
+    places = [complex(float(x), float(y)) for x, y in re.findall(rf"\(({NUMBER}),({NUMBER})\)", source)]
+    near(corners(drawing), places, 0.01)
+    near([label.at for label in drawing.labels], places, 0.01)
+    assert source.count(r"\node[letters]") == len(drawing.labels)
+    circles = sum(isinstance(line, Arc) and line.full for line in drawing.lines)
+    assert source.count("circle[radius=") == circles
+    # Nothing but named pens: the styles are said once.
+    assert "line width" not in source.split("]\n", 1)[1]
+
+
+def test_tikz_compiles(tmp_path: Path) -> None:
+    if shutil.which("pdflatex") is None:
+        assert os.environ.get("CI") != "true", "pdflatex is needed here: apt-get install texlive-pictures"
+        pytest.skip("no pdflatex on this machine (apt-get install texlive-latex-base texlive-pictures)")
+    variants = [one_variant(name, seed="2") for name in FAMILIES]
+    pictures = [tikz(picture(variant, language=lang).drawing) for variant in variants for lang in ("en", "ru")]
+    head = r"\documentclass{article}\usepackage[T2A]{fontenc}\usepackage[utf8]{inputenc}\usepackage{amsmath,tikz}"
+    source = "\n\n".join((head, r"\begin{document}", *pictures, r"\end{document}"))
+    (tmp_path / "all.tex").write_text(source, "utf-8")
+    command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300)
+    assert run.returncode == 0, run.stdout[-2000:]
+    assert (tmp_path / "all.pdf").stat().st_size > 10_000
+
+
+def test_every_ending_writes_its_format(tmp_path: Path) -> None:
+    drawing = picture(one_variant("slider_crank")).drawing
+    heads = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".tikz": b"% Parts: ", ".tex": b"% Parts: "}
+    assert set(back_ends()) == set(heads)
+    for suffix, head in heads.items():
+        path = tmp_path / f"figure{suffix}"
+        write_figure(drawing, path)
+        assert path.read_bytes().startswith(head)
+        before = path.read_bytes()
+        write_figure(drawing, path)
+        assert path.read_bytes() == before
+    assert len(list(tmp_path.iterdir())) == len(heads)
+
+
+def test_a_wrong_ending_or_folder_is_said(tmp_path: Path) -> None:
+    drawing = picture(one_variant("slider_crank")).drawing
+    with pytest.raises(InputError, match=r"unknown format.*\.svg"):
+        write_figure(drawing, tmp_path / "figure.svgz")
+    with pytest.raises(InputError, match="cannot be written"):
+        write_figure(drawing, tmp_path / "nowhere" / "figure.svg")
+
+
+def test_a_variant_shows_itself() -> None:
+    shown = one_variant("rolling_wheel", seed="3").figure(language="ru", ask=["v_A"])
+    assert shown._repr_svg_().startswith("<svg")
+    assert {"A", "O"} <= {label.formula.base for label in shown.drawing.labels if isinstance(label.formula, Symbol)}
+    with pytest.raises(InputError, match="kind of figure"):
+        one_variant("rolling_wheel").figure("velocity_pln")
+
+
+def test_letters_have_the_size_that_placement_counted_with() -> None:
+    formula = Symbol("v", (Index("отн", True), Index("M")))
+    found = typeset(formula)
+    assert found.width == pytest.approx(2.696, abs=0.01)  # measured by the engine

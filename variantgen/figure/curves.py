@@ -1,0 +1,39 @@
+"""The lines of a drawing as curves for back ends: lines of one layer and one pen joined, arcs as Bezier pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.figure.drawing import Drawing, Layer, Line, Path, Strokes
+
+Step = tuple[str, tuple[complex, ...]]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Steps M, L, C, Z (places in u) of one pen; see :class:`~variantgen.figure.drawing.Path` for fill and dash."""
+
+    layer: Layer
+    weight: float
+    fill: str
+    dash: str
+    steps: tuple[Step, ...]
+
+
+def curves(drawing: Drawing) -> list[Curve]:
+    """The curves of a drawing, back to front; few elements, because the time of every renderer goes by their number."""
+    found: dict[tuple[Layer, float, str, str], list[Step]] = {}
+    for line in drawing.lines:
+        fill, dash = ("", "") if isinstance(line, Strokes) else (line.fill, line.dash)
+        found.setdefault((line.layer, line.weight, fill, dash), []).extend(_steps(line))
+    return [Curve(*style, tuple(steps)) for style, steps in found.items()]
+
+
+def _steps(line: Line) -> list[Step]:
+    if isinstance(line, Strokes):
+        return [step for start, end in line.segments for step in (("M", (start,)), ("L", (end,)))]
+    if isinstance(line, Path):
+        steps: list[Step] = [("L" if i else "M", (point,)) for i, point in enumerate(line.points)]
+        return [*steps, ("Z", ())] if line.closed else steps
+    steps = [("M", (line.at(0),)), *(("C", piece) for piece in line.cubics())]
+    return [*steps, ("Z", ())] if line.full else steps

@@ -1,0 +1,81 @@
+"""Where the ink of a figure is: straight segments that follow its lines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.figure.drawing import Line, Path, Strokes
+
+Segments = NDArray[np.complex128]
+Sides = float | NDArray[np.float64]
+_SAGITTA = 0.04  # how far the chords of an arc may stay inside it, u
+
+
+def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, complex]]:
+    """Segments along a line; those of an arc stay within ``sagitta`` (u) of it."""
+    if isinstance(line, Strokes):
+        return list(line.segments)
+    if isinstance(line, Path):
+        return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
+    step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
+    count = max(2, math.ceil(abs(line.sweep) / step))
+    return list(pairwise(line.at(i / count) for i in range(count + 1)))
+
+
+def ink(lines: Iterable[Line]) -> Segments:
+    """The segments of many lines, shape (S, 2)."""
+    return np.array([segment for line in lines for segment in segments_of(line)], dtype=complex).reshape(-1, 2)
+
+
+def boxes_crossed(
+    places: NDArray[np.complex128], half_sides: tuple[Sides, Sides], segments: Segments
+) -> NDArray[np.int64]:
+    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,).
+
+    The half sides are the same for all boxes or arrays of shape (P, 1).
+    """
+    middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
+    result: NDArray[np.int64] = np.sum(_crossing(middle, 0.5 * (segments[:, 1] - segments[:, 0]), half_sides), axis=1)
+    return result
+
+
+def box_crossings(
+    place: complex, half_sides: tuple[float, float], starts: NDArray[np.complex128], ends: NDArray[np.complex128]
+) -> NDArray[np.bool_]:
+    """Which segments cross one box, shape of the segments."""
+    return _crossing(0.5 * (starts + ends) - place, 0.5 * (ends - starts), half_sides)
+
+
+def _crossing(
+    middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
+) -> NDArray[np.bool_]:
+    """Which segments (middle from the centre of the box, half their vector) cross a box."""
+    hx, hy = half_sides
+    dx, dy = np.abs(half.real), np.abs(half.imag)
+    crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
+    result: NDArray[np.bool_] = crossing & (
+        np.abs(half.real * middle.imag - half.imag * middle.real) <= hx * dy + hy * dx
+    )
+    return result
+
+
+def gaps_to_box(place: complex, half_sides: tuple[float, float], segments: Segments) -> NDArray[np.float64]:
+    """Distance of each segment from a box (zero where they cross), shape (S,)."""
+    hx, hy = half_sides
+    start, end = segments[:, 0] - place, segments[:, 1] - place
+    step = end - start
+    gaps = np.full(len(segments), np.inf)
+    # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
+    for point in (start, end):
+        outside = np.maximum(np.abs(point.real) - hx, 0) + 1j * np.maximum(np.abs(point.imag) - hy, 0)
+        gaps = np.minimum(gaps, np.abs(outside))
+    length = np.where(np.abs(step) > 0, np.abs(step), 1.0)
+    for corner in (hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy):
+        part = np.clip(((corner - start) * np.conj(step)).real / length**2, 0, 1)
+        gaps = np.minimum(gaps, np.abs(start + part * step - corner))
+    return np.where(_crossing(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)

@@ -1,0 +1,147 @@
+"""Labels that are wanted: what they name and where they may stand."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.figure.drawing import LETTER
+from variantgen.figure.lettering import typeset
+from variantgen.wording.formula import Formula
+
+Places = NDArray[np.complex128]
+Costs = NDArray[np.float64]
+_WIDE = math.radians(50)
+
+
+def label_size(formula: Formula) -> tuple[float, float]:
+    """Width and height of the ink of a label (u)."""
+    found = typeset(formula)
+    return LETTER * found.width, LETTER * (found.top - found.bottom)
+
+
+@dataclass(frozen=True)
+class Request:
+    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
+
+    ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
+    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``inside`` says that the label
+    may be led to from far away only across its own outline, so that a leader is no remedy (the number in a gear).
+    """
+
+    formula: Formula
+    anchor: complex
+    places: Places
+    costs: Costs
+    extent: tuple[complex, ...] = ()
+    clear: float = 0.0
+
+    @cached_property
+    def box(self) -> tuple[float, float]:
+        """Half width and half height (u)."""
+        width, height = label_size(self.formula)
+        return 0.5 * width, 0.5 * height
+
+    @cached_property
+    def own(self) -> tuple[complex, ...]:
+        """All points of what it names."""
+        return (self.anchor, *self.extent)
+
+
+# Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.
+_OFF = 0.95
+_WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
+_RINGS = np.array([0.0, 1.2, 2.6, 4.4])
+_AROUND_COSTS = (
+    np.array([0.0, 1.5, 4.0, 7.0])[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]
+).ravel()
+_FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
+_FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
+_PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
+_ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
+_ARC_RINGS = np.array([0.0, 1.1, 2.5, 4.3]) + _OFF
+_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
+
+
+def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
+    """How far the centre of a box must be from a point that it touches in each direction (u)."""
+    with np.errstate(divide="ignore"):
+        result: NDArray[np.float64] = np.minimum(box[0] / np.abs(ways.real), box[1] / np.abs(ways.imag))
+    return result
+
+
+def around(formula: Formula, point: complex, clear: float) -> Request:
+    """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
+    width, height = label_size(formula)
+    support = _support((0.5 * width, 0.5 * height), _WAYS)
+    places = point + _WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])
+    return Request(formula, point, places.ravel(), _AROUND_COSTS, clear=clear)
+
+
+def far_from(request: Request) -> tuple[Places, Costs]:
+    """Candidates from which only a leader can lead to what is named, with their distances as costs."""
+    support = _support(request.box, _FAR_WAYS)
+    places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
+    costs = _FAR_RINGS[:, None] + 0.01 * np.arange(24)[None, :]
+    return places.ravel(), costs.ravel()
+
+
+def along_line(formula: Formula, start: complex, end: complex, clear: float = _OFF) -> Request:
+    """Candidates on both sides of a line, best near its middle."""
+    width, height = label_size(formula)
+    normal = 1j * (end - start) / abs(end - start)
+    support = clear + 0.5 * (width * abs(normal.real) + height * abs(normal.imag))
+    middle = start + _PARTS * (end - start)
+    costs = 10 * np.abs(_PARTS - 0.5)
+    places = np.concatenate((middle + support * normal, middle - support * normal))
+    extent = (start + 0.25 * (end - start), start + 0.75 * (end - start))
+    return Request(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)), extent)
+
+
+def along_radius(formula: Formula, centre: complex, rim: complex, start: complex) -> Request:
+    """Candidates beside a radius from ``start`` on, and before its head outside the rim."""
+    beside = along_line(formula, start, rim)
+    way = (rim - centre) / abs(rim - centre)
+    half_width, half_height = beside.box
+    support = half_width * abs(way.real) + half_height * abs(way.imag)
+    ahead = rim + way * (np.array([_OFF, 2.4]) + support)
+    places = np.concatenate((beside.places, ahead))
+    return Request(formula, rim, places, np.concatenate((beside.costs, [3.0, 5.0])), (0.5 * (start + rim),))
+
+
+def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
+    """Candidates beside an arrow, best near its head, and before its head."""
+    beside = along_line(formula, start, end)
+    way = (end - start) / abs(end - start)
+    half_width, half_height = beside.box
+    support = half_width * abs(way.real) + half_height * abs(way.imag)
+    ahead = end + way * (np.array([1.0, 2.5, 5.0, 8.0, 11.0]) + support)
+    far, farther = (along_line(formula, start, end, clear) for clear in (3.5, 7.0))
+    near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
+    costs = np.concatenate(
+        (beside.costs + near_head, [1.5, 3.0, 5.0, 8.0, 11.0], far.costs + 7.0, farther.costs + 10.0)
+    )
+    extent = tuple(start + part * (end - start) for part in (0.0, 0.25, 0.5, 0.75))
+    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs, extent)
+
+
+def along_arc(
+    formula: Formula, centre: complex, radius: float, start: float, sweep: float, inner: bool = False
+) -> Request:
+    """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
+    width, height = label_size(formula)
+    ways = np.exp(1j * (start + _ARC_PARTS * sweep))
+    support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
+    places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
+    middle = centre + cmath.rect(radius, start + 0.5 * sweep)
+    extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
+    found, costs = places.ravel(), _ARC_COSTS
+    if inner and abs(sweep) > _WIDE:
+        found = np.concatenate((found, centre + 0.6 * radius * ways))
+        costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
+    return Request(formula, middle, found, costs, extent)

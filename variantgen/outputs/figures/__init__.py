@@ -1,0 +1,59 @@
+"""Back ends for single figures, one module per format, found by the endings they name.
+
+Each module has ``SUFFIXES`` and ``render(drawing) -> bytes``. All draw the same
+:class:`~variantgen.figure.drawing.Drawing`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import pkgutil
+import tempfile
+from pathlib import Path
+from types import ModuleType
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.figure.drawing import Drawing
+
+MILLIMETRES = 0.8  # of one figure unit, where the paper does not ask for less
+
+
+def back_ends() -> dict[str, ModuleType]:
+    """The module for each ending."""
+    found = {}
+    for info in sorted(pkgutil.iter_modules(__path__), key=lambda item: item.name):
+        module = importlib.import_module(f"{__name__}.{info.name}")
+        found.update(dict.fromkeys(getattr(module, "SUFFIXES", ()), module))
+    return found
+
+
+def write_figure(drawing: Drawing, path: Path) -> None:
+    """Write a figure, complete or not at all; the format follows the ending. Raises InputError."""
+    known = back_ends()
+    suffix = path.suffix.lower()
+    if suffix not in known:
+        raise InputError(Problem("unknown format of a figure", value=path.name, remedy=nearest(suffix, known)))
+    write_whole(path, known[suffix].render(drawing))
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file beside its place and move it there. Raises InputError where that is impossible."""
+    try:
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+            made = Path(file.name)
+        try:
+            made.write_bytes(content)
+            made.chmod(0o666 & ~_umask())
+            made.replace(path)
+        except OSError:
+            made.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise InputError(Problem(f"cannot be written: {error.strerror}", value=str(path))) from None
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
