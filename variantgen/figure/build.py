@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cache
 from types import ModuleType
@@ -69,21 +69,22 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
     scale = _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
+    given = set(given_names(variant, asked))
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
         board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
-        _draw(board, variant, asked, [r * scale for r in radii])
+        _draw(board, given, asked, [r * scale for r in radii])
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
         if excess <= 1:
             drawing = sketch.finish({name: sketch.at[name] for name in shown})
-            return replace(drawing, alt=describe(board, given_names(variant, asked), _has_axes(asked)))
+            return replace(drawing, alt=describe(board, given, _has_axes(asked)))
         # Walls and guides reach beyond the mechanism: it is drawn smaller.
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequence[float]) -> None:
-    """Everything but the labels; ``radii`` (u) are those of the discs."""
+def _draw(board: Board, given: Collection[str], asked: Sequence[Quantity], radii: Sequence[float]) -> None:
+    """Everything but the labels; ``given`` are the printed parameters, ``radii`` (u) those of the discs."""
     sketch, form = board.sketch, board.form
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
@@ -92,7 +93,6 @@ def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequ
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)
-    given = set(given_names(variant, asked))
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from variantgen.figure.telling.directions import compass
 from variantgen.figure.telling.teller import Teller
 
@@ -39,23 +41,27 @@ def _first(teller: Teller, points: list[str]) -> str:
 
 def _next(teller: Teller, waiting: list[str], known: list[str]) -> tuple[str, str]:
     """The next point and the one that it is seen from: fixed hinges, then along bodies, then across joints."""
-    for point in waiting:
-        if point in teller.fixed:
-            return point, known[0]
-    for groups in (teller.board.form.bodies.values(), teller.coupled):
-        for point in waiting:
-            own = [group for group in groups if point in group]
-            near = [origin for origin in known if any(origin in group for group in own)]
-            if near:
-                return point, _level_with(teller, point, known) or near[0]
-    return waiting[0], _level_with(teller, waiting[0], known) or known[0]
+    hinge = next((point for point in waiting if point in teller.fixed), None)
+    if hinge is not None:
+        return hinge, known[0]
+    point, origin = _neighbour(waiting, known, teller.companions) or (waiting[0], "")
+    if not origin:
+        point, origin = _neighbour(waiting, known, teller.coupled) or (waiting[0], known[0])
+    return point, _level_with(teller, point, known) or origin
+
+
+def _neighbour(waiting: list[str], known: list[str], near: Mapping[str, set[str]]) -> tuple[str, str] | None:
+    """The first point that has a known one near it, with the first such one; None if there is none."""
+    pairs = ((point, origin) for point in waiting if point in near for origin in known if origin in near[point])
+    return next(pairs, None)
 
 
 def _level_with(teller: Teller, point: str, known: list[str]) -> str:
     """A known point at rest or centre of a disc exactly above, below or beside the point; nothing if none is."""
-    origins = teller.resting | {circle.mark.centre for circle in teller.circles}
+    place = teller.at(point)
     for origin in known:
-        step = teller.at(point) - teller.at(origin)
-        if origin in origins and abs(step) > _APART and len(compass(step)) == 1:
-            return origin
+        if origin in teller.anchors:
+            step = place - teller.at(origin)
+            if abs(step) > _APART and len(compass(step)) == 1:
+                return origin
     return ""

@@ -68,9 +68,27 @@ class Shown:
         return self.fixed | {point for joint in self.board.scene.joints for point in joint.resting()}
 
     @cached_property
-    def coupled(self) -> list[tuple[str, ...]]:
-        """Points that a joint names together: the centres of a wheel and of its track, the stations of a rope."""
-        return [names for joint in self.board.scene.joints if len(names := references(joint, "point")) > 1]
+    def companions(self) -> dict[str, set[str]]:
+        """For each point of a body, the points that belong to a body with it."""
+        found: dict[str, set[str]] = {}
+        for members in self.board.form.bodies.values():
+            for point in members:
+                found.setdefault(point, set()).update(members)
+        return found
+
+    @cached_property
+    def coupled(self) -> dict[str, set[str]]:
+        """The same by joints: the centres of a wheel and of its track, the stations of a rope."""
+        found: dict[str, set[str]] = {}
+        for names in (references(joint, "point") for joint in self.board.scene.joints):
+            for point in names:
+                found.setdefault(point, set()).update(names)
+        return found
+
+    @cached_property
+    def anchors(self) -> set[str]:
+        """Points by which others are found: those at rest and the centres of discs."""
+        return self.resting | {circle.mark.centre for circle in self.circles}
 
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from variantgen.figure.telling import directions
 from variantgen.figure.telling.shown import Shown
+from variantgen.mechanism.arithmetic import Real
 from variantgen.wording.formula import Symbol, to_plain
 
 
@@ -49,6 +51,10 @@ class Teller(Shown):
         return self.say("and", first=", ".join(items[:-1]), last=items[-1])
 
     # Directions.
+
+    def heading(self, angle: Real) -> complex:
+        """The unit vector on paper of a direction in the frame of the scene (rad)."""
+        return complex(self.board.frame.place(cmath.rect(1.0, float(angle))))
 
     def place(self, vector: complex, origin: str) -> str:
         """Where a point lies that is at ``vector`` from a named one: ``above and to the right of O``."""

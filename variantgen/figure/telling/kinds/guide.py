@@ -21,7 +21,7 @@ def tell(teller: Teller, items: Sequence[Guide]) -> list[str]:
 
 def _clause(teller: Teller, joint: Guide) -> str:
     board, point = teller.board, joint.point
-    way = complex(board.frame.direction(joint.angle))
+    way = teller.heading(joint.angle)
     name, line = teller.name(point), teller.inclined(way)
     if point in board.form.figure.bare:
         where = _side_of_wall(teller, point, way)

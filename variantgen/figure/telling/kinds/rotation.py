@@ -21,13 +21,12 @@ def arrows(teller: Teller, driver: Rotation) -> list[Arrow]:
     if board.accelerations:
         rates.append(("epsilon", float(driver.epsilon)))
     found = []
+    where = _centre(teller, driver.body)
     for kind, rate in rates:
         symbol = board.rate(driver, kind) if rate else None
         if symbol is not None:
             name, sense = to_plain(symbol), teller.sense(float(board.frame.sense) * rate)
-            found.append(
-                Arrow(teller.say("rotation", symbol=name, sense=sense, where=_centre(teller, driver.body)), name)
-            )
+            found.append(Arrow(teller.say("rotation", symbol=name, sense=sense, where=where), name))
     return found
 
 

@@ -17,7 +17,7 @@ def tell(teller: Teller, items: Sequence[Travel]) -> list[str]:
 def arrows(teller: Teller, driver: Travel) -> list[Arrow]:
     """Velocity and, where accelerations are asked, acceleration."""
     board = teller.board
-    way = complex(board.frame.direction(driver.angle))
+    way = teller.heading(driver.angle)
     found: list[Arrow] = []
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:

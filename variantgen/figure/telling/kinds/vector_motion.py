@@ -23,7 +23,7 @@ def arrows(teller: Teller, driver: VectorMotion) -> list[Arrow]:
     found: list[Arrow] = []
     for kind, rate, angle in rates:
         if rate:
-            ahead = directed(rate, complex(board.frame.direction(angle)))
+            ahead = directed(rate, teller.heading(angle))
             found += teller.straight_arrow(
                 "vector_motion", driver.point, ahead, board.rate(driver, kind), way=teller.way(ahead)
             )
