@@ -18,7 +18,18 @@ from variantgen.outputs.glyph_table import table
 from variantgen.outputs.typesetter import typesetter
 from variantgen.variants.draw import Drawing as Draws
 from variantgen.variants.variant import solve_variants
-from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, UnitText, to_plain, to_typst
+from variantgen.wording.formula import (
+    Equation,
+    Formula,
+    Index,
+    Listing,
+    Measured,
+    Number,
+    Symbol,
+    UnitText,
+    to_plain,
+    to_typst,
+)
 from variantgen.wording.language import languages, load_language
 
 # What the figures of plans need besides the letters of the catalogue.
@@ -27,6 +38,13 @@ FURTHER = [
     Symbol("a", (Index("B"),), (Index("tau"),)),
     Symbol("v", (Index("O1A"),)),
     Symbol("f", (), (Index("n"),)),
+    Symbol("pi"),
+    Symbol("a", (), (Index("prime"),)),
+    Symbol("d", (Index("пер", True),), (Index("prime"),)),
+    Listing((Symbol("a"), Symbol("b"), Symbol("m", (Index("tr", True),)))),
+    Listing((Symbol("a", (), (Index("prime"),)), Symbol("b", (), (Index("prime"),)))),
+    Symbol("a", (Index("rel", True), Index("A")), (Index("tau"),)),
+    Equation(Symbol("v", (Index("B"),)), Symbol("v", (Index("пер", True), Index("A")))),
     Measured(Number("2"), UnitText((("м/с", 1),))),
     Measured(Number("0,5"), UnitText((("cm/s", 2),))),
     Measured(Number("\N{MINUS SIGN}30"), UnitText((("°", 1),), tight=True)),

@@ -8,7 +8,7 @@ import pytest
 
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.wording.formula import About, Equation, Index, Measured, Number, Symbol, UnitText, to_plain
+from variantgen.wording.formula import About, Equation, Index, Listing, Measured, Number, Symbol, UnitText, to_plain
 from variantgen.wording.html import to_html
 from variantgen.wording.language import load_language
 
@@ -27,6 +27,7 @@ FASTER = UnitText((("см", 1), ("<с>", -2)))
         (Equation(Symbol("h"), Measured(Number("0,5"), UnitText((("м", 1),)))), "<i>h</i>\xa0=\xa00,5\xa0м"),
         (About("modulus", Symbol("omega")), "|<i>ω</i>|"),
         (About("angle", Symbol("v")), "∠(<i>v</i>, <i>x</i>)"),
+        (Listing((Symbol("a"), Symbol("b"))), "<i>a</i>, <i>b</i>"),
         (About("sense", Symbol("omega")), "sgn\xa0<i>ω</i>"),
     ],
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from types import ModuleType
@@ -45,8 +45,27 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
+    board = mechanism(variant, motion, index, asked, language)
+    drawing = board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+    return replace(drawing, alt=describe(board, _has_axes(asked)))
+
+
+def mechanism(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    marks: bool = True,
+    size: float = 1.0,
+) -> Board:
+    """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
+
+    Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
+    in proportion to that in the statement. Raises InputError like :func:`statement_figure`.
+    """
     try:
-        return _figure(variant, motion, index, asked, language)
+        return _fitted(variant, motion, index, asked, language, marks, size)
     except (ZeroDivisionError, OverflowError):
         raise InputError(
             Problem(
@@ -58,7 +77,15 @@ def statement_figure(
         ) from None
 
 
-def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
+def _fitted(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    marks: bool,
+    size: float,
+) -> Board:
     form = variant.form
     shown = shown_points(variant, asked)
     if not shown:
@@ -67,25 +94,26 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
-    scale = _scale([z[name] for name in shown], circles)
+    scale = size * _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
-    given = set(given_names(variant, asked))
+    given = frozenset(given_names(variant, asked)) if marks else frozenset()
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
-        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
-        _draw(board, given, asked, [r * scale for r in radii])
+        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
+        _draw(board, [r * scale for r in radii], marks)
+        if marks and _has_axes(asked):
+            draw_axes(board)
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
         if excess <= 1:
-            drawing = sketch.finish({name: sketch.at[name] for name in shown})
-            return replace(drawing, alt=describe(board, given, _has_axes(asked)))
+            return board
         # Walls and guides reach beyond the mechanism: it is drawn smaller.
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, given: Collection[str], asked: Sequence[Quantity], radii: Sequence[float]) -> None:
-    """Everything but the labels; ``given`` are the printed parameters, ``radii`` (u) those of the discs."""
-    sketch, form = board.sketch, board.form
+def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs."""
+    sketch, form, given = board.sketch, board.form, board.given
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
@@ -96,7 +124,7 @@ def _draw(board: Board, given: Collection[str], asked: Sequence[Quantity], radii
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
-    for corner in form.figure.right_angles:
+    for corner in form.figure.right_angles if marks else ():
         if {corner.at, corner.start, corner.end} <= {*board.shown, *DIRECTIONS, *form.figure.hidden}:
             draw_right_angle(board, corner)
     for driver in board.scene.drivers:
@@ -116,11 +144,10 @@ def _draw(board: Board, given: Collection[str], asked: Sequence[Quantity], radii
         if _seeks_room(joint):
             _draw_symbol(board, joint)
     _draw_points(board, board.shown)
-    # Last, because the arrows of given motion go where there is room left.
-    for driver in board.scene.drivers:
-        _draw_symbol(board, driver)
-    if _has_axes(asked):
-        draw_axes(board)
+    if marks:
+        # Last, because the arrows of given motion go where there is room left.
+        for driver in board.scene.drivers:
+            _draw_symbol(board, driver)
 
 
 def _has_axes(asked: Sequence[Quantity]) -> bool:

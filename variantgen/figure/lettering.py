@@ -18,6 +18,7 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Index,
+    Listing,
     Measured,
     Number,
     Symbol,
@@ -133,6 +134,12 @@ def _set(run: _Run, formula: Formula) -> None:
             run.words("=")
             run.x += _AROUND_EQUALS
             _set(run, right)
+        case Listing(items):
+            for i, item in enumerate(items):
+                if i:
+                    run.words(",")
+                    run.x += _THIN
+                _set(run, item)
         case _:
             run.words(to_plain(formula))
 

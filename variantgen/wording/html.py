@@ -11,6 +11,7 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Index,
+    Listing,
     Measured,
     Number,
     Symbol,
@@ -41,6 +42,8 @@ def to_html(formula: Formula) -> str:
             return f"{to_html(left)}\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{to_html(right)}"
         case About(what, symbol):
             return _ABOUT[what].format(to_html(symbol))
+        case Listing(items):
+            return ", ".join(to_html(item) for item in items)
 
 
 def _base(base: str) -> str:

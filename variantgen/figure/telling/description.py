@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from functools import cache
 from types import ModuleType
 
@@ -17,14 +17,13 @@ from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.rows import Constraint
 
 
-def describe(board: Board, given: Collection[str], axes: bool = False) -> str:
-    """What a statement figure shows, in words, once it is drawn on ``board``.
+def describe(board: Board, axes: bool = False) -> str:
+    """What a statement figure shows, in words, once it is drawn on ``board``; ``axes``: x and y are drawn.
 
-    ``given`` are the printed parameters; ``axes``: the axes x and y are drawn. Tells what is fixed, what joins what,
-    where each named point lies, which data are marked and the senses of the given rates: nothing that the figure does
-    not show, in the language of the board.
+    Tells what is fixed, what joins what, where each named point lies, which data are marked and the senses of the
+    given rates: nothing that the figure does not show, in the language of the board.
     """
-    teller = Teller(board, given)
+    teller = Teller(board)
     scene = board.scene
     joints = [_clauses(teller, items) for items in _by_kind(scene.joints)]
     driven = [_clauses(teller, items) for items in _by_kind(scene.drivers)]

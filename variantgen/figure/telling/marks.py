@@ -19,10 +19,10 @@ def marks(teller: Teller) -> list[str]:
     """A phrase for each given angle, right angle, given dimension and radius."""
     figure = teller.board.form.figure
     seen = {*teller.board.shown, *DIRECTIONS, *figure.hidden}
-    found = [_angle(teller, mark) for mark in figure.angles if mark.name in teller.given]
+    found = [_angle(teller, mark) for mark in figure.angles if mark.name in teller.board.given]
     found += [_right_angle(teller, mark) for mark in figure.right_angles if {mark.at, mark.start, mark.end} <= seen]
-    found += [_length(teller, mark) for mark in figure.lengths if mark.name in teller.given]
-    return found + [_radius(teller, mark) for mark in figure.discs if mark.name in teller.given]
+    found += [_length(teller, mark) for mark in figure.lengths if mark.name in teller.board.given]
+    return found + [_radius(teller, mark) for mark in figure.discs if mark.name in teller.board.given]
 
 
 def _symbol(teller: Teller, name: str) -> str:

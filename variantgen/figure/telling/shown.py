@@ -138,9 +138,9 @@ class Shown:
         found: dict[str, Segment] = {}
         points = self.shown(self.board.form.bodies[body])
         for start, end in self.segments[body] if len(points) > 2 else []:
-            if not (self.is_shown(start) and self.is_shown(end)):
-                continue
             foot, step = self.at(start), self.at(end) - self.at(start)
+            if step == 0 or not (self.is_shown(start) and self.is_shown(end)):
+                continue
             for point in points:
                 part = (self.at(point) - foot) / step
                 if 0 < part.real < 1 and abs(part.imag) < _ON_LINE and point not in (start, end):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -25,13 +25,12 @@ class Arrow:
 
 @dataclass
 class Teller(Shown):
-    """What a phrase may need of a figure that has been drawn on ``board``; ``given`` are the printed parameters.
+    """What a phrase may need of a figure that has been drawn on ``board``.
 
     What has been told is noted for what is told later: ``hinged`` are the points whose hinge a joint has told of,
     ``guided`` the directions of guides by point, ``arrows`` those of the drivers.
     """
 
-    given: Collection[str]
     hinged: set[str] = field(default_factory=set)
     guided: dict[str, complex] = field(default_factory=dict)
     arrows: list[Arrow] = field(default_factory=list)
