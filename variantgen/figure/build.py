@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from types import ModuleType
 
@@ -18,6 +19,7 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
+from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import fixed_points
@@ -43,11 +45,12 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
-    return finished(mechanism(variant, motion, index, asked, language))
+    board = mechanism(variant, motion, index, asked, language)
+    return replace(finished(board), alt=describe(board, _has_axes(asked)))
 
 
 def finished(board: Board) -> Drawing:
-    """The drawing of a board: labels placed, everything in order."""
+    """The drawing of a board: labels placed, everything in order; not told in words."""
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
@@ -100,11 +103,12 @@ def _fitted(
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
     scale = kept or size * _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
+    given = frozenset(given_names(variant, asked)) if marks else frozenset()
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
-        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
-        _draw(board, set(given_names(variant, asked)) if marks else set(), [r * scale for r in radii], marks)
-        if marks and any(quantity.component in AXIAL for quantity in asked):
+        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
+        _draw(board, [r * scale for r in radii], marks)
+        if marks and _has_axes(asked):
             draw_axes(board)
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
@@ -114,9 +118,9 @@ def _fitted(
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, given: set[str], radii: Sequence[float], marks: bool) -> None:
-    """Everything but the labels; ``radii`` (u) are those of the discs, ``given`` the data to be marked."""
-    sketch, form = board.sketch, board.form
+def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs."""
+    sketch, form, given = board.sketch, board.form, board.given
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
@@ -151,6 +155,11 @@ def _draw(board: Board, given: set[str], radii: Sequence[float], marks: bool) ->
         # Last, because the arrows of given motion go where there is room left.
         for driver in board.scene.drivers:
             _draw_symbol(board, driver)
+
+
+def _has_axes(asked: Sequence[Quantity]) -> bool:
+    """Whether what is asked refers to the axes x and y."""
+    return any(quantity.component in AXIAL for quantity in asked)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

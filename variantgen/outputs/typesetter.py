@@ -89,6 +89,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "w": round(drawing.width, 2),
         "h": round(height, 2),
         "letter": LETTER,
+        "alt": drawing.alt,
         "curves": [[c.weight, c.fill, c.dash, [step(*s) for s in c.steps]] for c in curves(drawing.lines)],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }

@@ -162,7 +162,7 @@ def test_tikz_compiles(tmp_path: Path) -> None:
 
 def test_every_ending_writes_its_format(tmp_path: Path) -> None:
     drawing = picture(one_variant("slider_crank")).drawing
-    heads = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".tikz": b"\\begin{tikz", ".tex": b"\\begin{tikz"}
+    heads = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".tikz": b"% Parts: ", ".tex": b"% Parts: "}
     assert set(back_ends()) == set(heads)
     for suffix, head in heads.items():
         path = tmp_path / f"figure{suffix}"
