@@ -10,6 +10,7 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Index,
+    Listing,
     Measured,
     Number,
     Symbol,
@@ -58,6 +59,8 @@ def _inner(formula: Formula) -> str:
             return f"{_inner(left)}={_inner(right)}"
         case About(what, symbol):
             return _ABOUT[what].format(_inner(symbol))
+        case Listing(items):
+            return r",\,".join(_inner(item) for item in items)
 
 
 def _base(name: str) -> str:
