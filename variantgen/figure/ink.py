@@ -24,7 +24,8 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
         return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    return list(pairwise(line.at(i / count) for i in range(count + 1)))
+    directions = np.linspace(line.start, line.start + line.sweep, count + 1)
+    return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
 
 
 def ink(lines: Iterable[Line]) -> Segments:

@@ -23,7 +23,7 @@ _BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
-_SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0])  # of a dimension line from what it measures, u
+_SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0])  # of a dimension line, u
 _LANE = 25  # places along a dimension line that are looked at
 _SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
 # Directions of a radius: those at half a right angle read best, above rather than below.
