@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from itertools import pairwise
 
 import numpy as np
@@ -26,11 +25,6 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
     count = max(2, math.ceil(abs(line.sweep) / step))
     directions = np.linspace(line.start, line.start + line.sweep, count + 1)
     return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
-
-
-def ink(lines: Iterable[Line]) -> Segments:
-    """The segments of many lines, shape (S, 2)."""
-    return np.array([segment for line in lines for segment in segments_of(line)], dtype=complex).reshape(-1, 2)
 
 
 def boxes_crossed(
