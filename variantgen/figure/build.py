@@ -27,9 +27,9 @@ from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
-_LONGEST, _AREA = 74.0, 74.0 * 52.0  # room for the mechanism itself: its longer side (u), its area (u^2)
+_WIDE, _HIGH, _AREA = 74.0, 66.0, 74.0 * 52.0  # room for the mechanism itself: its sides (u), its area (u^2)
 AXIAL = {"x", "y", "angle"}  # components of quantities that refer to axes
-_WIDEST, _HIGHEST = 94.0, 94.0  # room for everything but labels, u
+_WIDEST, _HIGHEST = 94.0, 88.0  # room for everything but labels, u
 
 
 @cache
@@ -187,8 +187,8 @@ def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) ->
     corners = [*places, *(c + r * d for c, r in discs for d in (1 + 1j, -1 - 1j))]
     width = max(c.real for c in corners) - min(c.real for c in corners)
     height = max(c.imag for c in corners) - min(c.imag for c in corners)
-    area = _AREA / (width * height) if width * height else 1e18
-    return min(_LONGEST / max(width, height), math.sqrt(area))
+    limits = [limit / side for limit, side in ((_WIDE, width), (_HIGH, height)) if side]
+    return min([*limits, math.sqrt(_AREA / (width * height)) if width * height else math.inf])
 
 
 def _draw_points(board: Board, shown: Sequence[str]) -> None:

@@ -13,7 +13,7 @@ from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
 _LONGEST = 5.0
-WIDEST, HIGHEST = 108.0, 108.0  # limits of a figure, u
+WIDEST, HIGHEST = 108.0, 102.0  # limits of a figure, u
 
 
 @dataclass(frozen=True)
