@@ -61,7 +61,7 @@ def _words(title: str, alt: str, told: str) -> tuple[str, str]:
 
 def _letter(glyph: Glyph, at: complex, height: float) -> str:
     """One glyph with its origin at a place."""
-    size = _number(LETTER / 1000, 4)
+    size = _number(LETTER * glyph.scale / 1000, 5)
     place = f"{_number(at.real)} {_number(height - at.imag)}"
     return f'<path transform="translate({place})scale({size} -{size})" d="{glyph.path}"/>'
 
