@@ -23,7 +23,7 @@ _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 # Costs of ink under a label and per cell of it, of less than the wished free space, of two labels over each other, of a
 # label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own (which would be
 # misread), of a leader and of each line or label that it crosses.
-_INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 60.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
+_INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24

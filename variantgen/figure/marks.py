@@ -22,6 +22,8 @@ _BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
+_SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0])  # of a dimension line from what it measures, u
+_LANE = 15  # places along a dimension line that are looked at
 _SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
 # Directions of a radius: those at half a right angle read best, above rather than below.
 _DIRECTIONS = np.radians(np.arange(0, 360, 15))
@@ -80,11 +82,8 @@ def draw_length(board: Board, mark: LengthMark) -> None:
     sketch = board.sketch
     start, end = sketch.at[mark.start], sketch.at[mark.end]
     way = (end - start) / abs(end - start)
-    seen = [sketch.at[name] for name in board.shown]
-    middle = sum(seen) / len(seen)
-    aside = 1j * way if ((middle - start) * (1j * way).conjugate()).real < 0 else -1j * way
-    every = [((p - start) * aside.conjugate()).real for p in seen]
-    shift = aside * (max(0.0, min(max(every), 12.0)) + 7.5)
+    shift = _roomiest_shift(board, start, end)
+    aside = shift / abs(shift)
     for point in (start, end):
         sketch.path((point + 0.2 * shift, point + shift + 1.5 * aside), Layer.GROUND, THIN)
     # The line of motion is extended to the dimension.
@@ -98,6 +97,21 @@ def draw_length(board: Board, mark: LengthMark) -> None:
         if partner is not None:
             sketch.path((sketch.at[name] + 0.2 * shift, sketch.at[partner]), Layer.GROUND, THIN, dash="dashdot")
     _dimension(board, start + shift, end + shift, mark.name)
+
+
+def _roomiest_shift(board: Board, start: complex, end: complex) -> complex:
+    """How far aside a dimension line crosses least of what is drawn; near, and on the side away from the mechanism."""
+    sketch = board.sketch
+    way = (end - start) / abs(end - start)
+    seen = [sketch.at[name] for name in board.shown]
+    middle = sum(seen) / len(seen)
+    outward = 1j * way if ((middle - start) * (1j * way).conjugate()).real < 0 else -1j * way
+    shifts = np.concatenate((_SHIFTS * outward, -_SHIFTS * outward))
+    along = start + np.linspace(0.06, 0.94, _LANE) * (end - start)
+    lanes = (along[None, :] + shifts[:, None]).ravel()
+    crossed = np.sum(sketch.crossings(lanes, (1.5, 1.5)).reshape(len(shifts), -1) > 0, axis=1)
+    inward = np.repeat((0.0, 2.5), len(_SHIFTS))
+    return complex(shifts[int(np.argmin(2.4 * crossed + 0.22 * np.abs(shifts) + inward))])
 
 
 def _level(board: Board, point: str, name: str, way: complex) -> bool:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from variantgen.figure.ink import Segments
 
-CELL = 0.4  # side of a cell, u: below the free space that a label keeps
+CELL = 0.5  # side of a cell, u: below the free space that a label keeps
 _STEP = 0.75  # of samples along a segment, cells: no cell that a segment crosses in the middle is missed
 _EDGE = 2.0  # empty border, u
 

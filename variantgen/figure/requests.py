@@ -54,7 +54,7 @@ class Request:
 
 
 # Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.
-_OFF = 0.95
+_OFF = 1.0
 _WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
 _RINGS = np.array([0.0, 1.2, 2.6, 4.4])
 _AROUND_COSTS = (

@@ -83,7 +83,7 @@ class Sketch:
             strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
         self.lines.append(Strokes(tuple(strokes), Layer.GROUND))
         far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
-        self._obstacles += segments_of(far, _SAGITTA)
+        self._obstacles += [*segments_of(far, _SAGITTA), strokes[0], strokes[-1]]
 
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6

@@ -25,7 +25,10 @@ _MARGIN = 0.8  # free space on both sides of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
 _APART = math.radians(115)  # between the two arcs of one body
 _FINALISTS = 24
+_MOST_RADII = 4
+_ROOM = math.radians(40)  # from an arc to the nearest link at its pivot
 _ANGLES = np.radians(np.arange(0, 360, 15))
+_WAYS = np.exp(1j * _ANGLES)
 # Above first: ties go to the place where a reader expects the arc.
 _ANGLE_COSTS = 0.6 * (1 - np.sin(_ANGLES)) + 0.05 * np.abs(np.cos(_ANGLES)) + 0.001 * np.arange(_ANGLES.size)
 # Costs of a line that crosses an arc, of one under its letters, of a link close by, of the other arc or one of another
@@ -61,7 +64,7 @@ def _sweep(radius: float) -> float:
     return min(_SWEEP, _LONGEST / radius)
 
 
-def _radii(board: Board, driver: Rotation, pivot: str) -> list[float]:
+def _radii(board: Board, driver: Rotation, pivot: str) -> NDArray[np.float64]:
     """Radii of an arc, the usual ones first: about the pivot, or along the rim of a disc of the body.
 
     An arc keeps off the rims of discs about the same axis.
@@ -75,11 +78,11 @@ def _radii(board: Board, driver: Rotation, pivot: str) -> list[float]:
     if own > 2 * _LEAST:
         found.append(own - 3.0)
     clear = [r for r in found if r >= _LEAST and all(abs(r - rim) > _OFF_RIM[0] - 0.1 for rim in rims)]
-    return clear or [max(rims, default=0.0) + off for off in _OFF_RIM]
+    return np.array(clear[:_MOST_RADII] or [max(rims, default=0.0) + off for off in _OFF_RIM])
 
 
 def _roomiest_arc(
-    board: Board, pivot: str, radii: Sequence[float], formula: Symbol, taken: Sequence[float]
+    board: Board, pivot: str, radii: NDArray[np.float64], formula: Symbol, taken: Sequence[float]
 ) -> tuple[float, float]:
     """Radius and direction of the middle of the arc that crosses least, with letters that cover least.
 
@@ -87,37 +90,32 @@ def _roomiest_arc(
     """
     sketch = board.sketch
     centre = sketch.at[pivot]
-    width, height = label_size(formula)
-    ways = np.exp(1j * _ANGLES)
-    support = 1.0 + 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
-    every = np.repeat(radii, _ANGLES.size)
-    places = centre + np.concatenate([ways * (radius + support) for radius in radii])
-    middles = centre + every * np.tile(ways, len(radii))
-    room = np.maximum(0.0, math.radians(40) - sketch.freedom(pivot, _ANGLES))
-    strange = _near_other_arcs(board, places) + 0.5 * _near_other_arcs(board, middles)
-    total = _UNUSUAL * np.repeat(np.arange(len(radii)), _ANGLES.size) + _STRANGER * strange
-    total += np.tile(_ANGLE_COSTS + _CLOSE * room, len(radii)) + _CROSSED * _crossed(board, centre, np.array(radii))
-    total += _ON_DISC * _on_other_discs(board, centre, middles)
+    half_width, half_height = (0.5 * side for side in label_size(formula))
+    support = 1.0 + half_width * np.abs(_WAYS.real) + half_height * np.abs(_WAYS.imag)
+    places = centre + (_WAYS * (radii[:, None] + support)).ravel()
+    middles = centre + (_WAYS * radii[:, None]).ravel()
+    every = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
     for other in taken:
-        gap = np.abs(np.remainder(np.tile(_ANGLES, len(radii)) - other + math.pi, math.tau) - math.pi)
-        total += _TOGETHER * (gap < _APART)
+        gap = np.abs(np.remainder(_ANGLES - other + math.pi, math.tau) - math.pi)
+        every = every + _TOGETHER * (gap < _APART)
+    costs = (every + _UNUSUAL * np.arange(len(radii))[:, None] + _CROSSED * _crossed(board, centre, radii)).ravel()
+    costs += _ON_DISC * _on_other_discs(board, centre, middles) + _STRANGER * _near_other_arcs(board, places, middles)
     # What the letters would cover is asked only of the arcs that are best without it.
-    best = np.argsort(total, kind="stable")[:_FINALISTS]
-    covered = np.minimum(sketch.crossings(places[best], (0.5 * width + GAP, 0.5 * height + GAP)), 4)
-    chosen = int(best[np.argmin(total[best] + _COVERED * covered)])
-    return float(every[chosen]), float(_ANGLES[chosen % _ANGLES.size])
+    best = np.argsort(costs, kind="stable")[:_FINALISTS]
+    covered = np.minimum(sketch.crossings(places[best], (half_width + GAP, half_height + GAP)), 4)
+    chosen = int(best[np.argmin(costs[best] + _COVERED * covered)])
+    return float(radii[chosen // _ANGLES.size]), float(_ANGLES[chosen % _ANGLES.size])
 
 
 def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How many lines each arc meets or nearly meets, arcs of one radius after those of another."""
-    circles = (radii[:, None] + np.array([-_MARGIN, 0.0, _MARGIN])[None, :]).ravel()
+    """How many lines each arc meets or nearly meets, shape (radii, angles)."""
+    circles = (radii[:, None] + np.array([-_MARGIN, _MARGIN])).ravel()
     circle, direction = board.sketch.circle_crossings(centre, circles)
-    half = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii])[circle // 3]
-    gaps = np.abs(np.remainder(direction[None, :] - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    met = gaps < half[None, :]
-    count = [np.sum(met[:, circle // 3 == k], axis=1) for k in range(len(radii))]
-    result: NDArray[np.float64] = np.minimum(np.concatenate(count), 6).astype(float)
-    return result
+    half = 0.5 * np.minimum(_SWEEP, _LONGEST / radii) + _MARGIN / radii
+    gaps = np.abs(np.remainder(direction[:, None] - _ANGLES + math.pi, math.tau) - math.pi)
+    met = np.zeros((len(radii), _ANGLES.size))
+    np.add.at(met, circle // 2, gaps < half[circle // 2, None])
+    return np.minimum(met, 5.0)
 
 
 def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:
@@ -131,11 +129,13 @@ def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDAr
     return found
 
 
-def _near_other_arcs(board: Board, places: NDArray[Any]) -> NDArray[np.float64]:
-    """How close places are to arcs of rotation drawn before: 1 on such an arc, 0 from ``_STRANGE`` on."""
+def _near_other_arcs(board: Board, places: NDArray[Any], middles: NDArray[Any]) -> NDArray[np.float64]:
+    """How close letters (and, half as bad, arcs) are to arcs of rotation drawn before: 1 on such an arc, 0 far away."""
     arcs = [line for line in board.sketch.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
-    seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.25, 0.5, 0.75, 1.0)], dtype=complex)
-    if not seen.size:
+    if not arcs:
         return np.zeros(len(places))
-    gaps = np.min(np.abs(places[:, None] - seen[None, :]), axis=1)
-    return np.asarray(np.maximum(0.0, 1.0 - gaps / _STRANGE))
+    seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.5, 1.0)])
+    near = [
+        np.maximum(0.0, 1.0 - np.min(np.abs(every[:, None] - seen), axis=1) / _STRANGE) for every in (places, middles)
+    ]
+    return np.asarray(near[0] + 0.5 * near[1])
