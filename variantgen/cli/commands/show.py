@@ -18,7 +18,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_choice(parser)
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
     parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
-    parser.add_argument("--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf or .tikz")
+    parser.add_argument(
+        "--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf, .tikz or .tex"
+    )
     parser.add_argument("--view", default="statement", metavar="KIND", help="kind of figure (default: statement)")
 
 
