@@ -14,6 +14,7 @@ from variantgen.wording.formula import Symbol
 _LENGTH = 11.0
 _ASIDE = 3.6
 _WIDER = 2.8
+_LETTERS = 2.6
 _OFF_WALL = 3.4
 
 
@@ -87,9 +88,13 @@ def _roomier_side(board: Board, point: complex, ahead: complex, gap: float, take
     sides = sorted((1j * ahead, -1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
     ways = [reach * side for reach in (gap, gap + _WIDER) for side in sides]
     ways = [way for way in ways if (way * taken.conjugate()).real <= 0]
-    lanes = [[point + way + part * 1.2 * _LENGTH * ahead for part in (0.0, 0.25, 0.5, 0.75, 1.0)] for way in ways]
-    crossed = board.sketch.crossings(np.array(lanes).ravel(), (1.2, 1.2)).reshape(len(ways), -1).sum(axis=1)
-    return ways[int(np.argmin(crossed))]
+    parts = np.array([0.0, 0.25, 0.5, 0.75, 1.0]) * 1.2 * _LENGTH * ahead
+    lanes = np.array([point + way + parts for way in ways])
+    # Beyond the arrow its letters need room.
+    beyond = np.array([point + way * (1 + _LETTERS / abs(way)) + parts for way in ways])
+    places = np.concatenate((lanes, beyond)).ravel()
+    crossed = np.minimum(board.sketch.crossings(places, (1.2, 1.2)), 2).reshape(2, len(ways), -1).sum(axis=2)
+    return ways[int(np.argmin(crossed[0] + 0.5 * crossed[1]))]
 
 
 def directed(rate: float, way: complex) -> complex:

@@ -43,8 +43,26 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
+    board = mechanism(variant, motion, index, asked, language)
+    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def mechanism(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    marks: bool = True,
+    size: float = 1.0,
+) -> Board:
+    """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
+
+    Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
+    in proportion to that in the statement. Raises InputError like :func:`statement_figure`.
+    """
     try:
-        return _figure(variant, motion, index, asked, language)
+        return _fitted(variant, motion, index, asked, language, marks, size)
     except (ZeroDivisionError, OverflowError):
         raise InputError(
             Problem(
@@ -56,7 +74,15 @@ def statement_figure(
         ) from None
 
 
-def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
+def _fitted(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    marks: bool,
+    size: float,
+) -> Board:
     form = variant.form
     shown = shown_points(variant, asked)
     if not shown:
@@ -65,22 +91,24 @@ def _figure(variant: Variant, motion: Motion, index: int, asked: Sequence[Quanti
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
-    scale = _scale([z[name] for name in shown], circles)
+    scale = size * _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
         board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
-        _draw(board, variant, asked, [r * scale for r in radii])
+        _draw(board, set(given_names(variant, asked)) if marks else set(), [r * scale for r in radii], marks)
+        if marks and any(quantity.component in AXIAL for quantity in asked):
+            draw_axes(board)
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
         if excess <= 1:
-            return sketch.finish({name: sketch.at[name] for name in shown})
+            return board
         # Walls and guides reach beyond the mechanism: it is drawn smaller.
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequence[float]) -> None:
-    """Everything but the labels; ``radii`` (u) are those of the discs."""
+def _draw(board: Board, given: set[str], radii: Sequence[float], marks: bool) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs, ``given`` the data to be marked."""
     sketch, form = board.sketch, board.form
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
@@ -89,11 +117,10 @@ def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequ
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)
-    given = set(given_names(variant, asked))
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
-    for corner in form.figure.right_angles:
+    for corner in form.figure.right_angles if marks else ():
         if {corner.at, corner.start, corner.end} <= {*board.shown, *DIRECTIONS, *form.figure.hidden}:
             draw_right_angle(board, corner)
     for driver in board.scene.drivers:
@@ -113,11 +140,10 @@ def _draw(board: Board, variant: Variant, asked: Sequence[Quantity], radii: Sequ
         if _seeks_room(joint):
             _draw_symbol(board, joint)
     _draw_points(board, board.shown)
-    # Last, because the arrows of given motion go where there is room left.
-    for driver in board.scene.drivers:
-        _draw_symbol(board, driver)
-    if any(quantity.component in AXIAL for quantity in asked):
-        draw_axes(board)
+    if marks:
+        # Last, because the arrows of given motion go where there is room left.
+        for driver in board.scene.drivers:
+            _draw_symbol(board, driver)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

@@ -24,9 +24,15 @@ _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 # label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own (which would be
 # misread), of a leader and of each line or label that it crosses.
 _INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
+# Of two labels that stand side by side so near that they read as a product, of a line between a label and what it
+# names.
+_PRODUCT, _BARRIER = 15.0, 14.0
+_BESIDE = 2.4  # u
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24
+_BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
+_OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
 
 @dataclass
@@ -83,7 +89,7 @@ def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: 
     costs += _ink_costs(occupancy, places, boxes)
     # Near a foreign point or arrow: only worth asking where there is no ink.
     asked = np.flatnonzero(costs < _INK)
-    costs[asked] += _misleading(requests, strangers, places[asked], owner[asked])
+    costs[asked] += _misleading(requests, strangers, places[asked], owner[asked], occupancy)
     bounds = np.cumsum(count)[:-1]
     return [
         _Choice(request, at, cost, np.zeros(len(at), dtype=bool))
@@ -100,9 +106,16 @@ def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64])
 
 
 def _misleading(
-    requests: Sequence[Request], strangers: Sequence[complex], places: Places, owner: NDArray[np.intp]
+    requests: Sequence[Request],
+    strangers: Sequence[complex],
+    places: Places,
+    owner: NDArray[np.intp],
+    occupancy: Occupancy,
 ) -> Costs:
-    """Cost of each candidate that is nearer to a foreign point (or a foreign arrow) than to what the label names."""
+    """Cost of each candidate that could be taken to name something else.
+
+    It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
+    """
     points = np.array([p for r in requests for p in r.own] + list(strangers), dtype=complex)
     belongs = np.repeat(np.arange(len(requests)), [len(r.own) for r in requests])
     belongs = np.concatenate((belongs, np.full(len(strangers), -1)))
@@ -112,12 +125,20 @@ def _misleading(
     # A stranger at the very place that a label names is no stranger.
     same = np.abs(points[:, None] - points[None, :]) < 1e-6
     mine = np.array([(same & (belongs == k)[None, :]).any(axis=1) for k in range(len(requests))])[owner]
-    nearest = np.min(squares, axis=1, initial=np.inf, where=mine)
+    own = np.where(mine, squares, np.inf)
+    own_at = np.argmin(own, axis=1)
+    nearest = own[np.arange(len(own)), own_at]
+    way = points[own_at] - places
+    clear = np.array([r.clear for r in requests])[owner]
+    way *= np.maximum(0.0, 1.0 - (clear + _OWN) / np.sqrt(nearest))
+    between = places[:, None] + _BETWEEN * way[:, None]
+    thin = np.full(between.size, 0.05)
+    barred = (occupancy.taken(between.ravel(), thin, thin).reshape(between.shape) > 0).any(axis=1)
     foreign = np.min(squares, axis=1, initial=np.inf, where=~mine)
     on_arrow = np.concatenate((arrow[belongs[belongs >= 0]], np.zeros(len(strangers), dtype=bool)))
     foreign_arrow = np.min(squares, axis=1, initial=np.inf, where=~mine & on_arrow[None, :])
     result: Costs = _STRANGER * (foreign < nearest) + _MISREAD * (arrow[owner] & (foreign_arrow < nearest))
-    return result
+    return result + _BARRIER * barred
 
 
 def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
@@ -156,12 +177,13 @@ def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
-    """Labels that cover another one."""
+    """Labels that cover another one or read together with it."""
     centres = np.array([c.place for c in choices])
     boxes = np.array([c.request.box for c in choices])
     gap = centres[:, None] - centres[None, :]
-    reach = boxes[:, None, :] + boxes[None, :, :] + _TIGHT
-    covers = (np.abs(gap.real) < reach[..., 0]) & (np.abs(gap.imag) < reach[..., 1])
+    reach = boxes[:, None, :] + boxes[None, :, :]
+    covers = (np.abs(gap.real) < reach[..., 0] + _TIGHT) & (np.abs(gap.imag) < reach[..., 1] + _TIGHT)
+    covers |= (np.abs(gap.real) < reach[..., 0] + _BESIDE) & (np.abs(gap.imag) < 0.35 * reach[..., 1])
     np.fill_diagonal(covers, val=False)
     return [int(i) for i in np.flatnonzero(covers.any(axis=1))]
 
@@ -177,7 +199,9 @@ def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:
     dx = np.abs(gap.real) - boxes[:, 0] - choices[i].request.box[0]
     dy = np.abs(gap.imag) - boxes[:, 1] - choices[i].request.box[1]
     space = np.maximum(dx, dy)
-    result: Costs = np.sum(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP), axis=1)
+    # Letters side by side on one line read as a product.
+    product = (dx < _BESIDE) & (np.abs(gap.imag) < 0.7 * choices[i].request.box[1])
+    result: Costs = np.sum(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP) + _PRODUCT * product, axis=1)
     return result + _leader_costs(choices, i)
 
 

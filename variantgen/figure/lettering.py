@@ -19,6 +19,7 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Index,
+    Listing,
     Measured,
     Number,
     Symbol,
@@ -148,6 +149,12 @@ def _set(run: _Run, formula: Formula) -> None:
             run.words("=")
             run.x += _AROUND_EQUALS
             _set(run, right)
+        case Listing(items):
+            for i, item in enumerate(items):
+                if i:
+                    run.words(",")
+                    run.x += _THIN
+                _set(run, item)
         case About(what, symbol):
             _set_about(run, what, symbol)
 

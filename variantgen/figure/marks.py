@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
@@ -109,9 +110,22 @@ def _roomiest_shift(board: Board, start: complex, end: complex) -> complex:
     shifts = np.concatenate((_SHIFTS * outward, -_SHIFTS * outward))
     along = start + np.linspace(0.06, 0.94, _LANE) * (end - start)
     lanes = (along[None, :] + shifts[:, None]).ravel()
-    crossed = np.sum(sketch.crossings(lanes, (1.5, 1.5)).reshape(len(shifts), -1) > 0, axis=1)
+    met = sketch.crossings(lanes, (1.5, 1.5)) > 0
+    for body in board.form.figure.plates:
+        met |= _inside([sketch.at[name] for name in board.form.bodies[body]], lanes)
+    crossed = np.sum(met.reshape(len(shifts), -1), axis=1)
     inward = np.repeat((0.0, 2.5), len(_SHIFTS))
     return complex(shifts[int(np.argmin(2.4 * crossed + 0.22 * np.abs(shifts) + inward))])
+
+
+def _inside(corners: Sequence[complex], places: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Which places lie in a polygon: a ray to the right crosses its sides an odd number of times."""
+    inside = np.zeros(len(places), dtype=bool)
+    for a, b in zip(corners, [*corners[1:], corners[0]], strict=True):
+        if a.imag != b.imag:
+            over = (places.imag < a.imag) != (places.imag < b.imag)
+            inside ^= over & (places.real < a.real + (places.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag))
+    return inside
 
 
 def _level(board: Board, point: str, name: str, way: complex) -> bool:

@@ -138,6 +138,14 @@ class Sketch:
         places = np.tile(start, 2)[on] + t[on] * np.tile(step, 2)[on]
         return np.tile(circle, 2)[on], np.angle(places)
 
+    def corners_near_circle(
+        self, centre: complex, radii: NDArray[np.float64], margin: float
+    ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Beginnings of segments within a margin of circles about a centre: numbers of circles, directions (rad)."""
+        arms = self._segments()[:, 0] - centre
+        circle, line = np.nonzero(np.abs(np.abs(arms) - radii[:, None]) < margin)
+        return circle, np.angle(arms[line])
+
     def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
         """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""
         segments = (self._segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]

@@ -181,6 +181,14 @@ class Pair(Constraint, Protocol):
         """Whether the joint can be as it is described: circles that touch, points that are apart."""
         ...
 
+    def intact(self, moved: Placement, start: Placement) -> Flags:
+        """Whether the joint is still what it was at the start, a short way ago: no load has run past its pulley."""
+        ...
+
+    def marked(self, moved: Placement, start: Placement) -> Mapping[str, Complex]:
+        """Where places are now that the joint names and that no body carries along: the contact of a wheel."""
+        ...
+
     def resting(self) -> tuple[str, ...]:
         """Points that the joint takes to be at rest."""
         ...
@@ -224,6 +232,14 @@ class Joint:
     def sound(self, at: Placement) -> Flags:
         """Always (joints of circles and lines check their geometry)."""
         return True
+
+    def intact(self, moved: Placement, start: Placement) -> Flags:
+        """Whether it is sound in its new place (a rope looks at its straight pieces too)."""
+        return self.sound(moved)
+
+    def marked(self, moved: Placement, start: Placement) -> Mapping[str, Complex]:
+        """Nothing (rolling on a line says where the contact is)."""
+        return {}
 
     def resting(self) -> tuple[str, ...]:
         """The landmarks."""

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.centres import velocity_centre
+from variantgen.mechanism.chain import Chain
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.rows import Placement
@@ -29,7 +30,6 @@ _OFFSETS = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
 _FIRST = np.array([-1.0, 9.0, -45.0, 45.0, -9.0, 1.0]) / 60.0
 _SECOND = np.array([2.0, -27.0, 270.0, 270.0, -27.0, 2.0]) / 180.0
 _ITERATIONS = 25
-_JACOBIAN_STEP = 1e-6
 
 Vector = NDArray[np.float64]
 
@@ -55,7 +55,7 @@ def recompute(motion: Motion) -> Recomputed:
 
     The entries of variants that are not solved have no meaning.
     """
-    chain = _Chain(motion)
+    chain = Chain(motion)
     h = _time_step(motion, chain.length)
     inverse = np.linalg.inv(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
     q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))
@@ -110,81 +110,6 @@ def _time_step(motion: Motion, length: Field) -> Field:
     fastest = np.max(rates + roots, axis=0)
     result: Field = _STEP / np.where(fastest > 0, fastest, 1.0)
     return result
-
-
-class _Chain:
-    """The closing equations of a scene in displacements and rotations of its bodies."""
-
-    def __init__(self, motion: Motion) -> None:
-        scene = motion.scene
-        self.motion = motion
-        self.start = Placement(motion.z, scene.frame)
-        self.length = motion.length_scale()
-        self.home: dict[str, str] = {}
-        self.hinges: list[tuple[str, str]] = []
-        for body, members in scene.bodies.items():
-            for point in members:
-                if point in self.home:
-                    self.hinges.append((point, body))
-                else:
-                    self.home[point] = body
-        named = {point for c in scene.constraints for shape in c.shapes() for point in shape.points}
-        self.single = [point for point in scene.points if point in named and point not in self.home]
-        self.material = [*self.home, *self.single]
-        self.unknowns = 3 * len(scene.bodies) + 2 * len(self.single)
-        self.lengths = self._length_rows()
-
-    def _length_rows(self) -> NDArray[np.bool_]:
-        """Which residuals are lengths (to be divided by the size of the mechanism) and not angles."""
-        flags = [True, True] * len(self.hinges)
-        for c in self.motion.scene.constraints:
-            for shape in c.shapes():
-                flags += [True] * (2 if shape.lead else 1) if shape.points else [False]
-        return np.array(flags)
-
-    def _moved(self, q: Vector, body: str, point: str) -> ComplexField:
-        """A point as carried by a body: ``z0 + shift + (exp(i turn) - 1) (z - z0)`` about the body's first point."""
-        z, bodies = self.motion.z, list(self.motion.scene.bodies)
-        i = 3 * bodies.index(body)
-        arm = z[point] - z[self.motion.scene.bodies[body][0]]
-        half = np.sin(0.5 * q[..., i + 2])
-        swing = 2j * half * np.exp(0.5j * q[..., i + 2])
-        result: ComplexField = z[point] + (q[..., i] + 1j * q[..., i + 1]) * self.length + swing * arm
-        return result
-
-    def placement(self, q: Vector) -> Placement:
-        """Positions and rotations for displacements q, shape (..., N, unknowns)."""
-        bodies = list(self.motion.scene.bodies)
-        z: dict[str, ComplexField] = dict(self.motion.z)
-        for point, body in self.home.items():
-            z[point] = self._moved(q, body, point)
-        for k, point in enumerate(self.single):
-            i = 3 * len(bodies) + 2 * k
-            z[point] = self.motion.z[point] + (q[..., i] + 1j * q[..., i + 1]) * self.length
-        turned = {body: q[..., 3 * i + 2] for i, body in enumerate(bodies)}
-        return Placement(z, self.start.frame, turned)
-
-    def residual(self, q: Vector, time: Vector) -> Vector:
-        """All residuals, lengths in units of the mechanism's size, shape (..., N, equations)."""
-        at = self.placement(q)
-        parts: list[NDArray[np.generic]] = []
-        for point, body in self.hinges:
-            gap = self._moved(q, body, point) - at.z[point]
-            parts += [np.real(gap), np.imag(gap)]
-        for constraint in self.motion.scene.constraints:
-            parts += [np.asarray(r) for r in constraint.residual(at, self.start, time)]
-        stacked = np.stack([np.broadcast_to(part, time.shape) for part in parts], axis=-1)
-        scale = np.where(self.lengths, self.length[:, None], 1.0)
-        result: Vector = stacked / scale
-        return result
-
-    def jacobian(self) -> Vector:
-        """Derivative of the residuals by central differences, shape (N, equations, unknowns)."""
-        count, size = self.unknowns, self.motion.size
-        steps = np.eye(count)[:, None, :] * _JACOBIAN_STEP * np.ones((1, size, 1))
-        still = np.zeros((count, size))
-        slopes = (self.residual(steps, still) - self.residual(-steps, still)) / (2 * _JACOBIAN_STEP)
-        return np.moveaxis(slopes, 0, -1)
 
 
 def invariants(motion: Motion) -> Field:

@@ -206,7 +206,7 @@ def main() -> int:
     """Write the table."""
     glyphs = table()
     rows = [
-        f"{json.dumps(name, ensure_ascii=False)}:{json.dumps(row, separators=(',', ':'))}"
+        f"{json.dumps(name, ensure_ascii=False)}:{json.dumps(row, ensure_ascii=False, separators=(',', ':'))}"
         for name, row in glyphs.items()
     ]
     TABLE.write_text("{\n" + ",\n".join(rows) + "\n}\n", "utf-8")

@@ -14,7 +14,8 @@ from typing import TypeAlias
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
     "mu": "μ", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω", "tau": "τ", "sigma": "σ", "xi": "ξ", "eta": "η",
-    "nu": "ν", "kappa": "κ", "chi": "χ",
+    "nu": "ν", "kappa": "κ", "chi": "χ", "pi": "π",
+    "prime": "′",  # no letter, but a mark that the markups know by its name in the same way
 }  # fmt: skip
 _LETTERS = re.compile(r"([A-Za-z])(\d*)")
 
@@ -78,7 +79,14 @@ class About:
     symbol: Symbol
 
 
-Formula: TypeAlias = Symbol | Number | UnitText | Measured | Equation | About
+@dataclass(frozen=True)
+class Listing:
+    """Symbols one after the other with commas: points of a plan that coincide."""
+
+    items: tuple[Symbol, ...]
+
+
+Formula: TypeAlias = Symbol | Number | UnitText | Measured | Equation | About | Listing
 
 
 _TYPST_ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
@@ -113,6 +121,8 @@ def to_typst(formula: Formula) -> str:
             return f"{to_typst(left)} = {to_typst(right)}"
         case About(what, symbol):
             return _TYPST_ABOUT[what].format(to_typst(symbol))
+        case Listing(items):
+            return ", ".join(to_typst(item) for item in items)
 
 
 def _typst_base(base: str) -> str:
@@ -151,6 +161,8 @@ def to_plain(formula: Formula) -> str:
             return _PLAIN_ABOUT[what].format(to_plain(symbol))
         case Equation(left, right):
             return f"{to_plain(left)} = {to_plain(right)}"
+        case Listing(items):
+            return ", ".join(to_plain(item) for item in items)
 
 
 def _superscript(power: int) -> str:

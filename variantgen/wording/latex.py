@@ -10,6 +10,7 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Index,
+    Listing,
     Measured,
     Number,
     Symbol,
@@ -49,6 +50,8 @@ def to_latex(formula: Formula) -> str:
             return f"{to_latex(left)} = {to_latex(right)}"
         case About(what, symbol):
             return _ABOUT[what].format(to_latex(symbol))
+        case Listing(items):
+            return ", ".join(to_latex(item) for item in items)
 
 
 def _base(base: str) -> str:

@@ -10,13 +10,21 @@ from variantgen.cli.options import add_choice, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "show one problem of a family"
-DESCRIPTION = "Show one problem: statement, data, answers; with --out also its figure."
+DESCRIPTION = (
+    "Show one problem: statement, data, answers; with --out also its figure, with --motion plots of its motion."
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    parser.add_argument(
+        "--motion",
+        type=Path,
+        metavar="FILE",
+        help="plot the motion over the way of the driver: .pdf, .svg, .png or .gif",
+    )
     parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
     parser.add_argument(
         "--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf, .tikz or .tex"
@@ -41,14 +49,18 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.figure:
         variant.figure(arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
         print(f"written: {arguments.figure}", file=sys.stderr)
+    remark = f"{variant.family.name}  ·  seed {arguments.seed}"
+    if arguments.motion:
+        from variantgen.outputs.motion_plot import write_motion
+
+        write_motion(variant, asked, arguments.lang, arguments.motion, remark)
+        print(f"written: {arguments.motion}", file=sys.stderr)
     if arguments.out:
         from variantgen.outputs.single_page import write_single
 
-        write_single(
-            variant, asked, found, arguments.lang, arguments.out, f"{variant.family.name}  ·  seed {arguments.seed}"
-        )
+        write_single(variant, asked, found, arguments.lang, arguments.out, remark)
         print(f"written: {arguments.out}", file=sys.stderr)
-    elif not arguments.figure:
+    if not (arguments.out or arguments.motion or arguments.figure):
         values = [(answer.value, answer.unit) for answer in found]
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
     return 0

@@ -111,6 +111,9 @@ def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArr
     """How many lines each arc meets or nearly meets, shape (radii, angles)."""
     circles = (radii[:, None] + np.array([-_MARGIN, _MARGIN])).ravel()
     circle, direction = board.sketch.circle_crossings(centre, circles)
+    along = board.sketch.corners_near_circle(centre, radii, _MARGIN)
+    # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
+    circle, direction = np.append(circle, 2 * along[0]), np.append(direction, along[1])
     half = 0.5 * np.minimum(_SWEEP, _LONGEST / radii) + _MARGIN / radii
     gaps = np.abs(np.remainder(direction[:, None] - _ANGLES + math.pi, math.tau) - math.pi)
     met = np.zeros((len(radii), _ANGLES.size))

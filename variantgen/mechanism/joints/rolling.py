@@ -100,6 +100,12 @@ class Rolling(Joint):
             return (along(self._line(start), slip),)
         return np.real(slip), np.imag(slip)
 
+    def marked(self, moved: Placement, start: Placement) -> Mapping[str, Complex]:
+        """The contact: the radius to it turns with the line."""
+        radius = start.z[self.contact] - start.z[self.centre]
+        turn = unit(moved.turned[self.on]) if self.on is not None else 1.0
+        return {self.contact: moved.z[self.centre] + radius * turn}
+
     def contact_at(self, at: Placement) -> Contact:
         """The contact of wheel and line."""
         other = None if self.on is None or self.on_point is None else (self.on, self.on_point)

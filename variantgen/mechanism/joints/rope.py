@@ -14,6 +14,9 @@ from variantgen.mechanism.component import BodyName, PointName, Radius, Side
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
 
+# Of the radii at its ends: how short a straight piece of a moving rope may become.
+_NEAR = 0.25
+
 
 @dataclass(frozen=True)
 class Bend:
@@ -71,6 +74,15 @@ class Rope(Joint):
             gap = np.abs(at.z[second.point] - at.z[first.point])
             reach = np.abs(first.side * first.radius - second.side * second.radius)
             good = good & (gap > reach) & (gap > 0)
+        return good
+
+    def intact(self, moved: Placement, start: Placement) -> Flags:
+        """No load has come up to its pulley: straight pieces keep their direction and do not shrink to nothing."""
+        good = self.sound(moved)
+        pieces = zip(pairwise(self.path), self.pieces(start), self.pieces(moved), strict=True)
+        for (first, second), (before, then), (after, now) in pieces:
+            near = _NEAR * (first.radius + second.radius)
+            good = good & (along(before, after) > 0) & ((now > near) | (now >= then))
         return good
 
     def resting(self) -> tuple[str, ...]:

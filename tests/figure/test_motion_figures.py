@@ -1,0 +1,180 @@
+"""Figures of velocities and accelerations: vectors to one scale, true senses, centres where perpendiculars meet."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tests.contracts.test_families import arcs_and_labels
+from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of
+from variantgen.errors import InputError
+from variantgen.figure.build import mechanism, statement_figure
+from variantgen.figure.drawing import Drawing, Layer
+from variantgen.figure.faults import inspect_labels
+from variantgen.figure.motion_board import LEAST
+from variantgen.figure.solved import solved
+from variantgen.figure.views import accelerations, velocities, view_names
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.scene import fixed_points
+from variantgen.single import asked_quantities, one_variant
+from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import load_language
+
+EN = load_language("en")
+SEEDS = 4
+
+
+@cache
+def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, int, Drawing]]:
+    """The figures of several variants; none where the form asks for no accelerations."""
+    variants, motion, asked = variants_of(name, form, SEEDS)
+    if order > max(q.order for q in asked):
+        with pytest.raises(InputError, match="none are asked"):
+            accelerations.draw(variants[0], motion, 0, asked, EN)
+        return []
+    module = velocities if order == 1 else accelerations
+    return [(v, motion, i, module.draw(v, motion, i, asked, EN)) for i, v in enumerate(variants)]
+
+
+def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing) -> float:
+    """Figure units per m/s that most of the arrows near shown points in the directions of their velocities have."""
+    found = arrows(drawing, Layer.SLIDER)
+    ratios = []
+    for point in points:
+        v = complex(motion.v[point][i])
+        place = drawing.scale * complex(motion.z[point][i]) + drawing.origin
+        for start, tip in found:
+            if abs(start - place) < 5 and abs(v) > 0 and abs(np.angle((tip - start) / v)) < 1e-9:
+                ratios.append(abs(tip - start) / abs(v))
+    values, counts = np.unique(np.round(ratios, 6), return_counts=True)
+    return float(values[np.argmax(counts)])
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: str) -> None:
+    for variant, motion, i, drawing in drawings(name, form, 1):
+        points = [p for p in shown_points(variant, asked_quantities(variant)) if p in motion.v]
+        size = size_of_vectors(motion, i, points, drawing)
+        found = arrows(drawing, Layer.SLIDER)
+        for point in points:
+            vector = size * complex(motion.v[point][i])
+            if abs(vector) < LEAST:
+                continue
+            place = drawing.scale * complex(motion.z[point][i]) + drawing.origin
+            # At the point, or moved a little across its direction off a line on which it would lie.
+            assert any(
+                abs(tip - start - vector) < 1e-4
+                and abs(((start - place) * vector.conjugate()).real) < 1e-6 * abs(vector)
+                and abs(start - place) < 5
+                for start, tip in found
+            ), (point, variant.printed)
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str) -> None:
+    for order, letter in ((1, "omega"), (2, "epsilon")):
+        for variant, motion, i, drawing in drawings(name, form, order):
+            rates = motion.omega if order == 1 else motion.epsilon
+            largest = max(abs(float(rate[i])) for rate in rates.values())
+            bound = 1e-9 * max(largest, max(abs(float(w[i])) for w in motion.omega.values()) ** 2)
+            turning = {
+                to_plain(EN.symbol(f"{letter}_{body}", variant.form.symbols)): float(rate[i])
+                for body, rate in rates.items()
+                if abs(float(rate[i])) > bound
+            }
+            found = {to_plain(label.formula): float(np.sign(arc.sweep)) for arc, label in arcs_and_labels(drawing)}
+            assert found == {symbol: float(np.sign(rate)) for symbol, rate in turning.items()}, variant.printed
+
+
+def crossing(motion: Motion, i: int, first: str, second: str) -> complex | None:
+    """Where the perpendiculars to two velocities meet; None where they are nearly parallel."""
+    z, w = (complex(motion.z[p][i]) for p in (first, second))
+    n, m = (1j * complex(motion.v[p][i]) for p in (first, second))
+    across = (n.conjugate() * m).imag
+    if abs(across) < 0.05 * abs(n) * abs(m):
+        return None
+    return z + n * (((w - z).conjugate() * m).imag / across)
+
+
+def test_centres_lie_where_perpendiculars_to_velocities_meet() -> None:
+    shown = 0
+    for name, form in FORMS:
+        for variant, motion, i, drawing in drawings(name, form, 1):
+            fixed = fixed_points(motion.scene)
+            seen = shown_points(variant, asked_quantities(variant))
+            letters = [to_plain(label.formula) for label in drawing.labels if to_plain(label.formula)[0] == "P"]
+            places = dots(drawing) + [drawing.scale * complex(motion.z[p][i]) + drawing.origin for p in seen]
+            for body, members in motion.scene.bodies.items():
+                moving = [p for p in members if p in seen and abs(motion.v[p][i]) > 1e-9]
+                if fixed & set(members) or len(moving) < 2:
+                    continue
+                meeting = crossing(motion, i, moving[0], moving[1])
+                if meeting is None:
+                    continue
+                at = drawing.scale * meeting + drawing.origin
+                if 0 < at.real < drawing.width and 0 < at.imag < drawing.height and letters:
+                    near = min(abs(place - at) for place in places)
+                    assert near < 1e-6 or any(f"P_{body}" not in text for text in letters), (name, form, body)
+                    shown += near < 1e-6
+    assert shown > 100
+
+
+def test_instantaneous_translation_has_no_centre_and_no_arc() -> None:
+    # M28: AB has equal velocities; BC has a centre.
+    data = {"OA": 20, "AB": 40, "BC": 34.6, "phi": 90, "beta": 60, "omega_OA": 2, "epsilon_OA": 0}
+    words = {"place": "same_side", "sense": "counter_clockwise"}
+    variant = one_variant("slider_crank_with_second_rod", {**data, **words}, form="perpendicular")
+    drawing = velocities.draw(variant, solve_variants([variant], 2), 0, asked_quantities(variant), EN)
+    texts = {to_plain(label.formula) for label in drawing.labels}
+    assert "P_BC" in texts
+    assert "P_AB" not in texts
+    assert "ω_BC" in texts
+    assert "ω_AB" not in texts
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_asked_accelerations_are_drawn_in_their_directions(name: str, form: str) -> None:
+    for variant, motion, i, drawing in drawings(name, form, 2):
+        asked = [q.point for q in asked_quantities(variant) if q.kind == "a"]
+        drawn = [tip - start for start, tip in arrows(drawing, Layer.SLIDER)]
+        assert drawn
+        parts = accelerations.components(solved(variant, motion, i, asked_quantities(variant), 2), EN)
+        largest = max(abs(vector) for named in parts.values() for _, vector in named)
+        for point in asked:
+            vector = complex(motion.a[point][i])
+            # The shortest arrow that is drawn is a tenth of the longest.
+            same = [arrow for arrow in drawn if abs(vector) and abs(np.angle(arrow / vector)) < 1e-6]
+            assert same or abs(vector) < 0.12 * largest, (point, variant.printed)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> None:
+    for _, _, _, drawing in drawings(name, form, order):
+        seen = inspect_labels(drawing)
+        assert not seen.overlaps
+        assert not seen.outside
+        assert drawing.width < 120
+        assert drawing.height < 120
+
+
+@pytest.mark.parametrize(("name", "form"), [("four_bar", "crank"), ("ladder", "oblique"), ("spool", "")])
+def test_the_mechanism_alone_shows_no_data(name: str, form: str) -> None:
+    variants, motion, asked = variants_of(name, form, 1)
+    board = mechanism(variants[0], motion, 0, asked, EN, marks=False)
+    plain = board.sketch.finish({})
+    whole = statement_figure(variants[0], motion, 0, asked, EN)
+    points = {to_plain(board.symbol(p)) for p in board.shown}
+    texts = [{to_plain(label.formula) for label in drawing.labels} for drawing in (plain, whole)]
+    assert points <= texts[0] <= texts[1]
+    assert not any(text[0] in "ωεva" for text in texts[0])
+    assert any(text[0] in "ωεva" for text in texts[1])
+    assert not has_arrow(arrows(plain, Layer.VECTOR), 0, 0, np.inf)
+
+
+def test_the_views_are_found() -> None:
+    assert {"statement", "velocity_plan", "acceleration_plan", "velocities", "accelerations"} <= set(view_names())

@@ -1,0 +1,147 @@
+"""The mechanism as the base of figures of its motion: vectors of points to one scale, arcs of true rotation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+
+import numpy as np
+
+from variantgen.families.quantities import Quantity
+from variantgen.figure.board import Board
+from variantgen.figure.build import mechanism
+from variantgen.figure.clean import first_clean
+from variantgen.figure.drawing import BOLD, Drawing, Layer
+from variantgen.figure.plans import EQUAL
+from variantgen.figure.requests import along_arrow
+from variantgen.figure.symbols import rotation
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.rows import Constraint
+from variantgen.mechanism.scene import fixed_points
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Equation, Formula, Symbol
+from variantgen.wording.language import Language
+
+LONGEST = 15.0  # length of the longest vector of a figure, u
+LONGEST_OF_MANY = 21.0  # the same where many vectors start at one point
+LEAST = 1.6  # vectors shorter than this cannot be seen, u
+_MOST = 92.0  # width and height of a figure but for its labels, u
+_FIRST_SIZE, _LEAST_SIZE = 0.86, 0.3  # of the mechanism in proportion to that of the statement
+_TRIES = 6
+_STRETCHES = (1.0, 0.85, 1.12, 0.7)
+_ASIDE = (0.0, 2.2, 3.4, 4.8)  # how far an arrow is moved off a line on which it would lie, u
+_HALF_LANE = 0.35  # half the width of the paper that an arrow takes, u
+_SAMPLES = np.linspace(0.3, 1.0, 15)
+_COVERED = 0.3  # part of an arrow that may lie on other lines
+
+
+class MotionBoard(Board):
+    """A board on which the rates of all bodies are shown, not only those that are given."""
+
+    kind = "omega"
+
+    def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
+        """The symbol of a rate of a body, under the name by which it may be asked."""
+        del field_name
+        assert isinstance(driver, Rotation)
+        return self.symbol(f"{self.kind}_{driver.body}")
+
+    def centre_of_rotation(self, body: str) -> str:
+        """The pivot, or the middle of a bar or plate without a fixed point."""
+        members = self.scene.bodies[body]
+        if fixed_points(self.scene) & set(members) or not any(body == bar for bar, *_ in self.form.bars):
+            return super().centre_of_rotation(body)
+        key, (start, end) = f"middle of {body}", (self.sketch.at[name] for name in members[:2])
+        self.sketch.at[key] = 0.5 * (start + end)
+        for way in (end - start, start - end):
+            self.sketch.occupy(key, way)
+        return key
+
+    def turn(self, body: str, rate: float, kind: str) -> None:
+        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper."""
+        self.kind = kind
+        given = float(self.frame.sense) * rate
+        # Only its sense is seen, so that either rate is drawn by the same means.
+        rotation.draw(self, Rotation(body, given))
+
+    def vector(self, point: str, vector: complex, name: Formula, weight: float = BOLD) -> bool:
+        """Add an arrow (``vector`` in u) from a point; moved aside where it would lie on other lines.
+
+        Returns whether it starts at the point itself. Nothing is drawn of a vector too short to be seen.
+        """
+        if abs(vector) < LEAST:
+            return False
+        start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
+        # Below the hinges: the arrow comes out of the circle.
+        head = min(2.6, 0.6 * abs(vector))
+        self.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head)
+        self.sketch.label(along_arrow(name, start, start + vector))
+        self.sketch.occupy(point, vector)
+        return abs(start - self.sketch.at[point]) < 1e-9
+
+    def _aside(self, start: complex, vector: complex) -> complex:
+        """The least shift across the vector with which it does not lie on what is drawn already."""
+        way = vector / abs(vector)
+        shifts = [step * side * way for step in _ASIDE for side in ((1j, -1j) if step else (1j,))]
+        lanes = np.array([start + shift + _SAMPLES * vector for shift in shifts])
+        taken = self.sketch.crossings(lanes.ravel(), (_HALF_LANE, _HALF_LANE)).reshape(lanes.shape) > 0
+        covered = np.mean(taken, axis=1)
+        free = np.flatnonzero(covered <= _COVERED)
+        return complex(shifts[int(free[0]) if free.size else int(np.argmin(covered))])
+
+
+def draw_on_mechanism(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    annotate: Callable[[MotionBoard, float], None],
+) -> Drawing:
+    """The mechanism without data, with what ``annotate`` adds, small enough for everything to find room.
+
+    ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
+    letters find room.
+    """
+
+    def drawn(stretch: float) -> Drawing:
+        """The figure with vectors of one size."""
+        return _fitted(lambda size: mechanism(variant, motion, index, asked, language, False, size), annotate, stretch)
+
+    return first_clean(partial(drawn, stretch) for stretch in _STRETCHES)
+
+
+def _fitted(base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float) -> Drawing:
+    """The figure on a mechanism of the size with which everything is on the paper."""
+    size = _FIRST_SIZE
+    for _ in range(_TRIES):
+        board = MotionBoard(**vars(base(size)))
+        annotate(board, stretch)
+        low, high = board.sketch.corners()
+        excess = max((high - low).real, (high - low).imag) / _MOST
+        if excess <= 1 or size <= _LEAST_SIZE:
+            break
+        size = max(_LEAST_SIZE, 0.96 * size / excess)
+    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def scale_of(vectors: Sequence[complex], length: float = LONGEST) -> float:
+    """Figure units per m/s or m/s^2, so that the longest vector has the given length (u)."""
+    longest = max((abs(vector) for vector in vectors), default=0.0)
+    return length / longest if longest and math.isfinite(longest) else 0.0
+
+
+def named_together(named: Sequence[tuple[Symbol, complex]], scale: float) -> list[tuple[Formula, complex]]:
+    """Vectors of one point; those that are equal are one arrow with both names, what cannot be seen is left out."""
+    found: list[tuple[Formula, complex]] = []
+    for symbol, vector in named:
+        if scale * abs(vector) < LEAST:
+            continue
+        same = next((i for i, (_, other) in enumerate(found) if abs(other - vector) < EQUAL * abs(vector)), None)
+        if same is None:
+            found.append((symbol, vector))
+        elif isinstance(first := found[same][0], Symbol):
+            found[same] = (Equation(first, symbol), vector)
+    return found

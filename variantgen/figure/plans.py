@@ -1,0 +1,216 @@
+"""Plans of vectors: rays from a pole to scale, the vectors between their ends, construction lines, a scale."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from functools import partial
+
+import numpy as np
+
+from variantgen.families.units import Unit
+from variantgen.figure.clean import first_clean
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
+from variantgen.figure.requests import Request, along_line, around, label_size
+from variantgen.figure.sketch import DOT, Sketch
+from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
+from variantgen.wording.language import Language
+
+_ROOM, _WIDE_ROOM = (64.0, 50.0), (80.0, 70.0)  # for a plan without its letters, few vectors or many, u
+_MANY = 8
+_SIZES = (1.0, 0.94, 1.05, 0.88)  # of a plan, tried until all letters find room
+COINCIDENT = 1.3  # points of a plan that are nearer to each other than this have one place, u
+EQUAL = 1e-6  # relative difference below which two vectors are said to be equal
+_BEYOND = 6.0  # how far a construction line runs on, u
+_ASIDE = 2.4  # between a vector and one that lies on it, u
+_ALONG = math.radians(2.5)
+_BAR = 26.0  # longest scale bar, u
+_BELOW = 7.5  # between plan and scale bar, u
+
+
+@dataclass(frozen=True)
+class Vector:
+    """An arrow of a plan from ``start`` to ``end`` (m/s or m/s^2 from the pole); ``whole`` for one from the pole."""
+
+    start: complex
+    end: complex
+    symbol: Symbol
+    whole: bool = False
+
+
+@dataclass
+class VectorPlan:
+    """What a plan shows: letters at ends of vectors, the vectors, construction lines (end, direction), edges of plates.
+
+    Everything in m/s or m/s^2 from the pole.
+    """
+
+    pole: Symbol
+    ends: list[tuple[Symbol, complex]] = field(default_factory=list)
+    vectors: list[Vector] = field(default_factory=list)
+    lines: list[tuple[complex, complex]] = field(default_factory=list)
+    edges: list[tuple[complex, complex]] = field(default_factory=list)
+
+    @property
+    def extent(self) -> list[complex]:
+        """All places, the pole among them."""
+        return [0j, *(end for _, end in self.ends), *(p for vector in self.vectors for p in (vector.start, vector.end))]
+
+
+def draw_plan(plan: VectorPlan, unit: Unit, language: Language) -> Drawing:
+    """The finished plan; ``unit`` is that of its scale."""
+    scale = _scale(plan.extent, _ROOM if len(plan.vectors) <= _MANY else _WIDE_ROOM)
+    return first_clean(partial(_drawn, plan, size * scale, unit, language) for size in _SIZES)
+
+
+def _drawn(plan: VectorPlan, scale: float, unit: Unit, language: Language) -> Drawing:
+    """The plan at a scale (u per m/s or m/s^2)."""
+    sketch = Sketch({"pole": 0j}, scale)
+    ends = _gathered([(plan.pole, 0j), *((symbol, scale * end) for symbol, end in plan.ends)])
+    vectors = [Vector(scale * v.start, scale * v.end, v.symbol, v.whole) for v in plan.vectors]
+    vectors = [v for v in vectors if abs(v.end - v.start) >= COINCIDENT]
+    crowded = [place for place, symbols in ends if len(symbols) > 1]
+    for end, way in plan.lines:
+        # What coincides anyway is not found by lines that meet.
+        if all(abs(scale * end - place) >= COINCIDENT for place in crowded):
+            _draw_construction(sketch, scale * end, way)
+    for start, end in plan.edges:
+        if abs(end - start) * scale > COINCIDENT:
+            sketch.path((scale * start, scale * end), Layer.MARK, THIN)
+    _draw_vectors(sketch, vectors)
+    sketch.circle(0j, DOT, Layer.HINGE, fill="ink")
+    for place, symbols in ends:
+        names: Formula = symbols[0] if len(symbols) == 1 else Listing(tuple(symbols))
+        sketch.label(around(names, place, 0.7))
+    _draw_scale(sketch, unit, language)
+    return sketch.finish({str(i): place for i, (place, _) in enumerate(ends)})
+
+
+def _scale(places: Sequence[complex], room: tuple[float, float]) -> float:
+    """Figure units per m/s (or m/s^2), so that all places find room."""
+    x, y = [p.real for p in places], [p.imag for p in places]
+    width, height = max(x) - min(x), max(y) - min(y)
+    return min(room[0] / width if width else math.inf, room[1] / height if height else math.inf)
+
+
+def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:
+    """Letters by place; places too near to each other to be told apart are one."""
+    found: list[tuple[complex, list[Symbol]]] = []
+    for symbol, place in named:
+        near = next((symbols for at, symbols in found if abs(at - place) < COINCIDENT), None)
+        if near is None:
+            found.append((place, [symbol]))
+        elif symbol not in near:
+            near.append(symbol)
+    return found
+
+
+def _draw_construction(sketch: Sketch, end: complex, way: complex) -> None:
+    """The line of a known direction, on beyond the end of its vector, which it helps to find."""
+    if abs(way) > 0:
+        way /= abs(way)
+        sketch.path((end - _BEYOND * way, end + _BEYOND * way), Layer.GROUND, THIN, dash="dashed")
+
+
+def _draw_vectors(sketch: Sketch, vectors: Sequence[Vector]) -> None:
+    """The rays from the pole, then what lies between their ends; what coincides is one arrow with all names."""
+    drawn: list[Vector] = []
+    for vector in sorted(vectors, key=lambda v: not v.whole):
+        if any(_same(vector, other) for other in drawn):
+            continue
+        formula = _names([v for v in vectors if _same(vector, v)])
+        aside = _aside(vector, drawn)
+        start, end = vector.start + aside, vector.end + aside
+        weight = BOLD if vector.whole else MEDIUM
+        sketch.arrow(start, end, Layer.VECTOR, weight, min(2.6, 0.7 * abs(end - start)))
+        sketch.label(_beside(formula, start, end, _free_from(vector, vectors)))
+        drawn.append(Vector(start, end, vector.symbol, vector.whole))
+
+
+def _names(vectors: Sequence[Vector]) -> Formula:
+    """The name of one arrow for vectors that cannot be told apart: an equation only where they are equal."""
+    first, *others = vectors
+    if not others:
+        return first.symbol
+    length = abs(first.end - first.start)
+    if all(abs((v.end - v.start) - (first.end - first.start)) < EQUAL * length for v in others):
+        return Equation(first.symbol, others[0].symbol)
+    return Listing(tuple(v.symbol for v in vectors))
+
+
+def _same(first: Vector, second: Vector) -> bool:
+    """Whether two vectors have the same ends, as far as the eye can tell."""
+    return abs(first.start - second.start) < COINCIDENT and abs(first.end - second.end) < COINCIDENT
+
+
+def _aside(vector: Vector, drawn: Sequence[Vector]) -> complex:
+    """How far a part must be moved so as not to lie on what is drawn already; a ray stays."""
+    if vector.whole:
+        return 0j
+    way = (vector.end - vector.start) / abs(vector.end - vector.start)
+    for step in (0j, 1j * way, -1j * way, 2j * way, -2j * way):
+        moved = Vector(vector.start + _ASIDE * step, vector.end + _ASIDE * step, vector.symbol)
+        if not any(_covers(moved, other) for other in drawn):
+            return _ASIDE * step
+    return 0j
+
+
+def _covers(first: Vector, second: Vector) -> bool:
+    """Whether two vectors lie on one line with a good part of the first on the second."""
+    way = (second.end - second.start) / abs(second.end - second.start)
+    start, end = ((p - second.start) / way for p in (first.start, first.end))
+    if max(abs(start.imag), abs(end.imag)) > 0.9:
+        return False
+    low, high = sorted((start.real, end.real))
+    shared = min(high, abs(second.end - second.start)) - max(low, 0.0)
+    return shared > 0.3 * abs(first.end - first.start) or shared > 4.0
+
+
+def _free_from(vector: Vector, others: Sequence[Vector]) -> complex:
+    """Where the name of a ray should begin: past the ends of shorter rays on the same line."""
+    length = abs(vector.end)
+    if not vector.whole:
+        return vector.start
+    shorter = [
+        abs(o.end) for o in others if o.whole and abs(o.end) < length - 7 and abs(np.angle(o.end / vector.end)) < _ALONG
+    ]
+    return max(shorter, default=0.0) / length * vector.end
+
+
+def _beside(formula: Formula, start: complex, end: complex, free: complex) -> Request:
+    """A name beside a vector; ``free`` is where the part begins at which it may stand."""
+    if abs(end - free) > 3.0:
+        near, far = along_line(formula, free, end), along_line(formula, free, end, 2.6)
+        whole = along_line(formula, start, end)
+        places = np.concatenate((near.places, far.places, whole.places))
+        costs = np.concatenate((near.costs, far.costs + 5.0, whole.costs + 7.0))
+        return Request(formula, near.anchor, places, costs, near.extent)
+    return along_line(formula, start, end)
+
+
+def round_length(most: float) -> Decimal:
+    """The largest of 1, 2, 5, 10, 20, ... (and of their tenths) that is not above a number."""
+    power = Decimal(10) ** math.floor(math.log10(most))
+    return max(
+        step * power for step in (Decimal(1), Decimal(2), Decimal(5)) if float(step * power) <= most * (1 + 1e-12)
+    )
+
+
+def _draw_scale(sketch: Sketch, unit: Unit, language: Language) -> None:
+    """A bar below the plan whose length is a round number of units."""
+    value = round_length(unit.from_si(_BAR / sketch.scale))
+    length = unit.to_si(value) * sketch.scale
+    low, _ = sketch.corners()
+    start = low - 1j * _BELOW
+    end = start + length
+    sketch.path((start, end), Layer.MARK, THIN)
+    for place in (start, end):
+        sketch.path((place - 0.9j, place + 0.9j), Layer.MARK, THIN)
+    formula = Measured(language.decimal(value), language.unit(unit))
+    width, height = label_size(formula)
+    after, below = 0.5 * width + np.array([1.4, 2.4, 4.0]), -1j * (0.5 * height + np.array([2.6, 4.0]))
+    places = np.concatenate((end + after, start + 0.5 * length + below))
+    costs = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
+    sketch.label(Request(formula, 0.5 * (start + end), places, costs))

@@ -1,0 +1,147 @@
+"""The motion of a variant as a film (GIF): the mechanism moves, a dot runs along one plot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from variantgen.figure.drawing import LETTER, Label, Layer
+from variantgen.figure.moving import Paper
+from variantgen.mechanism.motion import ComplexField
+from variantgen.outputs.motion.curves import panels
+from variantgen.outputs.motion.panels import draw_panel, frame_paper
+from variantgen.outputs.motion.pen import draw_lines, points_per_unit
+from variantgen.outputs.motion.subject import Subject
+from variantgen.wording.mathtext import to_mathtext
+
+_FRAMES = 60
+_SIZE = (7.2, 3.5)  # inches
+_DPI = 100
+_PAUSE = 70  # milliseconds per picture
+_GREYS = 12
+_FRONT = 7.0  # order of drawing
+_BESIDE = 4.6  # between a moving point and its name, u
+
+
+def film(subject: Subject) -> bytes:
+    """The film: a full turn, or to and fro over the range that can be reached."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=_SIZE, dpi=_DPI)
+    canvas = FigureCanvasAgg(figure)
+    indices = film_indices(subject)
+    stage = _Stage(subject, figure, sorted(set(indices)))
+    pictures: dict[int, Any] = {}
+    for index in sorted(set(indices)):
+        stage.show(index)
+        canvas.draw()
+        pictures[index] = np.asarray(canvas.buffer_rgba())[..., 0].copy()
+    return _gif([pictures[index] for index in indices])
+
+
+def film_indices(subject: Subject) -> list[int]:
+    """Positions in the order of the film: from the instant on, in the sense of the given motion, and back to it."""
+    sweep = subject.course.sweep
+    low, high = float(sweep.way[0]), float(sweep.way[-1])
+    if sweep.closed:
+        ways = low + (np.linspace(0.0, high - low, _FRAMES, endpoint=False) - low) % (high - low)
+    else:
+        step = 2 * (high - low) / _FRAMES
+        legs = [(0.0, high), (high, low), (low, 0.0)]
+        parts = [np.linspace(a, b, max(1, round(abs(b - a) / step)), endpoint=False) for a, b in legs if a != b]
+        ways = np.concatenate(parts)
+    return [int(np.argmin(np.abs(sweep.way - way))) for way in ways]
+
+
+def _gif(pictures: Sequence[Any]) -> bytes:
+    """Grey pictures as an endless film."""
+    from PIL import Image
+
+    frames = [Image.fromarray(picture).quantize(_GREYS) for picture in pictures]
+    stream = BytesIO()
+    frames[0].save(stream, "GIF", save_all=True, append_images=frames[1:], duration=_PAUSE, loop=0, optimize=True)
+    return stream.getvalue()
+
+
+class _Stage:
+    """The figure of the film: what rests is drawn once, what moves is drawn for each picture."""
+
+    def __init__(self, subject: Subject, figure: Any, indices: Sequence[int]) -> None:
+        self.subject = subject
+        sweep, moving = subject.course.sweep, subject.moving
+        resting, frames, labels, paper = moving.film(indices, sweep.instant)
+        self.frames = dict(zip(indices, frames, strict=True))
+        self.axes = figure.add_axes((0.015, 0.03, 0.46, 0.94))
+        self.axes.set_axis_off()
+        tracks = {name: paper.at(z) for name, z in moving.paths.items()}
+        frame_paper(self.axes, [*moving.corners(paper), *(z for track in tracks.values() for z in track)], 7.0)
+        for track in tracks.values():
+            self.axes.plot(track.real, track.imag, color="0.5", linewidth=0.7, zorder=1.5)
+        for ground in moving.ground:
+            track = paper.at(ground)
+            self.axes.plot(track.real, track.imag, color="black", linewidth=1.0, zorder=1.6)
+        draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND])
+        # Bases of hinges are in front of the links that turn about them.
+        draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], _FRONT)
+        self.names = _names(subject, labels, paper)
+        self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
+        self.added: list[Any] = []
+        shown, _ = panels(subject.variant, subject.course, subject.asked, subject.language)
+        self.panel = next((panel for panel in shown if not panel.letters), shown[0] if shown else None)
+        self.dots: list[Any] = []
+        if self.panel is not None:
+            plot = figure.add_axes((0.575, 0.14, 0.405, 0.72))
+            draw_panel(subject, plot, self.panel)
+            self.dots = [
+                plot.plot([0], [curve.now], "o", color="black", markerfacecolor="white", markersize=6, zorder=9)[0]
+                for curve in self.panel.curves
+            ]
+
+    def show(self, index: int) -> None:
+        """Change what moves to another position."""
+        for artist in self.added:
+            artist.remove()
+        self.added = draw_lines(self.axes, self.frames[index])
+        for text, places in self.names:
+            place = places[index]
+            self.added.append(
+                self.axes.text(
+                    place.real, place.imag, text, size=self.size, ha="center", va="center", zorder=10 + int(Layer.LABEL)
+                )
+            )
+        if self.panel is not None:
+            way = self.subject.ways[index]
+            for dot, curve in zip(self.dots, self.panel.curves, strict=True):
+                dot.set_data([way], [curve.values[index]])
+
+
+def _names(subject: Subject, labels: Sequence[Label], paper: Paper) -> list[tuple[str, ComplexField]]:
+    """Names of the points in mathtext, and their places (u) in all positions; at rest beside points at rest."""
+    motion, language, moving = subject.course.sweep.motion, subject.language, subject.moving.paths
+    named = {language.symbol(name, subject.variant.form.symbols): name for name in motion.z}
+    found = []
+    for label in labels:
+        name = next((name for symbol, name in named.items() if symbol == label.formula), None)
+        if name in moving:
+            places = paper.at(motion.z[name]) + _BESIDE * _free_side(subject, name)
+        elif name is not None:
+            places = np.full(motion.size, label.at)
+        else:
+            continue
+        found.append((to_mathtext(label.formula), places))
+    return found
+
+
+def _free_side(subject: Subject, name: str) -> ComplexField:
+    """Unit vectors from a point to where its name does not lie on its links: away from them and somewhat aside."""
+    motion = subject.course.sweep.motion
+    bodies = [members for members in motion.scene.bodies.values() if name in members]
+    joined = sorted({p for members in bodies for p in members if p != name and p in subject.shown})
+    rays = [motion.z[p] - motion.z[name] for p in joined]
+    units = np.array([ray / np.abs(ray) for ray in rays if np.min(np.abs(ray)) > 0] or [np.full(motion.size, -1.0)])
+    side = 0.8j * units[0] - np.mean(units, axis=0)
+    return np.asarray(side / np.where(np.abs(side) > 0, np.abs(side), 1.0))
