@@ -25,7 +25,7 @@ from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
 
 EN = load_language("en")
-SEEDS = 4
+SEEDS = 3
 
 
 @cache
@@ -120,7 +120,7 @@ def test_centres_lie_where_perpendiculars_to_velocities_meet() -> None:
                     near = min(abs(place - at) for place in places)
                     assert near < 1e-6 or any(f"P_{body}" not in text for text in letters), (name, form, body)
                     shown += near < 1e-6
-    assert shown > 100
+    assert shown > 75
 
 
 def test_instantaneous_translation_has_no_centre_and_no_arc() -> None:

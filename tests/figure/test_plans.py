@@ -27,7 +27,7 @@ from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import languages, load_language
 
 EN = load_language("en")
-SEEDS = 4
+SEEDS = 3
 
 
 @cache

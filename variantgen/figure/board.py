@@ -18,8 +18,8 @@ from variantgen.wording.language import Language
 class Board:
     """The drawing board of one figure.
 
-    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``discs`` the radii (u) of the
-    circles drawn of each body.
+    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``given`` the parameters that are
+    marked, ``discs`` the radii (u) of the circles drawn of each body.
     """
 
     sketch: Sketch
@@ -28,6 +28,7 @@ class Board:
     language: Language
     shown: tuple[str, ...]
     accelerations: bool
+    given: frozenset[str] = frozenset()
     clear: dict[str, float] = field(default_factory=dict)
     discs: dict[str, list[float]] = field(default_factory=dict)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from types import ModuleType
 
@@ -18,6 +19,7 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
+from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import fixed_points
@@ -44,6 +46,11 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
+    return replace(finished(board), alt=describe(board, _has_axes(asked)))
+
+
+def finished(board: Board) -> Drawing:
+    """The drawing of a board: labels placed, everything in order; not told in words."""
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
@@ -55,14 +62,16 @@ def mechanism(
     language: Language,
     marks: bool = True,
     size: float = 1.0,
+    scale: float | None = None,
 ) -> Board:
     """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
 
     Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
-    in proportion to that in the statement. Raises InputError like :func:`statement_figure`.
+    in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Raises InputError
+    like :func:`statement_figure`.
     """
     try:
-        return _fitted(variant, motion, index, asked, language, marks, size)
+        return _fitted(variant, motion, index, asked, language, marks, size, scale)
     except (ZeroDivisionError, OverflowError):
         raise InputError(
             Problem(
@@ -82,6 +91,7 @@ def _fitted(
     language: Language,
     marks: bool,
     size: float,
+    kept: float | None,
 ) -> Board:
     form = variant.form
     shown = shown_points(variant, asked)
@@ -91,25 +101,26 @@ def _fitted(
     z = {name: complex(motion.z[name][index]) for name in motion.z}
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
-    scale = size * _scale([z[name] for name in shown], circles)
+    scale = kept or size * _scale([z[name] for name in shown], circles)
     scene = take_scene(motion.scene, index, motion.size)
+    given = frozenset(given_names(variant, asked)) if marks else frozenset()
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
-        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked))
-        _draw(board, set(given_names(variant, asked)) if marks else set(), [r * scale for r in radii], marks)
-        if marks and any(quantity.component in AXIAL for quantity in asked):
+        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
+        _draw(board, [r * scale for r in radii], marks)
+        if marks and _has_axes(asked):
             draw_axes(board)
         low, high = sketch.corners()
         excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
-        if excess <= 1:
+        if excess <= 1 or kept:
             return board
         # Walls and guides reach beyond the mechanism: it is drawn smaller.
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, given: set[str], radii: Sequence[float], marks: bool) -> None:
-    """Everything but the labels; ``radii`` (u) are those of the discs, ``given`` the data to be marked."""
-    sketch, form = board.sketch, board.form
+def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """Everything but the labels; ``radii`` (u) are those of the discs."""
+    sketch, form, given = board.sketch, board.form, board.given
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
@@ -144,6 +155,11 @@ def _draw(board: Board, given: set[str], radii: Sequence[float], marks: bool) ->
         # Last, because the arrows of given motion go where there is room left.
         for driver in board.scene.drivers:
             _draw_symbol(board, driver)
+
+
+def _has_axes(asked: Sequence[Quantity]) -> bool:
+    """Whether what is asked refers to the axes x and y."""
+    return any(quantity.component in AXIAL for quantity in asked)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

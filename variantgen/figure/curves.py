@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from variantgen.figure.drawing import Drawing, Layer, Line, Path, Strokes
+from variantgen.figure.drawing import Layer, Line, Path, Strokes
 
 Step = tuple[str, tuple[complex, ...]]
 
@@ -24,10 +25,10 @@ class Curve:
     steps: tuple[Step, ...]
 
 
-def curves(drawing: Drawing) -> list[Curve]:
-    """The curves of a drawing, back to front; few elements, because the time of every renderer goes by their number."""
+def curves(lines: Iterable[Line]) -> list[Curve]:
+    """The curves of lines, in their order; few elements, because the time of every renderer goes by their number."""
     found: dict[tuple[Layer, float, str, str], list[Step]] = {}
-    for line in drawing.lines:
+    for line in lines:
         fill, dash = ("", "") if isinstance(line, Strokes) else (line.fill, line.dash)
         found.setdefault((line.layer, line.weight, fill, dash), []).extend(_steps(line))
     return [Curve(*style, tuple(steps)) for style, steps in found.items()]

@@ -28,6 +28,7 @@ _INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 100.0, 2.0
 # names.
 _PRODUCT, _BARRIER = 15.0, 14.0
 _BESIDE = 2.4  # u
+_FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24
@@ -87,14 +88,38 @@ def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: 
     boxes = np.array([r.box for r in requests])[owner]
     costs = np.concatenate([r.costs for r in requests])
     costs += _ink_costs(occupancy, places, boxes)
-    # Near a foreign point or arrow: only worth asking where there is no ink.
-    asked = np.flatnonzero(costs < _INK)
-    costs[asked] += _misleading(requests, strangers, places[asked], owner[asked], occupancy)
+    _add_misleading(requests, strangers, occupancy, places, owner, costs)
     bounds = np.cumsum(count)[:-1]
     return [
         _Choice(request, at, cost, np.zeros(len(at), dtype=bool))
         for request, at, cost in zip(requests, np.split(places, bounds), np.split(costs, bounds), strict=True)
     ]
+
+
+def _add_misleading(
+    requests: Sequence[Request],
+    strangers: Sequence[complex],
+    occupancy: Occupancy,
+    places: Places,
+    owner: NDArray[np.intp],
+    costs: Costs,
+) -> None:
+    """Add what a candidate could be mistaken for, but only to those that may win.
+
+    The best few of each label are asked first; where one of them stays better than all others, nothing else matters.
+    """
+    order = np.lexsort((costs, owner))
+    rank = np.empty(len(order), dtype=np.intp)
+    rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner[order])
+    first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
+    costs[first] += _misleading(requests, strangers, places[first], owner[first], occupancy)
+    asked = np.zeros(len(costs), dtype=bool)
+    asked[first] = True
+    best = np.full(len(requests), np.inf)
+    np.minimum.at(best, owner[first], costs[first])
+    rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
+    if rest.size:
+        costs[rest] += _misleading(requests, strangers, places[rest], owner[rest], occupancy)
 
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
@@ -173,7 +198,9 @@ def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
             return
         for i in (k for k in order if k in pending):
             choices[i].taken = int(np.argmin(choices[i].costs + _pair_costs(choices, i)))
-        pending = set(_conflicting(choices))
+        # A label that could be led to, but still lies on a line, tries again in view of what has moved.
+        stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
+        pending = set(_conflicting(choices)) | stuck
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:

@@ -27,6 +27,7 @@ _SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0])  # of a dimension 
 _LANE = 15  # places along a dimension line that are looked at
 _SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
 # Directions of a radius: those at half a right angle read best, above rather than below.
+_FINALISTS = 8
 _DIRECTIONS = np.radians(np.arange(0, 360, 15))
 _DIRECTION_COSTS = 0.3 * np.abs(np.cos(2 * _DIRECTIONS)) + 0.2 * (1 - np.sin(_DIRECTIONS)) + 0.001 * np.arange(24)
 
@@ -173,15 +174,18 @@ def _roomiest_radius(board: Board, point: str, radius: float, begin: float, lett
     sketch = board.sketch
     centre = sketch.at[point]
     ways = np.exp(1j * _DIRECTIONS)
-    crossed = sketch.rays_crossed(centre, _DIRECTIONS, 0.0, radius - 0.3)
+    room = np.maximum(0.0, math.radians(30) - sketch.freedom(point, _DIRECTIONS))
+    costs = 3 * sketch.rays_crossed(centre, _DIRECTIONS, 0.0, radius - 0.3) + 8 * room + _DIRECTION_COSTS
+    # What the letter would cover is asked only of the directions that are best without it.
+    finalists = np.argsort(costs, kind="stable")[:_FINALISTS]
+    ways, costs = ways[finalists], costs[finalists]
     half_width, half_height = 0.5 * letters[0], 0.5 * letters[1]
     support = 1.0 + half_width * np.abs(ways.imag) + half_height * np.abs(ways.real)
     beside = [centre + (0.5 * (begin + radius) + side * 1j * support) * ways for side in (1, -1)]
     ahead = centre + (radius + 1.0 + half_width * np.abs(ways.real) + half_height * np.abs(ways.imag)) * ways
     covered = sketch.crossings(np.concatenate((*beside, ahead)), (half_width + GAP, half_height + GAP))
     best = np.min(np.minimum(covered.reshape(3, -1), 4) + np.array([[0.0], [0.0], [0.6]]), axis=0)
-    room = np.maximum(0.0, math.radians(30) - sketch.freedom(point, _DIRECTIONS))
-    return float(_DIRECTIONS[int(np.argmin(3 * crossed + 2 * best + 8 * room + _DIRECTION_COSTS))])
+    return float(_DIRECTIONS[finalists[int(np.argmin(costs + 2 * best))]])
 
 
 def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:

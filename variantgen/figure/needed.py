@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Sliding
-from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.structure import Carry, Closure, Lead, Loose, RowEquation, Slide, Step
 
 
@@ -50,9 +47,8 @@ class Needed:
 
     def _body(self, body: str) -> None:
         self._unknown(self._plan.omega[body])
-        for first, second in pairwise(self._form.bodies[body][:2]):
-            self._point(first)
-            self._point(second)
+        for point in self._form.bodies[body][:2]:
+            self._point(point)
 
     def _point(self, name: str) -> None:
         if name in self.points:
@@ -64,7 +60,7 @@ class Needed:
     def _step(self, step: Step) -> None:
         match step:
             case Lead(_, constraint, row, _):
-                self._row(self._scene, constraint, row)
+                self._row(constraint, row)
             case Slide(_, _, _, unknown, _):
                 self._unknown(unknown)
             case Loose(_, x, y, _):
@@ -74,8 +70,8 @@ class Needed:
                 self._point(pole)
                 self._unknown(self._plan.omega[body])
 
-    def _row(self, scene: Scene, constraint: int, row: int) -> None:
-        shape = scene.constraints[constraint].shapes()[row]
+    def _row(self, constraint: int, row: int) -> None:
+        shape = self._scene.constraints[constraint].shapes()[row]
         for name in shape.points:
             self._point(name)
         for body in shape.bodies:
@@ -94,4 +90,4 @@ class Needed:
                 self._point(equation.step.point)
                 self._step(equation.step)
             else:
-                self._row(self._scene, equation.constraint, equation.row)
+                self._row(equation.constraint, equation.row)

@@ -63,6 +63,20 @@ _AROUND_COSTS = (
 _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
 _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
+# Beside an arrow: distances, both sides of each part; before its head.
+_ASIDE = np.array([_OFF, 3.5, 7.0])[:, None]
+_SIDES = np.array([1.0, -1.0])[:, None]
+_AHEAD = np.array([1.0, 2.5, 5.0, 8.0, 11.0])
+_ARROW_COSTS = np.concatenate(
+    (
+        (
+            np.array([0.0, 7.0, 10.0])[:, None, None]
+            + np.array([0.0, 0.2])[None, :, None]
+            + (10 * np.abs(_PARTS - 0.5) + 2 * np.abs(_PARTS - 0.6))[None, None, :]
+        ).ravel(),
+        [1.5, 3.0, 5.0, 8.0, 11.0],
+    )
+)
 _ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
 _ARC_RINGS = np.array([0.0, 1.1, 2.5, 4.3]) + _OFF
 _ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
@@ -115,19 +129,15 @@ def along_radius(formula: Formula, centre: complex, rim: complex, start: complex
 
 
 def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
-    """Candidates beside an arrow, best near its head, and before its head."""
-    beside = along_line(formula, start, end)
-    way = (end - start) / abs(end - start)
-    half_width, half_height = beside.box
-    support = half_width * abs(way.real) + half_height * abs(way.imag)
-    ahead = end + way * (np.array([1.0, 2.5, 5.0, 8.0, 11.0]) + support)
-    far, farther = (along_line(formula, start, end, clear) for clear in (3.5, 7.0))
-    near_head = 2 * np.abs((beside.places - 0.6 * end - 0.4 * start) / abs(end - start))
-    costs = np.concatenate(
-        (beside.costs + near_head, [1.5, 3.0, 5.0, 8.0, 11.0], far.costs + 7.0, farther.costs + 10.0)
-    )
-    extent = tuple(start + part * (end - start) for part in (0.0, 0.25, 0.5, 0.75))
-    return Request(formula, end, np.concatenate((beside.places, ahead, far.places, farther.places)), costs, extent)
+    """Candidates beside an arrow, best near its head, and before its head; less good ones farther aside."""
+    width, height = label_size(formula)
+    step = end - start
+    way = step / abs(step)
+    aside = 0.5 * (width * abs(way.imag) + height * abs(way.real))
+    ahead = end + way * (_AHEAD + 0.5 * (width * abs(way.real) + height * abs(way.imag)))
+    beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
+    places = np.concatenate((beside.ravel(), ahead))
+    return Request(formula, end, places, _ARROW_COSTS, tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75)))
 
 
 def along_arc(

@@ -122,10 +122,8 @@ class Sketch:
         """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
         return boxes_crossed(np.asarray(places), half_sides, self._segments())
 
-    def circle_crossings(
-        self, centre: complex, radii: NDArray[np.float64]
-    ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-        """Where the lines drawn so far cross circles about a centre: numbers of the circles, directions (rad)."""
+    def circle_crossings(self, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Directions (rad) from a centre in which the lines drawn so far cross circles about it."""
         segments = self._segments()
         start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
         # |start + t step| = radius
@@ -134,17 +132,16 @@ class Sketch:
         circle, line = np.nonzero((root >= 0) & (a > 0))
         start, step, a, b, root = start[line], step[line], a[line], b[line], np.sqrt(root[circle, line])
         t = np.concatenate(((-b - root) / a, (-b + root) / a))
-        on = (t >= 0) & (t <= 1)
-        places = np.tile(start, 2)[on] + t[on] * np.tile(step, 2)[on]
-        return np.tile(circle, 2)[on], np.angle(places)
+        on = np.flatnonzero((t >= 0) & (t <= 1))
+        line = on % len(start) if len(start) else on
+        result: NDArray[np.float64] = np.angle(start[line] + t[on] * step[line])
+        return result
 
-    def corners_near_circle(
-        self, centre: complex, radii: NDArray[np.float64], margin: float
-    ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-        """Beginnings of segments within a margin of circles about a centre: numbers of circles, directions (rad)."""
+    def corners_near_circle(self, centre: complex, radius: float, margin: float) -> NDArray[np.float64]:
+        """Directions (rad) from a centre of the beginnings of segments within a margin of a circle about it."""
         arms = self._segments()[:, 0] - centre
-        circle, line = np.nonzero(np.abs(np.abs(arms) - radii[:, None]) < margin)
-        return circle, np.angle(arms[line])
+        result: NDArray[np.float64] = np.angle(arms[np.abs(np.abs(arms) - radius) < margin])
+        return result
 
     def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
         """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""
@@ -185,7 +182,7 @@ class Sketch:
         return Drawing(
             high.real - low.real,
             high.imag - low.imag,
-            tuple(_moved(line, -low) for line in ordered),
+            tuple(moved(line, -low) for line in ordered),
             tuple(type(label)(label.formula, label.at - low, label.size) for label in labels),
             scale=self.scale,
             origin=-low,
@@ -202,7 +199,8 @@ def _extent(line: Line) -> list[complex]:
     return [line.at(i / 8) for i in range(9)]
 
 
-def _moved(line: Line, by: complex) -> Line:
+def moved(line: Line, by: complex) -> Line:
+    """A line at another place."""
     if isinstance(line, Path):
         return Path(tuple(p + by for p in line.points), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):

@@ -8,8 +8,9 @@ import shutil
 import signal
 import tempfile
 import threading
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
+from fnmatch import fnmatchcase
 from pathlib import Path
 from types import FrameType
 
@@ -18,15 +19,18 @@ from variantgen.errors import InputError, Problem
 KNOWN_FILES = {"sheets.pdf", "key.pdf", "key.csv", "manifest.json"}
 
 
-def check_free(target: Path, force: bool) -> None:
-    """Raise InputError if the target exists and may not be replaced, or cannot be made."""
+def check_free(target: Path, force: bool, known: Collection[str] = KNOWN_FILES) -> None:
+    """Raise InputError if the target exists and may not be replaced, or cannot be made.
+
+    ``known`` are the files of an output, which may be replaced: names or patterns like ``figures/*.svg``.
+    """
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
     if target.exists() and not force:
         remedy = "choose another, or --force replaces an earlier output"
         raise InputError(Problem("the output folder exists", key="--out", value=str(target), remedy=remedy))
     if target.exists():
-        foreign = sorted(path.name for path in target.iterdir() if path.name not in KNOWN_FILES)
+        foreign = list(_foreign(target, known))
         if foreign or target.resolve() in (Path.cwd(), *Path.cwd().parents):
             remedy = "--force replaces only an empty folder or an earlier output; choose another folder"
             what = ", ".join(foreign[:3]) or "the working folder"
@@ -44,18 +48,29 @@ def check_free(target: Path, force: bool) -> None:
         raise InputError(Problem("the parent folder cannot be written to", key="--out", value=str(parent)))
 
 
+def _foreign(folder: Path, known: Collection[str], within: str = "") -> Iterator[str]:
+    """What a folder holds besides known files."""
+    for path in sorted(folder.iterdir()):
+        name = within + path.name
+        if path.is_dir() and not path.is_symlink() and any(pattern.startswith(f"{name}/") for pattern in known):
+            yield from _foreign(path, known, f"{name}/")
+        elif path.is_dir() or not any(fnmatchcase(name, pattern) for pattern in known):
+            yield name
+
+
 @contextmanager
-def whole_folder(target: Path, force: bool = False) -> Iterator[Path]:
+def whole_folder(target: Path, force: bool = False, known: Collection[str] = KNOWN_FILES) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
     the name ``.NAME.replaced`` for the moment of the change; the next run puts it back if the change was cut short.
+    ``known`` are the files of an output (see :func:`check_free`).
     """
     target = target.resolve()
     replaced = target.with_name(f".{target.name}.replaced")
     _tidy(target, replaced)
-    check_free(target, force)
+    check_free(target, force, known)
     mine = f".{target.name}.partial-{os.getpid()}-"
     main = threading.current_thread() is threading.main_thread()
     # The handler comes before the folder, so that no signal can find a folder that nobody would remove.

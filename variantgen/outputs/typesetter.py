@@ -89,7 +89,8 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "w": round(drawing.width, 2),
         "h": round(height, 2),
         "letter": LETTER,
-        "curves": [[c.weight, c.fill, DASHES[c.dash], [step(*s) for s in c.steps]] for c in curves(drawing)],
+        "alt": drawing.alt,
+        "curves": [[c.weight, c.fill, DASHES[c.dash], [step(*s) for s in c.steps]] for c in curves(drawing.lines)],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }
 

@@ -24,7 +24,8 @@ _LEAST = 5.0  # radius of an arc, u
 _MARGIN = 0.8  # free space on both sides of an arc, u
 _STRANGE = 14.0  # distance at which an arc cannot be taken for another one's, u
 _APART = math.radians(115)  # between the two arcs of one body
-_FINALISTS = 24
+_FINALISTS = 9
+_FREE = 3.0  # cost of an arc that crosses nothing and whose letters cover nothing
 _MOST_RADII = 4
 _ROOM = math.radians(40)  # from an arc to the nearest link at its pivot
 _ANGLES = np.radians(np.arange(0, 360, 15))
@@ -86,39 +87,51 @@ def _roomiest_arc(
 ) -> tuple[float, float]:
     """Radius and direction of the middle of the arc that crosses least, with letters that cover least.
 
-    It is not mistaken for another one: the arcs of one body (``taken`` directions) never lie side by side.
+    It is not mistaken for another one: the arcs of one body (``taken`` directions) never lie side by side. A less usual
+    radius is tried only where no arc of the radii before it is free.
     """
+    best = (math.inf, 0.0, 0.0)
+    for number, radius in enumerate(radii):
+        if best[0] < _FREE:
+            break
+        cost, angle = _roomiest_direction(board, pivot, float(radius), formula, taken)
+        best = min(best, (cost + _UNUSUAL * number, float(radius), angle))
+    return best[1], best[2]
+
+
+def _roomiest_direction(
+    board: Board, pivot: str, radius: float, formula: Symbol, taken: Sequence[float]
+) -> tuple[float, float]:
+    """Cost and direction of the best arc of one radius."""
     sketch = board.sketch
     centre = sketch.at[pivot]
     half_width, half_height = (0.5 * side for side in label_size(formula))
-    support = 1.0 + half_width * np.abs(_WAYS.real) + half_height * np.abs(_WAYS.imag)
-    places = centre + (_WAYS * (radii[:, None] + support)).ravel()
-    middles = centre + (_WAYS * radii[:, None]).ravel()
-    every = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
+    places = centre + _WAYS * (radius + 1.0 + half_width * np.abs(_WAYS.real) + half_height * np.abs(_WAYS.imag))
+    middles = centre + _WAYS * radius
+    costs = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
     for other in taken:
         gap = np.abs(np.remainder(_ANGLES - other + math.pi, math.tau) - math.pi)
-        every = every + _TOGETHER * (gap < _APART)
-    costs = (every + _UNUSUAL * np.arange(len(radii))[:, None] + _CROSSED * _crossed(board, centre, radii)).ravel()
-    costs += _ON_DISC * _on_other_discs(board, centre, middles) + _STRANGER * _near_other_arcs(board, places, middles)
+        costs = costs + _TOGETHER * (gap < _APART)
+    costs = costs + _CROSSED * _crossed(board, centre, radius) + _ON_DISC * _on_other_discs(board, centre, middles)
+    costs = costs + _STRANGER * _near_other_arcs(board, places, middles)
     # What the letters would cover is asked only of the arcs that are best without it.
     best = np.argsort(costs, kind="stable")[:_FINALISTS]
     covered = np.minimum(sketch.crossings(places[best], (half_width + GAP, half_height + GAP)), 4)
-    chosen = int(best[np.argmin(costs[best] + _COVERED * covered)])
-    return float(radii[chosen // _ANGLES.size]), float(_ANGLES[chosen % _ANGLES.size])
+    total = costs[best] + _COVERED * covered
+    chosen = int(np.argmin(total))
+    return float(total[chosen]), float(_ANGLES[best[chosen]])
 
 
-def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How many lines each arc meets or nearly meets, shape (radii, angles)."""
-    circles = (radii[:, None] + np.array([-_MARGIN, _MARGIN])).ravel()
-    circle, direction = board.sketch.circle_crossings(centre, circles)
-    along = board.sketch.corners_near_circle(centre, radii, _MARGIN)
+def _crossed(board: Board, centre: complex, radius: float) -> NDArray[np.float64]:
+    """How many lines the arc in each direction meets or nearly meets, shape (angles,)."""
+    circles = np.array([radius - _MARGIN, radius + _MARGIN])
     # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
-    circle, direction = np.append(circle, 2 * along[0]), np.append(direction, along[1])
-    half = 0.5 * np.minimum(_SWEEP, _LONGEST / radii) + _MARGIN / radii
-    gaps = np.abs(np.remainder(direction[:, None] - _ANGLES + math.pi, math.tau) - math.pi)
-    met = np.zeros((len(radii), _ANGLES.size))
-    np.add.at(met, circle // 2, gaps < half[circle // 2, None])
-    return np.minimum(met, 5.0)
+    along = board.sketch.corners_near_circle(centre, radius, _MARGIN)
+    direction = np.append(board.sketch.circle_crossings(centre, circles), along)
+    gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
+    met = np.sum(gaps < 0.5 * _sweep(radius) + _MARGIN / radius, axis=1)
+    result: NDArray[np.float64] = np.minimum(met, 5).astype(float)
+    return result
 
 
 def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import ToolMissingError
-from variantgen.figure.curves import AROUND, DASHES, Curve, Step, curves
-from variantgen.figure.drawing import LETTER, Drawing, Layer
+from variantgen.figure.curves import AROUND, DASHES, Step, curves
+from variantgen.figure.drawing import LETTER, Drawing, Layer, Line
 from variantgen.figure.lettering import letters_of
 from variantgen.outputs.figures import unit
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _FILLS = {"": "none", "ink": "black", "paper": "white", "shade": "0.92"}
+_THINNEST = 0.35  # points
+_ABOVE = 2.0
 
 
 def need_matplotlib() -> None:
@@ -38,10 +42,10 @@ def figure(drawing: Drawing, width_mm: float | None = None) -> Figure:
     return made
 
 
-def draw_on(axes: Axes, drawing: Drawing, labels: bool = True) -> None:
+def draw_on(axes: Axes, drawing: Drawing) -> None:
     """Draw on axes, which get the extent of the drawing (u), equal scales and no frame.
 
-    Lines are as thick as the size of the axes asks for now; one that is resized later keeps them.
+    Lines are as thick as the size of the axes asks for now; when the axes are resized later, lines keep their weight.
     """
     from matplotlib.patches import PathPatch, Rectangle
 
@@ -50,35 +54,51 @@ def draw_on(axes: Axes, drawing: Drawing, labels: bool = True) -> None:
     axes.set_aspect("equal")
     axes.set_axis_off()
     axes.apply_aspect()
-    pen = 72 / axes.figure.dpi * axes.get_window_extent().width / drawing.width  # points of one figure unit
-    for curve in curves(drawing):
-        axes.add_patch(
-            PathPatch(
-                _path(curve.steps),
-                facecolor=_FILLS[curve.fill],
-                edgecolor="black" if curve.weight else "none",
-                linewidth=curve.weight * pen,
-                linestyle=_dashes(curve),
-                capstyle="round",
-                joinstyle="round",
-                snap=False,
-                zorder=2 + curve.layer,
-            )
-        )
-    for label in drawing.labels if labels else ():
+    draw_lines(axes, drawing.lines, points_per_unit(axes))
+    front = _ABOVE + Layer.LABEL
+    for label in drawing.labels:
         width, height = (side + 2 * AROUND for side in label.size)
         corner = label.at - complex(width, height) / 2
-        paper = Rectangle((corner.real, corner.imag), width, height, facecolor="white", edgecolor="none")
-        paper.set_zorder(2 + Layer.LABEL)
+        paper = Rectangle((corner.real, corner.imag), width, height, facecolor="white", edgecolor="none", zorder=front)
         axes.add_patch(paper)
         for glyph, at in letters_of(label):
             steps = [(kind, tuple(at + LETTER * point for point in points)) for kind, points in glyph.steps]
-            axes.add_patch(PathPatch(_path(steps), facecolor="black", edgecolor="none", zorder=3 + Layer.LABEL))
+            axes.add_patch(PathPatch(_path(steps), facecolor="black", edgecolor="none", zorder=front + 1))
 
 
-def _dashes(curve: Curve) -> Any:
-    """The dashes of a curve, which matplotlib counts in weights of its pen."""
-    return (0, [length / curve.weight for length in DASHES[curve.dash]]) if curve.dash and curve.weight else "solid"
+def draw_lines(axes: Axes, lines: Iterable[Line], points: float, above: float = _ABOVE) -> list[Artist]:
+    """Draw lines in the order of their layers on axes whose coordinates are u; ``points`` to the u give their weight.
+
+    Returns what was added, to be removed again; ``above`` is the order of the hindmost layer.
+    """
+    from matplotlib.patches import PathPatch
+
+    added: list[Artist] = []
+    for curve in curves(lines):
+        weight = max(_THINNEST, curve.weight * points) if curve.weight else 0.0
+        # The library counts dashes in weights of their pen.
+        dashes = [length * points / weight for length in DASHES[curve.dash]] if weight else []
+        patch = PathPatch(
+            _path(curve.steps),
+            facecolor=_FILLS[curve.fill],
+            edgecolor="black" if curve.weight else "none",
+            linewidth=weight,
+            linestyle=(0, dashes) if dashes else "solid",
+            capstyle="round",
+            joinstyle="round",
+            snap=False,
+            zorder=above + curve.layer,
+        )
+        added.append(axes.add_artist(patch))
+    return added
+
+
+def points_per_unit(axes: Axes) -> float:
+    """Printer's points per u of axes whose coordinates are u."""
+    box, (low, high) = axes.get_position(), axes.get_xlim()
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    return float(72 * box.width * figure.get_size_inches()[0] / (high - low))
 
 
 def _path(steps: Any) -> Any:

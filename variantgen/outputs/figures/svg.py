@@ -34,7 +34,7 @@ def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
 def svg(drawing: Drawing, title: str = "", width_mm: float | None = None) -> str:
     """The ``svg`` element, for a file or inside a page of HTML."""
     height = drawing.height
-    body = [_curve(curve, height) for curve in curves(drawing)]
+    body = [_curve(curve, height) for curve in curves(drawing.lines)]
     body += [_paper(label, height) for label in drawing.labels]
     letters = [_letter(glyph, at, height) for label in drawing.labels for glyph, at in letters_of(label)]
     wide, tall = (_number(unit(drawing, width_mm) * side) for side in (drawing.width, height))

@@ -11,9 +11,9 @@ import numpy as np
 from variantgen.figure.drawing import LETTER, Label, Layer
 from variantgen.figure.moving import Paper
 from variantgen.mechanism.motion import ComplexField
+from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
 from variantgen.outputs.motion.curves import panels
-from variantgen.outputs.motion.panels import draw_panel, frame_paper
-from variantgen.outputs.motion.pen import draw_lines, points_per_unit
+from variantgen.outputs.motion.panels import draw_panel, drawing_weight, frame_paper
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.mathtext import to_mathtext
 
@@ -84,9 +84,10 @@ class _Stage:
         for ground in moving.ground:
             track = paper.at(ground)
             self.axes.plot(track.real, track.imag, color="black", linewidth=1.0, zorder=1.6)
-        draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND])
+        self.weight = drawing_weight(self.axes)
+        draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND], self.weight)
         # Bases of hinges are in front of the links that turn about them.
-        draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], _FRONT)
+        draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], self.weight, _FRONT)
         self.names = _names(subject, labels, paper)
         self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
         self.added: list[Any] = []
@@ -105,7 +106,7 @@ class _Stage:
         """Change what moves to another position."""
         for artist in self.added:
             artist.remove()
-        self.added = draw_lines(self.axes, self.frames[index])
+        self.added = draw_lines(self.axes, self.frames[index], self.weight)
         for text, places in self.names:
             place = places[index]
             self.added.append(

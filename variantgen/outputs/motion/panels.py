@@ -10,8 +10,8 @@ import numpy as np
 from variantgen.families.units import unit
 from variantgen.figure.drawing import LETTER, Drawing, Layer
 from variantgen.figure.moving import Paper
+from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
 from variantgen.outputs.motion.curves import Panel, origin
-from variantgen.outputs.motion.pen import draw_lines, points_per_unit
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Symbol
@@ -27,6 +27,7 @@ _PENS: tuple[tuple[Any, str, float], ...] = (
     ("-", "0.58", 1.6),
     ((0, (4, 1.6)), "0.58", 1.6),
 )
+_HEAVIEST = 2.6  # points to the u
 _PAPER_EDGE = 2.0  # beside the picture of the mechanism, u
 
 
@@ -106,9 +107,14 @@ class MechanismPicture:
         for ground in self.subject.moving.ground:
             track = self.paper.at(ground)
             axes.plot(track.real, track.imag, color="black", linewidth=0.9, zorder=1.6)
-        draw_lines(axes, self.drawing.lines)
+        draw_lines(axes, self.drawing.lines, drawing_weight(axes))
         _draw_labels(axes, self.drawing)
         _number_paper(self.subject, axes, self.paper)
+
+
+def drawing_weight(axes: Any) -> float:
+    """Points to the u that give lines their weight: to scale, but no thicker than in print."""
+    return min(_HEAVIEST, points_per_unit(axes))
 
 
 def frame_paper(axes: Any, corners: Iterable[complex], margin: float) -> None:

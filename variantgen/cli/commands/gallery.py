@@ -1,0 +1,42 @@
+"""``variantgen gallery``: figures of families to look at."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+from variantgen.cli.options import add_families, at_least_one
+
+HELP = "make a gallery of figures"
+DESCRIPTION = "Make a gallery of families: index.html, gallery.pdf and the figures as SVG in a new folder."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("family", nargs="*", metavar="FAMILY", help="families to show (default: all)")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
+    parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    parser.add_argument("--each", type=int, default=3, metavar="N", help="variants of each form (default: 3)")
+    parser.add_argument("--seed", type=int, default=1, metavar="S", help="seed of the first of them (default: 1)")
+    parser.add_argument("--force", action="store_true", help="replace an earlier gallery whole")
+    add_families(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Write the folder."""
+    from variantgen.families.folders import family_folders
+    from variantgen.families.load import family_names, load_family
+    from variantgen.outputs.gallery import Wanted, write_gallery
+
+    at_least_one("--each", arguments.each)
+    folders = family_folders(arguments.families)
+    names = list(dict.fromkeys(arguments.family)) or family_names(folders)
+    families = [load_family(name, folders) for name in names]
+    options = tuple(part for folder in arguments.families for part in ("--families", str(folder)))
+    wanted = Wanted(families, arguments.lang, arguments.each, arguments.seed, folders, options)
+    start = time.perf_counter()
+    count = write_gallery(wanted, arguments.out, arguments.force)
+    print(f"{count} figures in {arguments.out} ({time.perf_counter() - start:.1f} s)", file=sys.stderr)
+    return 0

@@ -1,0 +1,188 @@
+"""The gallery: figures of families, several of each form, as a page of HTML, a PDF and single files."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jinja2
+from markupsafe import Markup
+
+from variantgen.families.family import Family
+from variantgen.figure.build import statement_figure
+from variantgen.figure.drawing import Drawing
+from variantgen.outputs.figures.svg import render, svg
+from variantgen.outputs.folder import check_free, whole_folder
+from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.resources import templates_dir
+from variantgen.single import asked_quantities, one_variant
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.formula import to_typst
+from variantgen.wording.html import to_html
+from variantgen.wording.language import Language, load_language
+from variantgen.wording.statement import Statement, Text, statement
+
+FILES = ("index.html", "gallery.pdf", "figures/*.svg")
+
+
+@dataclass(frozen=True)
+class Example:
+    """One variant of a form: the name of its file, its seed, drawing and statement."""
+
+    name: str
+    seed: str
+    drawing: Drawing
+    said: Statement
+
+
+@dataclass(frozen=True)
+class Row:
+    """The variants of one form, and the command that shows one of them but for its seed."""
+
+    form: str
+    examples: tuple[Example, ...]
+    command: str
+
+
+Shown = Sequence[tuple[Family, Sequence[Row]]]
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a gallery shows: ``each`` variants of every form, of the seeds ``seed``, ``seed + 1``, and so on.
+
+    ``folders`` are those of families besides the catalogue, ``options`` what the commands need to find them.
+    """
+
+    families: Sequence[Family]
+    language: str = "en"
+    each: int = 3
+    seed: int = 1
+    folders: tuple[Path, ...] = ()
+    options: tuple[str, ...] = ()
+
+
+def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
+    """Write the gallery into the folder ``out``, which is complete or not there; returns the number of figures.
+
+    ``index.html`` stands alone; ``gallery.pdf`` has a bookmark for each family; ``figures`` holds the figures as SVG.
+    The same input gives the same bytes. Raises InputError for wrong input.
+    """
+    language = load_language(wanted.language)
+    check_free(out, force, FILES)
+    with whole_folder(out, force, FILES) as folder:
+        shown = [(family, _rows(wanted, family, language)) for family in wanted.families]
+        every = [example for _, rows in shown for row in rows for example in row.examples]
+        (folder / "figures").mkdir()
+        for example in every:
+            (folder / "figures" / f"{example.name}.svg").write_bytes(render(example.drawing))
+        _write(folder / "index.html", _page(shown, language).encode())
+        with typesetter() as engine:
+            _write(folder / "gallery.pdf", engine.compile("gallery.typ", _document(shown, language))[0])
+    return len(every)
+
+
+def _rows(wanted: Wanted, family: Family, language: Language) -> list[Row]:
+    """The forms of a family with their variants."""
+    rows = []
+    for form in family.forms:
+        command = ["variantgen", "show", family.name, *(["--form", form] if form else [])]
+        command += [*(["--lang", language.name] if language.name != "en" else []), *wanted.options]
+        examples = tuple(_example(wanted, family, form, number, language) for number in range(1, wanted.each + 1))
+        rows.append(Row(form, examples, shlex.join(command)))
+    return rows
+
+
+def _example(wanted: Wanted, family: Family, form: str, number: int, language: Language) -> Example:
+    """One variant of a form; the same that the command shows."""
+    seed = str(wanted.seed + number - 1)
+    variant = one_variant(family.name, seed=seed, form=form, folders=wanted.folders)
+    asked = asked_quantities(variant)
+    drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked, language)
+    name = "-".join(part for part in (family.name, form, str(number)) if part)
+    return Example(name, seed, drawing, statement(variant, asked, language))
+
+
+def _counts(shown: Shown, language: Language) -> str:
+    """How many families, forms and figures there are."""
+    rows = [row for _, own in shown for row in own]
+    figures = sum(len(row.examples) for row in rows)
+    return language.words("gallery")["counts"].format(families=len(shown), forms=len(rows), figures=figures)
+
+
+def _page(shown: Shown, language: Language) -> str:
+    """The page of HTML."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(templates_dir() / "gallery"),
+        undefined=jinja2.StrictUndefined,
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    families = [
+        {
+            "name": family.name,
+            "title": family.title(language.name),
+            "forms": [
+                {"name": row.form, "figures": [_figure(family, row, e, language) for e in row.examples]} for row in rows
+            ],
+        }
+        for family, rows in shown
+    ]
+    return environment.get_template("index.html.j2").render(
+        lang=language.name,
+        words=language.words("gallery"),
+        sheet=language.words("sheet"),
+        counts=_counts(shown, language),
+        families=families,
+    )
+
+
+def _figure(family: Family, row: Row, example: Example, language: Language) -> dict[str, Any]:
+    """A figure of the page: markup that the program has made itself is marked as such."""
+    comma = Markup(", ")
+    return {
+        "svg": Markup(svg(example.drawing, f"{family.title(language.name)} ({example.name})")),  # noqa: S704
+        "text": _markup(example.said.text),
+        "given": comma.join(_markup([equation]) for equation in example.said.given),
+        "asked": comma.join(_markup([symbol]) for symbol in example.said.asked),
+        "command": f"{row.command} --seed {example.seed}",
+    }
+
+
+def _markup(text: Text | Sequence[Any]) -> Markup:
+    """Text with formulas: strings are escaped, formulas are markup."""
+    return Markup("").join(part if isinstance(part, str) else Markup(to_html(part)) for part in text)  # noqa: S704
+
+
+def _document(shown: Shown, language: Language) -> dict[str, Any]:
+    """Data for ``gallery.typ``."""
+    return {
+        "lang": language.name,
+        "words": {**language.words("sheet"), **language.words("gallery")},
+        "counts": _counts(shown, language),
+        "families": [
+            {"title": family.title(language.name), "forms": [_form_data(row) for row in rows]} for family, rows in shown
+        ],
+    }
+
+
+def _form_data(row: Row) -> dict[str, Any]:
+    return {
+        "name": row.form,
+        "asked": [to_typst(symbol) for symbol in row.examples[0].said.asked],
+        "command": row.command,
+        "figures": [{"figure": figure_data(example.drawing), "seed": example.seed} for example in row.examples],
+    }
+
+
+def _write(path: Path, content: bytes) -> None:
+    with path.open("wb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
