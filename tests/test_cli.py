@@ -180,3 +180,33 @@ def test_output_that_cannot_be_written(family: str) -> None:
     assert done.returncode == 2
     assert "Traceback" not in done.stderr
     assert "writing failed" in done.stderr
+
+
+def test_show_writes_the_figure_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made = set()
+    for kind in ("statement", "velocities", "accelerations", "velocity_plan", "acceleration_plan"):
+        path = tmp_path / f"{kind}.svg"
+        assert main(["show", "four_bar", "--seed", "3", "--lang", "ru", "--view", kind, "--figure", str(path)]) == 0
+        assert path.read_text("utf-8").endswith("</svg>\n")
+        made.add(path.read_text("utf-8"))
+    assert len(made) == 5
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "written" in captured.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--figure", "figure.svg", "--view", "velocity_pln"], "did you mean velocity_plan"),
+        (["--figure", "figure.jpeg"], "unknown format of a figure"),
+        (["--figure", "nowhere/figure.svg"], "cannot be written"),
+    ],
+)
+def test_show_says_what_is_wrong_with_a_figure(
+    arguments: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["show", "four_bar", *arguments]) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())

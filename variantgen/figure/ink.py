@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from itertools import pairwise
 
 import numpy as np
@@ -24,12 +23,8 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
         return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    return list(pairwise(line.at(i / count) for i in range(count + 1)))
-
-
-def ink(lines: Iterable[Line]) -> Segments:
-    """The segments of many lines, shape (S, 2)."""
-    return np.array([segment for line in lines for segment in segments_of(line)], dtype=complex).reshape(-1, 2)
+    directions = np.linspace(line.start, line.start + line.sweep, count + 1)
+    return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
 
 
 def boxes_crossed(

@@ -23,8 +23,8 @@ _BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
-_SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0])  # of a dimension line from what it measures, u
-_LANE = 15  # places along a dimension line that are looked at
+_SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0])  # of a dimension line, u
+_LANE = 25  # places along a dimension line that are looked at
 _SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
 # Directions of a radius: those at half a right angle read best, above rather than below.
 _FINALISTS = 8
@@ -116,7 +116,7 @@ def _roomiest_shift(board: Board, start: complex, end: complex) -> complex:
         met |= _inside([sketch.at[name] for name in board.form.bodies[body]], lanes)
     crossed = np.sum(met.reshape(len(shifts), -1), axis=1)
     inward = np.repeat((0.0, 2.5), len(_SHIFTS))
-    return complex(shifts[int(np.argmin(2.4 * crossed + 0.22 * np.abs(shifts) + inward))])
+    return complex(shifts[int(np.argmin(5.0 * crossed + 0.22 * np.abs(shifts) + inward))])
 
 
 def _inside(corners: Sequence[complex], places: NDArray[np.complex128]) -> NDArray[np.bool_]:

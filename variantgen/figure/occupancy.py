@@ -47,8 +47,8 @@ class Occupancy:
         return result
 
     def _cell(self, x: NDArray[np.float64], axis: int, more: int = 0) -> NDArray[np.intp]:
-        cell = np.floor(x / CELL).astype(np.intp) + more
-        return np.clip(cell, 0, self._taken.shape[axis] - 1)
+        cell = np.floor(x * (1 / CELL)).astype(np.intp) + more
+        return np.minimum(np.maximum(cell, 0), self._taken.shape[axis] - 1)
 
 
 def _samples(segments: Segments) -> Places:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,8 +29,8 @@ class Request:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
     ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
-    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``inside`` says that the label
-    may be led to from far away only across its own outline, so that a leader is no remedy (the number in a gear).
+    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``box`` are half width and half
+    height (u), ``own`` are all points of what it names.
     """
 
     formula: Formula
@@ -40,17 +39,13 @@ class Request:
     costs: Costs
     extent: tuple[complex, ...] = ()
     clear: float = 0.0
+    box: tuple[float, float] = field(init=False)
+    own: tuple[complex, ...] = field(init=False)
 
-    @cached_property
-    def box(self) -> tuple[float, float]:
-        """Half width and half height (u)."""
+    def __post_init__(self) -> None:
         width, height = label_size(self.formula)
-        return 0.5 * width, 0.5 * height
-
-    @cached_property
-    def own(self) -> tuple[complex, ...]:
-        """All points of what it names."""
-        return (self.anchor, *self.extent)
+        object.__setattr__(self, "box", (0.5 * width, 0.5 * height))
+        object.__setattr__(self, "own", (self.anchor, *self.extent))
 
 
 # Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.

@@ -118,7 +118,7 @@ def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
     found = [complex(z.real, drawing.height - z.imag) for z in engine_places(ET.fromstring(made), 0j, False)]
     wanted = [at for label in drawing.labels for _, at in letters_of(label)]
     assert len(found) == len(wanted)
-    near(wanted, found, 0.06)
+    near(wanted, found, 0.03)
 
 
 def test_matplotlib_has_every_line_and_letter_in_its_place(drawn: Picture) -> None:

@@ -27,22 +27,23 @@ _FILLS = {
 
 
 def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
-    """The figure as a file."""
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, width_mm=width_mm)}\n'.encode()
+    """The figure as a file, on paper of its own: it is seen on a dark page too."""
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, width_mm=width_mm, paper=True)}\n'.encode()
 
 
-def svg(drawing: Drawing, title: str = "", width_mm: float | None = None) -> str:
-    """The ``svg`` element, for a file or inside a page of HTML."""
+def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False) -> str:
+    """The ``svg`` element, for a file or inside a page of HTML; with ``paper`` it has a background."""
     height = drawing.height
     body = [_curve(curve, height) for curve in curves(drawing.lines)]
     body += [_paper(label, height) for label in drawing.labels]
     letters = [_letter(glyph, at, height) for label in drawing.labels for glyph, at in letters_of(label)]
     wide, tall = (_number(unit(drawing, width_mm) * side) for side in (drawing.width, height))
+    sheet = f'<rect width="100%" height="100%"{_FILLS["paper"]}/>' if paper else ""
     told = hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
     labelled, words = _words(title, drawing.alt, told)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}mm" height="{tall}mm" '
-        f'viewBox="0 0 {_number(drawing.width)} {_number(height)}" role="img"{labelled}>{words}'
+        f'viewBox="0 0 {_number(drawing.width)} {_number(height)}" role="img"{labelled}>{words}{sheet}'
         f'<g fill="none" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round">{"".join(body)}</g>'
         f'<g fill="currentColor">{"".join(letters)}</g></svg>'
     )
