@@ -110,6 +110,41 @@ def test_show_refuses_an_unknown_ending(tmp_path: Path, capsys: pytest.CaptureFi
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("ending", "start"),
+    [
+        ("svg", b"<?xml"),
+        ("png", b"\x89PNG"),
+        ("pdf", b"%PDF"),
+        ("tikz", b"\\begin{tikzpicture}"),
+        ("tex", b"\\documentclass{article}"),
+    ],
+)
+def test_show_writes_the_figure_alone(ending: str, start: bytes, tmp_path: Path) -> None:
+    figure, page = tmp_path / f"figure.{ending}", tmp_path / "page.svg"
+    assert main(["show", "slider_crank", "--figure", str(figure), "--out", str(page), "--lang", "ru"]) == 0
+    assert start in figure.read_bytes()
+    assert page.read_bytes().startswith(b"<svg")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted((figure.name, page.name))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--figure", "figure.docx"], "unknown format of a figure"),
+        (["--figure", "nowhere/figure.svg"], "cannot be written"),
+        (["--figure", "figure.svg", "--view", "statment"], "statement"),
+    ],
+)
+def test_show_refuses_a_figure_that_cannot_be(
+    arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["show", "slider_crank", *arguments]) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_given_quantity_cannot_be_asked(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", "four_bar", "--form", "crank", "--ask", "omega_OA"]) == 2
     assert "is given" in capsys.readouterr().err

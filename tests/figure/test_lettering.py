@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+import timeit
 from dataclasses import replace
 
 import pytest
 
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure
 from variantgen.figure.glyphs import TABLE
 from variantgen.figure.lettering import typeset
@@ -19,6 +21,7 @@ from variantgen.outputs.typesetter import typesetter
 from variantgen.variants.draw import Drawing as Draws
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import (
+    About,
     Equation,
     Formula,
     Index,
@@ -32,8 +35,17 @@ from variantgen.wording.formula import (
 )
 from variantgen.wording.language import languages, load_language
 
-# What the figures of plans need besides the letters of the catalogue.
+# What the figures of plans need besides the letters of the catalogue, and what is set by rules of its own.
 FURTHER = [
+    Symbol("a", (Index("BA"),), (Index("вр", True),)),  # a power with a descender is raised by itself
+    Symbol("V", (Index("rel", True),), (Index("y"),)),
+    Symbol("a", (Index("кор", True), Index("M"))),  # kerned
+    Symbol("T", (Index("P"),)),
+    Measured(Number("7,5"), UnitText((("об/мин", 1),))),
+    Measured(Number("117.4"), UnitText((("s", -1),))),
+    About("modulus", Symbol("omega", (Index("OA"),))),
+    About("angle", Symbol("v", (Index("B"),))),
+    About("sense", Symbol("f")),
     Symbol("a", (Index("BA"),), (Index("n"),)),
     Symbol("a", (Index("B"),), (Index("tau"),)),
     Symbol("v", (Index("O1A"),)),
@@ -118,6 +130,12 @@ def test_the_table_is_that_of_the_engine() -> None:
 
 def test_a_letter_that_is_not_in_the_table_takes_room() -> None:
     assert typeset(Number("\N{CJK UNIFIED IDEOGRAPH-4E2D}")).width > 0.2
+
+
+def test_the_table_is_small_and_quickly_read() -> None:
+    assert TABLE.stat().st_size < 150_000
+    shortest = min(timeit.repeat(glyphs._rows.__wrapped__, number=1, repeat=5))
+    assert shortest < 0.02  # half a millisecond, with room for a busy machine
 
 
 def test_labels_count_with_ink() -> None:

@@ -9,6 +9,10 @@ from variantgen.figure.drawing import Layer, Line, Path, Strokes
 
 Step = tuple[str, tuple[complex, ...]]
 
+# Lengths of dashes and gaps in turn, u. Ends of lines are round, so dashes look longer by the weight of the pen.
+DASHES: dict[str, tuple[float, ...]] = {"": (), "dashed": (3.0, 1.8), "dashdot": (4.0, 1.2, 0.6, 1.2)}
+AROUND = 0.15  # of the paper behind a label beyond its box, u
+
 
 @dataclass(frozen=True)
 class Curve:

@@ -1,8 +1,8 @@
 """The letters of figures: widths, bounds and outlines of the glyphs that the typesetting engine uses.
 
 The table (``glyphs.json``) is made by :mod:`variantgen.outputs.glyph_table` from New Computer Modern Math and New
-Computer Modern (GUST Font License). Lengths are in thousandths of the size of the lettering, y up; a glyph of an index
-has its true (smaller) size.
+Computer Modern (GUST Font License). Lengths are in thousandths of the size of the lettering, y up. Formula letters of
+an index are cut for their size and stand in the table at that size; words of an index are the upright letters, smaller.
 """
 
 from __future__ import annotations
@@ -12,8 +12,10 @@ import re
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 TABLE = Path(__file__).with_name("glyphs.json")
+KERNING = "kerning"  # key of the pairs of letters, by how much they are moved apart
 _UNIT = 1e-3
 _STEP = re.compile(r"([mlcz])([^mlcz]*)")
 _NUMBER = re.compile(r"-?\d+")
@@ -21,9 +23,10 @@ _NUMBER = re.compile(r"-?\d+")
 
 @dataclass(frozen=True)
 class Glyph:
-    """One letter at one size (em): ``width`` with its slant, ``index_at`` where an index begins, ``path`` in SVG terms.
+    """One letter (em): ``width`` with its slant, ``index_at`` where an index begins, ``path`` in SVG terms.
 
-    ``bottom`` and ``top`` bound the ink above the baseline.
+    ``bottom`` and ``top`` bound the ink above the baseline. The path is to be drawn ``scale`` times its size; all else
+    is at its true size.
     """
 
     name: str
@@ -32,11 +35,12 @@ class Glyph:
     bottom: float
     top: float
     path: str
+    scale: float = 1.0
 
     @property
     def steps(self) -> list[tuple[str, tuple[complex, ...]]]:
         """The outline as steps M, L, C, Z with their points (em)."""
-        return outline(self.path)
+        return [(kind, tuple(self.scale * point for point in points)) for kind, points in outline(self.path)]
 
 
 def outline(path: str) -> list[tuple[str, tuple[complex, ...]]]:
@@ -53,18 +57,36 @@ def outline(path: str) -> list[tuple[str, tuple[complex, ...]]]:
 
 
 @cache
-def _table() -> dict[str, list[float | str]]:
-    return dict(json.loads(TABLE.read_text("utf-8")))
+def _rows() -> dict[str, str]:
+    """The lines of the table by their keys; read as JSON one by one, as they are asked for."""
+    lines = TABLE.read_text("utf-8").splitlines()[1:-1]
+    return dict(line.removeprefix('"').split('":', 1) for line in lines)
+
+
+@cache
+def _row(key: str) -> Any:
+    return json.loads(_rows()[key].removesuffix(","))
 
 
 def has_glyph(name: str) -> bool:
     """Whether the table has a glyph."""
-    return name in _table()
+    return name in _rows()
 
 
 @cache
-def glyph(name: str) -> Glyph:
-    """A glyph by name: level (0, 1, 2), ``i`` or ``u`` for italic or upright, the letter. KeyError if there is none."""
-    width, index_at, bottom, top, path = _table()[name]
-    found = [_UNIT * float(x) for x in (width, index_at, bottom, top)]
-    return Glyph(name, found[0], found[1], found[2], found[3], str(path))
+def glyph(name: str, scale: float = 1.0) -> Glyph:
+    """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing."""
+    width, index_at, bottom, top, path = _row(name)
+    found = [scale * _UNIT * float(x) for x in (width, index_at, bottom, top)]
+    return Glyph(name, found[0], found[1], found[2], found[3], str(path), scale)
+
+
+@cache
+def _kerning() -> dict[str, float]:
+    pairs: dict[str, str] = _row(KERNING)
+    return {pair: _UNIT * int(gap) for gap, all_pairs in pairs.items() for pair in all_pairs.split()}
+
+
+def kerning(before: str, after: str) -> float:
+    """What the distance of two letters of a word differs by (em, for letters of full size)."""
+    return _kerning().get(before + after, 0.0)

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from variantgen.figure.drawing import LETTER, Label
-from variantgen.figure.glyphs import Glyph, glyph, has_glyph
+from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import (
     GREEK,
+    About,
     Equation,
     Formula,
     Index,
@@ -24,13 +25,13 @@ from variantgen.wording.formula import (
     Symbol,
     UnitText,
     letters,
-    to_plain,
 )
 
 _INDEX_DOWN, _POWER_UP, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.16, 0.056
+_POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
 _THIN, _AROUND_EQUALS, _WORD_SPACE = 1 / 6, 5 / 18, 0.331
 _SCALE = (1.0, 0.7, 0.5)  # of the sizes of formula, index, index of an index
-_UNKNOWN = "u°"  # stands for a letter that the table does not have
+_UNKNOWN = "0u°"  # stands for a letter that the table does not have
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ class Lettering:
 
 @lru_cache(maxsize=10_000)
 def typeset(formula: Formula) -> Lettering:
-    """The lettering of a formula; one that is no symbol, number or equation of these is set as plain upright text."""
+    """The lettering of a formula."""
     run = _Run()
     _set(run, formula)
     bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
@@ -76,13 +77,25 @@ class _Run:
         self.x = 0.0
         self.index_x = 0.0
 
-    def add(self, name: str, level: int) -> None:
-        """Set one glyph (``i`` or ``u`` and the letter) at a level."""
-        if name == "u ":
-            self.x += 0.3 * _SCALE[level]
+    def add(self, letter: str, level: int) -> None:
+        """Set one letter of a formula (italic, Greek, a digit, a mark) at a level."""
+        found = next((n for n in (f"{level}i{letter}", f"0i{letter}") if has_glyph(n)), "")
+        self._put(glyph(found) if found else _upright(letter, level))
+
+    def words(self, text: str, level: int = 0) -> None:
+        """Set upright text. The engine takes a number of nothing but digits and points for a formula."""
+        if all(letter in "0123456789." for letter in text):
+            for letter in text:
+                self.add(letter, level)
             return
-        found = next((n for n in (f"{level}{name}", f"0{name}") if has_glyph(n)), f"{min(level, 1)}{_UNKNOWN}")
-        letter = glyph(found)
+        for before, letter in zip(" " + text, text, strict=False):
+            self.x += _SCALE[level] * kerning(before, letter)
+            if letter == " ":
+                self.x += _WORD_SPACE * _SCALE[level]
+            else:
+                self._put(_upright(letter, level))
+
+    def _put(self, letter: Glyph) -> None:
         self.glyphs.append(Placed(letter, complex(self.x, 0.0)))
         self.index_x = self.x + letter.index_at
         self.x += letter.width
@@ -95,7 +108,8 @@ class _Run:
             highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
             lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)
             apart = max(0.0, _LEAST_GAP * scale - (lowest - highest))
-            down, up = down + 0.5 * apart, up + 0.5 * apart
+            alone = min(max(0.0, _POWER_BOTTOM * scale - lowest), apart)
+            down, up = down + 0.5 * (apart - alone), up + 0.5 * (apart + alone)
         end = self.x
         for run, x, y in ((index, self.index_x, -down), (power, self.x, up)):
             if run.glyphs:
@@ -103,10 +117,11 @@ class _Run:
                 end = max(end, x + run.x + _AFTER * scale)
         self.x = self.index_x = end
 
-    def words(self, text: str, level: int = 0) -> None:
-        """Set upright text."""
-        for letter in text:
-            self.add(f"u{letter}", level)
+
+def _upright(letter: str, level: int) -> Glyph:
+    """A letter of a word: not cut for its size, but made smaller."""
+    name = f"0u{letter}"
+    return glyph(name if has_glyph(name) else _UNKNOWN, _SCALE[level])
 
 
 def _set(run: _Run, formula: Formula) -> None:
@@ -140,20 +155,41 @@ def _set(run: _Run, formula: Formula) -> None:
                     run.words(",")
                     run.x += _THIN
                 _set(run, item)
+        case About(what, symbol):
+            _set_about(run, what, symbol)
+
+
+def _set_about(run: _Run, what: str, symbol: Symbol) -> None:
+    """``|v|``, ``∠(v, x)``, ``sgn v``."""
+    match what:
+        case "modulus":
+            run.add("|", 0)
+            _set(run, symbol)
+            run.add("|", 0)
+        case "angle":
+            run.add("∠", 0)
+            run.add("(", 0)
+            _set(run, symbol)
+            run.add(",", 0)
+            run.x += _THIN
+            run.add("x", 0)
+            run.add(")", 0)
         case _:
-            run.words(to_plain(formula))
+            run.words("sgn")
+            run.x += _THIN
+            _set(run, symbol)
 
 
 def _set_name(run: _Run, name: str, level: int) -> None:
     """Letters of points with their numbers, a Greek letter, or digits."""
     if name in GREEK:
-        run.add(f"i{GREEK[name]}", level)
+        run.add(GREEK[name], level)
     elif name.isdecimal():
         for digit in name:
-            run.add(f"i{digit}", level)
+            run.add(digit, level)
     else:
         for letter, number in letters(name):
-            run.add(f"i{letter}", level)
+            run.add(letter, level)
             if number:
                 run.attach(_digits(number, level + 1), _Run(), level)
 

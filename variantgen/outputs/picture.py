@@ -17,10 +17,11 @@ from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure, SubFigure
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Picture:
     """A drawing with its renderings; a notebook shows it by itself."""
 
@@ -41,13 +42,23 @@ class Picture:
         """The figure as TikZ source."""
         return tikz(self.drawing)
 
-    def save(self, path: str | Path) -> None:
-        """Write the figure; the ending names the format (.svg, .png, .pdf, .tikz). Raises InputError."""
-        write_figure(self.drawing, Path(path))
+    def save(self, path: str | Path, width_mm: float | None = None) -> None:
+        """Write the figure, of a width if one is given; the ending names the format: .svg, .png, .pdf, .tikz, .tex.
 
-    def matplotlib(self) -> Figure:
-        """The figure as one of matplotlib. Raises ToolMissingError without matplotlib."""
-        return mpl.figure(self.drawing)
+        A ``.tikz`` is a picture for a document of yours, a ``.tex`` a document by itself. Raises InputError.
+        """
+        write_figure(self.drawing, Path(path), width_mm)
+
+    def matplotlib(self, ax: Axes | None = None) -> Figure | SubFigure:
+        """The figure on axes of matplotlib, or as a figure of its own. Raises ToolMissingError without matplotlib."""
+        if ax is None:
+            return mpl.figure(self.drawing)
+        mpl.draw_on(ax, self.drawing)
+        return ax.figure
+
+    def __repr__(self) -> str:
+        drawing = self.drawing
+        return f"<Picture {drawing.width:.0f} x {drawing.height:.0f} u: {self.alt.split('.', 1)[0] or 'no words'}>"
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""

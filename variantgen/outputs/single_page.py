@@ -10,6 +10,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
+from variantgen.outputs.figures import write_whole
 from variantgen.outputs.sheet_data import text_data
 from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
 from variantgen.variants.variant import Variant, solve_variants
@@ -48,7 +49,4 @@ def write_single(
     }
     with typesetter() as engine:
         made = engine.compile("single.typ", data, cast(Literal["pdf", "png", "svg"], form))[0]
-    try:
-        path.write_bytes(made)
-    except OSError as error:
-        raise InputError(Problem(f"cannot be written: {error.strerror}", key="--out", value=str(path))) from None
+    write_whole(path, made, "--out")

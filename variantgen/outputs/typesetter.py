@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure.curves import curves
+from variantgen.figure.curves import DASHES, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, to_typst
@@ -37,9 +37,9 @@ class Typesetter:
     root: Path
 
     def compile(
-        self, template: str, data: Mapping[str, Any], form: Literal["pdf", "png", "svg"] = "pdf"
+        self, template: str, data: Mapping[str, Any], form: Literal["pdf", "png", "svg"] = "pdf", ppi: float = 200.0
     ) -> list[bytes]:
-        """The document; one entry for PDF, one per page for PNG and SVG."""
+        """The document; one entry for PDF, one per page for PNG (``ppi`` dots to the inch) and SVG."""
         import typst
 
         text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
@@ -48,7 +48,7 @@ class Typesetter:
                 self.root / template,
                 root=self.root,
                 format=form,
-                ppi=200.0,
+                ppi=ppi,
                 font_paths=[],
                 ignore_system_fonts=True,
                 sys_inputs={"data": text},
@@ -90,7 +90,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "h": round(height, 2),
         "letter": LETTER,
         "alt": drawing.alt,
-        "curves": [[c.weight, c.fill, c.dash, [step(*s) for s in c.steps]] for c in curves(drawing.lines)],
+        "curves": [[c.weight, c.fill, DASHES[c.dash], [step(*s) for s in c.steps]] for c in curves(drawing.lines)],
         "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
     }
 

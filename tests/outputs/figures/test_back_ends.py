@@ -6,17 +6,23 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pypdfium2
 import pytest
+from matplotlib.patches import Rectangle
 
-from variantgen.errors import InputError
-from variantgen.figure.drawing import Arc, Drawing, Layer
+from variantgen.errors import InputError, ToolMissingError
+from variantgen.figure.drawing import MEDIUM, THIN, Arc, Drawing, Label, Layer
 from variantgen.figure.drawing import Path as Polyline
 from variantgen.figure.lettering import letters_of, typeset
-from variantgen.outputs.figures import MILLIMETRES, back_ends, write_figure
+from variantgen.figure.requests import label_size
+from variantgen.outputs.figures import MILLIMETRES, back_ends, mpl, png, write_figure
 from variantgen.outputs.figures.svg import svg
 from variantgen.outputs.figures.tikz import tikz
 from variantgen.outputs.picture import Picture, picture
@@ -112,7 +118,7 @@ def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
     found = [complex(z.real, drawing.height - z.imag) for z in engine_places(ET.fromstring(made), 0j, False)]
     wanted = [at for label in drawing.labels for _, at in letters_of(label)]
     assert len(found) == len(wanted)
-    near(wanted, found, 0.06)
+    near(wanted, found, 0.03)
 
 
 def test_matplotlib_has_every_line_and_letter_in_its_place(drawn: Picture) -> None:
@@ -145,24 +151,58 @@ def test_tikz_has_every_line_and_label_in_its_place(drawn: Picture) -> None:
     assert "line width" not in source.split("]\n", 1)[1]
 
 
-def test_tikz_compiles(tmp_path: Path) -> None:
-    if shutil.which("pdflatex") is None:
-        assert os.environ.get("CI") != "true", "pdflatex is needed here: apt-get install texlive-pictures"
-        pytest.skip("no pdflatex on this machine (apt-get install texlive-latex-base texlive-pictures)")
+@pytest.fixture
+def pdflatex(tmp_path: Path) -> Callable[[str], Path]:
+    """Compiles a file of the folder; where CI runs, there has to be a LaTeX."""
+    styles = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def"]
+    if shutil.which("kpsewhich") is None or subprocess.run(["kpsewhich", *styles], check=False).returncode:
+        needed = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic"
+        assert os.environ.get("CI") != "true", f"LaTeX is needed here: apt-get install {needed}"
+        pytest.skip(f"no LaTeX on this machine (apt-get install {needed})")
+
+    def compiled(name: str) -> Path:
+        command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", name]
+        run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300)
+        assert run.returncode == 0, run.stdout[-2000:]
+        return (tmp_path / name).with_suffix(".pdf")
+
+    return compiled
+
+
+def test_tikz_compiles(tmp_path: Path, pdflatex: Callable[[str], Path]) -> None:
     variants = [one_variant(name, seed="2") for name in FAMILIES]
     pictures = [tikz(picture(variant, language=lang).drawing) for variant in variants for lang in ("en", "ru")]
     head = r"\documentclass{article}\usepackage[T2A]{fontenc}\usepackage[utf8]{inputenc}\usepackage{amsmath,tikz}"
     source = "\n\n".join((head, r"\begin{document}", *pictures, r"\end{document}"))
     (tmp_path / "all.tex").write_text(source, "utf-8")
-    command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
-    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300)
-    assert run.returncode == 0, run.stdout[-2000:]
-    assert (tmp_path / "all.pdf").stat().st_size > 10_000
+    assert pdflatex("all.tex").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_tex_file_is_one_page_of_the_size_of_the_figure(
+    tmp_path: Path, pdflatex: Callable[[str], Path], language: str
+) -> None:
+    shown = picture(one_variant("quick_return_shaper", seed="2"), language=language, ask=["v_rel_A"])
+    shown.save(tmp_path / "figure.tex", width_mm=70)
+    document = pypdfium2.PdfDocument(pdflatex("figure.tex"))
+    (page,) = document
+    width, height = page.get_size()
+    points = 72 / 25.4
+    assert width == pytest.approx(70 * points, abs=0.1)
+    assert height == pytest.approx(70 * points * shown.drawing.height / shown.drawing.width, abs=0.1)
+    assert np.min(page.render().to_numpy()) < 100  # it is the page with the figure
+    document.close()
 
 
 def test_every_ending_writes_its_format(tmp_path: Path) -> None:
-    drawing = picture(one_variant("slider_crank")).drawing
-    heads = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".tikz": b"% Parts: ", ".tex": b"% Parts: "}
+    drawing = replace(picture(one_variant("slider_crank")).drawing, alt="A figure.")
+    heads = {
+        ".svg": b"<?xml",
+        ".png": b"\x89PNG",
+        ".pdf": b"%PDF",
+        ".tikz": b"% A figure.\n\\begin{tikzpicture}",
+        ".tex": b"\\RequirePackage",
+    }
     assert set(back_ends()) == set(heads)
     for suffix, head in heads.items():
         path = tmp_path / f"figure{suffix}"
@@ -172,6 +212,89 @@ def test_every_ending_writes_its_format(tmp_path: Path) -> None:
         write_figure(drawing, path)
         assert path.read_bytes() == before
     assert len(list(tmp_path.iterdir())) == len(heads)
+
+
+DASHED = Drawing(
+    100.0,
+    40.0,
+    (
+        Polyline((5 + 5j, 95 + 5j), Layer.MARK, THIN, dash="dashed"),
+        Arc(50 + 20j, 12.0, Layer.DISC, MEDIUM, dash="dashdot", fill="shade"),
+    ),
+    (Label(Symbol("omega", (Index("OA"),)), 80 + 30j, label_size(Symbol("omega", (Index("OA"),)))),),
+)
+
+
+@pytest.mark.parametrize("width", [None, 60.0])
+def test_dashes_and_pens_are_the_same_everywhere(width: float | None) -> None:
+    """Lengths of dashes, pens and the box of a label in millimetres, taken from each output."""
+    unit = MILLIMETRES if width is None else width / DASHED.width
+    wanted = [(THIN * unit, [3.0 * unit, 1.8 * unit]), (MEDIUM * unit, [x * unit for x in (4.0, 1.2, 0.6, 1.2)])]
+    root = ET.fromstring(svg(DASHED, width_mm=width))
+    scale = float(root.attrib["width"].removesuffix("mm")) / float(root.attrib["viewBox"].split()[2])
+    lines = root.findall(".//{http://www.w3.org/2000/svg}path[@stroke-dasharray]")
+    from_svg = [
+        (scale * float(x.attrib["stroke-width"]), [scale * float(n) for n in x.attrib["stroke-dasharray"].split()])
+        for x in lines
+    ]
+    inch = 25.4 / 72
+    patches = mpl.figure(DASHED, width).axes[0].patches
+    from_mpl = [
+        (inch * p.get_linewidth(), [inch * p.get_linewidth() * x for x in p.get_linestyle()[1]])
+        for p in patches
+        if not isinstance(p.get_linestyle(), str)
+    ]
+    source = tikz(DASHED, width)
+    point = 25.4 / 72.27
+    lengths = [
+        [point * float(x) for x in re.findall(r"o(?:n|ff) ([\d.]+)pt", found)]
+        for found in re.findall(r"dash pattern=([^}]*)}", source)
+    ]
+    pens = {name: point * float(x) for name, x in re.findall(r"(\w+)/.style={line width=([\d.]+)pt}", source)}
+    from_tikz = [(pens["fine"], lengths[0]), (pens["medium"], lengths[1])]
+    from_engine = [(unit * weight, [unit * x for x in dash]) for weight, _, dash, _ in figure_data(DASHED)["curves"]]
+    for found, near_by in ((from_svg, 1e-3), (from_mpl, 1e-6), (from_tikz, 0.02), (from_engine, 1e-9)):
+        assert len(found) == 2
+        for (pen, dashes), (wanted_pen, wanted_dashes) in zip(found, wanted, strict=True):
+            assert pen == pytest.approx(wanted_pen, abs=near_by)
+            assert dashes == pytest.approx(wanted_dashes, abs=near_by)
+
+
+def test_paper_lies_behind_each_label() -> None:
+    (label,) = DASHED.labels
+    width, height = (side + 0.3 for side in label.size)
+    rect = ET.fromstring(svg(DASHED)).find(".//{http://www.w3.org/2000/svg}rect")
+    assert rect is not None
+    box = [float(rect.attrib[key]) for key in ("x", "y", "width", "height")]
+    low = label.at - complex(width, height) / 2
+    assert box == pytest.approx([low.real, DASHED.height - low.imag - height, width, height], abs=0.011)
+    (paper,) = [p for p in mpl.figure(DASHED).axes[0].patches if isinstance(p, Rectangle)]
+    assert (*paper.get_xy(), paper.get_width(), paper.get_height()) == pytest.approx(
+        (low.real, low.imag, width, height)
+    )
+
+
+def test_a_figure_keeps_its_size() -> None:
+    shown = picture(one_variant("spool", seed="2"))
+    wide = ET.fromstring(svg(shown.drawing, width_mm=120)).attrib
+    assert wide["width"] == "120mm"
+    dots = [
+        int.from_bytes(png.render(shown.drawing, 50, ppi=ppi)[16:20], "big") for ppi in (100.0, 300.0)
+    ]  # the width stands in the head of a PNG
+    assert dots == pytest.approx([50 / 25.4 * 100, 50 / 25.4 * 300], abs=1.5)
+
+
+def test_pens_on_axes_of_a_page_follow_their_size() -> None:
+    from matplotlib.figure import Figure
+
+    page = Figure(figsize=(8, 16))
+    small, large = page.add_axes((0, 0.5, 0.25, 0.5)), page.add_axes((0, 0, 1, 0.5))
+    shown = picture(one_variant("slider_crank"))
+    for axes in (small, large):
+        assert shown.matplotlib(axes) is page
+    thickest, of_small = (max(patch.get_linewidth() for patch in axes.patches) for axes in (large, small))
+    assert thickest == pytest.approx(4 * of_small)
+    assert not large.axison
 
 
 def test_a_wrong_ending_or_folder_is_said(tmp_path: Path) -> None:
@@ -194,3 +317,12 @@ def test_letters_have_the_size_that_placement_counted_with() -> None:
     formula = Symbol("v", (Index("отн", True), Index("M")))
     found = typeset(formula)
     assert found.width == pytest.approx(2.696, abs=0.01)  # measured by the engine
+
+
+def test_all_but_plots_goes_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    shown = picture(one_variant("slider_crank"))
+    shown.save(tmp_path / "figure.svg")
+    assert "\\begin{tikzpicture}" in shown.tikz
+    with pytest.raises(ToolMissingError, match=r"pip install 'variantgen\[plots\]'"):
+        shown.matplotlib()

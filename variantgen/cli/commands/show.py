@@ -26,7 +26,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="plot the motion over the way of the driver: .pdf, .svg, .png or .gif",
     )
     parser.add_argument("--out", type=Path, metavar="FILE", help="write a page: .pdf, .png or .svg")
-    parser.add_argument("--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf or .tikz")
+    parser.add_argument(
+        "--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf, .tikz or .tex"
+    )
     parser.add_argument("--view", default="statement", metavar="KIND", help="kind of figure (default: statement)")
 
 

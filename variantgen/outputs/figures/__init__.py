@@ -1,7 +1,7 @@
 """Back ends for single figures, one module per format, found by the endings they name.
 
-Each module has ``SUFFIXES`` and ``render(drawing) -> bytes``. All draw the same
-:class:`~variantgen.figure.drawing.Drawing`.
+Each module has ``SUFFIXES`` and ``render(drawing, width_mm=None) -> bytes``. All draw the same
+:class:`~variantgen.figure.drawing.Drawing`; a width in millimetres takes the place of the usual size.
 """
 
 from __future__ import annotations
@@ -19,6 +19,11 @@ from variantgen.figure.drawing import Drawing
 MILLIMETRES = 0.8  # of one figure unit, where the paper does not ask for less
 
 
+def unit(drawing: Drawing, width_mm: float | None = None) -> float:
+    """Millimetres of one figure unit, for a drawing of a given width or of the usual size."""
+    return MILLIMETRES if width_mm is None else width_mm / drawing.width
+
+
 def back_ends() -> dict[str, ModuleType]:
     """The module for each ending."""
     found = {}
@@ -28,17 +33,17 @@ def back_ends() -> dict[str, ModuleType]:
     return found
 
 
-def write_figure(drawing: Drawing, path: Path) -> None:
+def write_figure(drawing: Drawing, path: Path, width_mm: float | None = None) -> None:
     """Write a figure, complete or not at all; the format follows the ending. Raises InputError."""
     known = back_ends()
     suffix = path.suffix.lower()
     if suffix not in known:
         raise InputError(Problem("unknown format of a figure", value=path.name, remedy=nearest(suffix, known)))
-    write_whole(path, known[suffix].render(drawing))
+    write_whole(path, known[suffix].render(drawing, width_mm))
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file beside its place and move it there. Raises InputError where that is impossible."""
+def write_whole(path: Path, content: bytes, key: str = "") -> None:
+    """Write a file beside its place and move it there. Raises InputError, which names the key, if impossible."""
     try:
         with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
             made = Path(file.name)
@@ -50,7 +55,7 @@ def write_whole(path: Path, content: bytes) -> None:
             made.unlink(missing_ok=True)
             raise
     except OSError as error:
-        raise InputError(Problem(f"cannot be written: {error.strerror}", value=str(path))) from None
+        raise InputError(Problem(f"cannot be written: {error.strerror}", key=key, value=str(path))) from None
 
 
 def _umask() -> int:

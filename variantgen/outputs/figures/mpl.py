@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import ToolMissingError
-from variantgen.figure.curves import Step, curves
+from variantgen.figure.curves import AROUND, DASHES, Step, curves
 from variantgen.figure.drawing import LETTER, Drawing, Layer, Line
 from variantgen.figure.lettering import letters_of
-from variantgen.outputs.figures import MILLIMETRES
+from variantgen.outputs.figures import unit
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _FILLS = {"": "none", "ink": "black", "paper": "white", "shade": "0.92"}
-_DASHES = {"": "solid", "dashed": (0, (6, 3.6)), "dashdot": (0, (8, 2.4, 1.2, 2.4))}
-_POINTS = 72 / 25.4  # to the millimetre
 _THINNEST = 0.35  # points
 _ABOVE = 2.0
 
@@ -33,29 +31,35 @@ def need_matplotlib() -> None:
         ) from None
 
 
-def figure(drawing: Drawing) -> Figure:
-    """A figure of matplotlib of the size of the drawing. Raises ToolMissingError without matplotlib."""
+def figure(drawing: Drawing, width_mm: float | None = None) -> Figure:
+    """A figure of matplotlib of the size of the drawing, or of a width. Raises ToolMissingError without matplotlib."""
     need_matplotlib()
     from matplotlib.figure import Figure
 
-    made = Figure(figsize=(MILLIMETRES * drawing.width / 25.4, MILLIMETRES * drawing.height / 25.4), dpi=150)
+    inches = unit(drawing, width_mm) / 25.4
+    made = Figure(figsize=(inches * drawing.width, inches * drawing.height), dpi=150)
     draw_on(made.add_axes((0.0, 0.0, 1.0, 1.0)), drawing)
     return made
 
 
 def draw_on(axes: Axes, drawing: Drawing) -> None:
-    """Draw on axes, which get the extent of the drawing (u), equal scales and no frame."""
+    """Draw on axes, which get the extent of the drawing (u), equal scales and no frame.
+
+    Lines are as thick as the size of the axes asks for now; when the axes are resized later, lines keep their weight.
+    """
     from matplotlib.patches import PathPatch, Rectangle
 
     axes.set_xlim(0, drawing.width)
     axes.set_ylim(0, drawing.height)
     axes.set_aspect("equal")
     axes.set_axis_off()
-    draw_lines(axes, drawing.lines, MILLIMETRES * _POINTS)
+    axes.apply_aspect()
+    draw_lines(axes, drawing.lines, points_per_unit(axes))
     front = _ABOVE + Layer.LABEL
     for label in drawing.labels:
-        corner = label.at - complex(*label.size) / 2
-        paper = Rectangle((corner.real, corner.imag), *label.size, facecolor="white", edgecolor="none", zorder=front)
+        width, height = (side + 2 * AROUND for side in label.size)
+        corner = label.at - complex(width, height) / 2
+        paper = Rectangle((corner.real, corner.imag), width, height, facecolor="white", edgecolor="none", zorder=front)
         axes.add_patch(paper)
         for glyph, at in letters_of(label):
             steps = [(kind, tuple(at + LETTER * point for point in points)) for kind, points in glyph.steps]
@@ -71,14 +75,18 @@ def draw_lines(axes: Axes, lines: Iterable[Line], points: float, above: float = 
 
     added: list[Artist] = []
     for curve in curves(lines):
+        weight = max(_THINNEST, curve.weight * points) if curve.weight else 0.0
+        # The library counts dashes in weights of their pen.
+        dashes = [length * points / weight for length in DASHES[curve.dash]] if weight else []
         patch = PathPatch(
             _path(curve.steps),
             facecolor=_FILLS[curve.fill],
             edgecolor="black" if curve.weight else "none",
-            linewidth=max(_THINNEST, curve.weight * points) if curve.weight else 0.0,
-            linestyle=_DASHES[curve.dash],
+            linewidth=weight,
+            linestyle=(0, dashes) if dashes else "solid",
             capstyle="round",
             joinstyle="round",
+            snap=False,
             zorder=above + curve.layer,
         )
         added.append(axes.add_artist(patch))

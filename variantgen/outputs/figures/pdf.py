@@ -8,6 +8,6 @@ from variantgen.outputs.figures.engine import page
 SUFFIXES = (".pdf",)
 
 
-def render(drawing: Drawing) -> bytes:
-    """The figure as a file."""
-    return page(drawing, "pdf")
+def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
+    """The figure as a file. Raises ToolMissingError without the engine."""
+    return page(drawing, "pdf", width_mm)

@@ -1,4 +1,4 @@
-"""PNG of one figure, 200 dots to the inch."""
+"""PNG of one figure."""
 
 from __future__ import annotations
 
@@ -8,6 +8,6 @@ from variantgen.outputs.figures.engine import page
 SUFFIXES = (".png",)
 
 
-def render(drawing: Drawing) -> bytes:
-    """The figure as a file."""
-    return page(drawing, "png")
+def render(drawing: Drawing, width_mm: float | None = None, ppi: float = 200.0) -> bytes:
+    """The figure as a file, ``ppi`` dots to the inch. Raises ToolMissingError without the engine."""
+    return page(drawing, "png", width_mm, ppi)

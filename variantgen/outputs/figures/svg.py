@@ -1,7 +1,8 @@
 """SVG, standing alone: letters are outlines, so a figure looks the same in every browser and needs no font.
 
-Ink is ``currentColor``; what is filled with paper or shade has a plain colour and the class ``paper`` or ``shade``, so
-that the style of a page can take a figure into the dark. Several figures may stand in one page: the only names are
+Ink is ``currentColor``; what is filled with paper or shade has the class ``variantgen-paper`` or ``variantgen-shade``,
+so that the style of a page can take a figure into the dark, and a plain colour, because converters know no variables
+of style sheets. Several figures may stand in one page: the only names are
 those of title and description, made from the content.
 """
 
@@ -10,40 +11,38 @@ from __future__ import annotations
 import hashlib
 from xml.sax.saxutils import escape, quoteattr
 
-from variantgen.figure.curves import Curve, curves
+from variantgen.figure.curves import AROUND, DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing, Label
 from variantgen.figure.glyphs import Glyph
 from variantgen.figure.lettering import letters_of
-from variantgen.outputs.figures import MILLIMETRES
+from variantgen.outputs.figures import unit
 
 SUFFIXES = (".svg",)
 _FILLS = {
     "": "",
     "ink": ' fill="currentColor"',
-    "paper": ' class="paper" fill="#fff"',
-    "shade": ' class="shade" fill="#ebebeb"',
+    "paper": ' class="variantgen-paper" fill="#fff"',
+    "shade": ' class="variantgen-shade" fill="#ebebeb"',
 }
-_DASHES = {"dashed": (3.0, 1.8), "dashdot": (4.0, 1.2, 0.6, 1.2)}
-_AROUND = 0.15  # of the paper behind a letter, u
 
 
-def render(drawing: Drawing) -> bytes:
+def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
     """The figure as a file, on paper of its own: it is seen on a dark page too."""
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, paper=True)}\n'.encode()
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, width_mm=width_mm, paper=True)}\n'.encode()
 
 
-def svg(drawing: Drawing, title: str = "", paper: bool = False) -> str:
+def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False) -> str:
     """The ``svg`` element, for a file or inside a page of HTML; with ``paper`` it has a background."""
     height = drawing.height
     body = [_curve(curve, height) for curve in curves(drawing.lines)]
     body += [_paper(label, height) for label in drawing.labels]
     letters = [_letter(glyph, at, height) for label in drawing.labels for glyph, at in letters_of(label)]
-    width_mm, height_mm = (_number(MILLIMETRES * side) for side in (drawing.width, height))
+    wide, tall = (_number(unit(drawing, width_mm) * side) for side in (drawing.width, height))
     sheet = f'<rect width="100%" height="100%"{_FILLS["paper"]}/>' if paper else ""
     told = hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
     labelled, words = _words(title, drawing.alt, told)
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width_mm}mm" height="{height_mm}mm" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}mm" height="{tall}mm" '
         f'viewBox="0 0 {_number(drawing.width)} {_number(height)}" role="img"{labelled}>{words}{sheet}'
         f'<g fill="none" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round">{"".join(body)}</g>'
         f'<g fill="currentColor">{"".join(letters)}</g></svg>'
@@ -62,14 +61,14 @@ def _words(title: str, alt: str, told: str) -> tuple[str, str]:
 
 def _letter(glyph: Glyph, at: complex, height: float) -> str:
     """One glyph with its origin at a place."""
-    size = _number(LETTER / 1000, 4)
+    size = _number(LETTER * glyph.scale / 1000, 5)
     place = f"{_number(at.real)} {_number(height - at.imag)}"
     return f'<path transform="translate({place})scale({size} -{size})" d="{glyph.path}"/>'
 
 
 def _paper(label: Label, height: float) -> str:
     """The paper behind a label, as in the other back ends."""
-    width, tall = (side + 2 * _AROUND for side in label.size)
+    width, tall = (side + 2 * AROUND for side in label.size)
     x, y = _number(label.at.real - 0.5 * width), _number(height - label.at.imag - 0.5 * tall)
     box = f'x="{x}" y="{y}" width="{_number(width)}" height="{_number(tall)}"'
     return f'<rect {box}{_FILLS["paper"]} stroke="none"/>'
@@ -80,7 +79,7 @@ def _curve(curve: Curve, height: float) -> str:
         kind + " ".join(f"{_number(p.real)} {_number(height - p.imag)}" for p in points) for kind, points in curve.steps
     )
     pen = f' stroke-width="{_number(curve.weight)}"' if curve.weight else ' stroke="none"'
-    dash = f' stroke-dasharray="{" ".join(map(_number, _DASHES[curve.dash]))}"' if curve.dash else ""
+    dash = f' stroke-dasharray="{" ".join(map(_number, DASHES[curve.dash]))}"' if curve.dash else ""
     return f'<path d="{steps}"{pen}{_FILLS[curve.fill]}{dash}/>'
 
 
