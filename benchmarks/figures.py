@@ -24,12 +24,14 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.sketch import HINGE
+from variantgen.outputs.typesetter import figure_data, typesetter
 from variantgen.variants.draw import Drawing as Draws
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import load_language
 
+_SAMPLE = 5  # figures of each form that are typeset for comparison
 HEAD = """\
 | family | form | figures | label on label | label on line | off paper | unnamed points | leaders | least space, u | \
 hinges too near | not to scale | no text | largest, u | median, ms |
@@ -46,6 +48,7 @@ class Tally:
     outside: int = 0
     unnamed: int = 0
     leaders: int = 0
+    labels: int = 0
     near: int = 0
     off_scale: int = 0
     silent: int = 0
@@ -53,6 +56,7 @@ class Tally:
     width: float = 0.0
     height: float = 0.0
     times: list[float] = field(default_factory=list)
+    sample: list[Drawing] = field(default_factory=list)
     worst: list[str] = field(default_factory=list)
 
     def row(self, name: str, form: str) -> str:
@@ -65,10 +69,22 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Count another tally in."""
-        for name in ("figures", "overlaps", "crossed", "outside", "unnamed", "leaders", "near", "off_scale", "silent"):
+        for name in (
+            "figures",
+            "overlaps",
+            "crossed",
+            "outside",
+            "unnamed",
+            "leaders",
+            "labels",
+            "near",
+            "off_scale",
+            "silent",
+        ):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.clearances += other.clearances
         self.times += other.times
+        self.sample += other.sample
         self.width, self.height = max(self.width, other.width), max(self.height, other.height)
 
 
@@ -105,10 +121,12 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
         tally.times.append(time.perf_counter() - start)
         seen = inspect_labels(drawing)
         tally.figures += 1
+        tally.sample += [drawing] if i < _SAMPLE else []
         tally.overlaps += len(seen.overlaps)
         tally.crossed += len(seen.crossed)
         tally.outside += len(seen.outside)
         tally.leaders += seen.leaders
+        tally.labels += len(drawing.labels)
         drawn = {label.formula for label in drawing.labels}
         points = shown_points(variant, asked)
         tally.unnamed += sum(Symbol(form.symbols.get(point, point) or point) not in drawn for point in points)
@@ -120,6 +138,25 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
         if seen.overlaps or seen.crossed or seen.outside:
             tally.worst.append(f"{family.name}/{form.name} {i}: {seen.overlaps} {seen.crossed} {seen.outside}")
     return tally
+
+
+def typesetting(drawings: list[Drawing]) -> float:
+    """Milliseconds of the engine per figure, on the same figures in the same run."""
+    data = [figure_data(drawing) for drawing in drawings]
+    page = '#import "figure.typ": draw-figure\n#import "common.typ": document-style\n#show: document-style.with("ru")\n'
+    page += "#for f in json(bytes(sys.inputs.data)).figures { draw-figure(f, 80mm, 0.8mm) }\n"
+    with typesetter() as engine:
+        (engine.root / "figures.typ").write_text(page, "utf-8")
+
+        def seconds(some: list[dict[str, object]]) -> float:
+            start = time.perf_counter()
+            engine.compile("figures.typ", {"figures": some})
+            return time.perf_counter() - start
+
+        # Each figure once: the engine remembers what it has laid out.
+        seconds(data[:1])
+        empty = min(seconds([]) for _ in range(3))
+        return 1e3 * (seconds(data[1:]) - empty) / len(data[1:])
 
 
 def main() -> None:
@@ -141,8 +178,17 @@ def main() -> None:
                 print(*tally.worst, sep="\n")
     lines.append(total.row("all", ""))
     print(lines[-1])
+    engine, median = typesetting(total.sample), 1e3 * statistics.median(total.times)
+    share = f"{total.leaders} of {total.labels} labels have a leader. "
+    ratio = (
+        f"Typesetting such a figure takes the engine {engine:.2f} ms: drawing one takes {median / engine:.2f} of that."
+    )
+    print(share + ratio)
     note = f"{options.seeds} seeds per form, Python {platform.python_version()}, {platform.machine()}"
-    text = "\n".join([f"# The figures, inspected\n\n`python benchmarks/figures.py`: {note}.\n", *lines]) + "\n"
+    text = (
+        "\n".join([f"# The figures, inspected\n\n`python benchmarks/figures.py`: {note}.\n", *lines, "", share + ratio])
+        + "\n"
+    )
     if not options.family:
         Path(__file__).with_suffix(".md").write_text(text, "utf-8")
 
