@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from types import ModuleType
 
+import pytest
+
+from variantgen.errors import InputError
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import Quantity, parse_quantity
@@ -13,6 +17,7 @@ from variantgen.figure.sketch import DOT
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.draw import Drawing as Draws
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.language import load_language
 
 FORMS = [(name, form) for name in family_names() for form in load_family(name).forms]
 
@@ -25,6 +30,19 @@ def variants_of(name: str, form_name: str, count: int) -> tuple[list[Variant], M
         [("motion", i) for i in range(count)], [0] * count
     )
     return variants, solve_variants(variants, 2), [parse_quantity(text, form.sample) for text in form.ask]
+
+
+def view_drawings(
+    name: str, form: str, order: int, views: tuple[ModuleType, ModuleType], count: int
+) -> list[tuple[Variant, Motion, int, Drawing]]:
+    """Figures of the view for velocities or accelerations; none where the form asks for no accelerations."""
+    variants, motion, asked = variants_of(name, form, count)
+    language = load_language("en")
+    if order > max(q.order for q in asked):
+        with pytest.raises(InputError, match="none are asked"):
+            views[1].draw(variants[0], motion, 0, asked, language)
+        return []
+    return [(v, motion, i, views[order - 1].draw(v, motion, i, asked, language)) for i, v in enumerate(variants)]
 
 
 def arrows(drawing: Drawing, layer: Layer) -> list[tuple[complex, complex]]:

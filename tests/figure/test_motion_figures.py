@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tests.contracts.test_families import arcs_and_labels
-from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of
-from variantgen.errors import InputError
+from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, view_drawings
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
@@ -30,14 +29,8 @@ SEEDS = 3
 
 @cache
 def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, int, Drawing]]:
-    """The figures of several variants; none where the form asks for no accelerations."""
-    variants, motion, asked = variants_of(name, form, SEEDS)
-    if order > max(q.order for q in asked):
-        with pytest.raises(InputError, match="none are asked"):
-            accelerations.draw(variants[0], motion, 0, asked, EN)
-        return []
-    module = velocities if order == 1 else accelerations
-    return [(v, motion, i, module.draw(v, motion, i, asked, EN)) for i, v in enumerate(variants)]
+    """The figures of several variants."""
+    return view_drawings(name, form, order, (velocities, accelerations), SEEDS)
 
 
 def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing) -> float:

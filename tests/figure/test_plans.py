@@ -11,7 +11,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from tests.figure.reading import FORMS, arrows, has_arrow, variants_of
+from tests.figure.reading import FORMS, arrows, has_arrow, variants_of, view_drawings
 from variantgen.errors import InputError
 from variantgen.families.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
@@ -32,14 +32,8 @@ SEEDS = 3
 
 @cache
 def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, int, Drawing]]:
-    """The plans of several variants; none where the form asks for no accelerations."""
-    variants, motion, asked = variants_of(name, form, SEEDS)
-    if order > max(q.order for q in asked):
-        with pytest.raises(InputError, match="none are asked"):
-            acceleration_plan.draw(variants[0], motion, 0, asked, EN)
-        return []
-    view = velocity_plan if order == 1 else acceleration_plan
-    return [(v, motion, i, view.draw(v, motion, i, asked, EN)) for i, v in enumerate(variants)]
+    """The plans of several variants."""
+    return view_drawings(name, form, order, (velocity_plan, acceleration_plan), SEEDS)
 
 
 @pytest.mark.parametrize("order", [1, 2])

@@ -46,7 +46,7 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), alt=describe(board, _has_axes(asked)))
+    return replace(finished(board), alt=describe(board, _has_axes(asked)), language=language.name)
 
 
 def finished(board: Board) -> Drawing:

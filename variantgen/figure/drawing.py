@@ -103,7 +103,7 @@ class Label:
 class Drawing:
     """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen.
 
-    A place z (m) on paper is drawn at ``scale * z + origin``.
+    A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words.
     """
 
     width: float
@@ -113,3 +113,4 @@ class Drawing:
     alt: str = ""
     scale: float = 1.0
     origin: complex = 0j
+    language: str = "en"

@@ -9,8 +9,10 @@ from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 
-from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity
+from variantgen.outputs.figures import write_whole
+from variantgen.outputs.figures.mpl import need_matplotlib
 from variantgen.outputs.motion.film import film
 from variantgen.outputs.motion.page import page
 from variantgen.outputs.motion.subject import Subject
@@ -48,20 +50,14 @@ def write_motion(variant: Variant, asked: Sequence[Quantity], language_name: str
     if form not in FORMATS:
         raise InputError(Problem("unknown format", key="--motion", value=path.name, remedy=nearest(form, FORMATS)))
     made = motion_bytes(variant, asked, load_language(language_name), form, remark)
-    try:
-        path.write_bytes(made)
-    except OSError as error:
-        raise InputError(Problem(f"cannot be written: {error.strerror}", key="--motion", value=str(path))) from None
+    write_whole(path, made, "--motion")
 
 
 def motion_bytes(variant: Variant, asked: Sequence[Quantity], language: Language, form: str, remark: str = "") -> bytes:
     """The plots of a variant as a document of one of the ``FORMATS``. Raises as :func:`write_motion` does."""
-    try:
-        import matplotlib as mpl
-    except ImportError:
-        raise ToolMissingError(
-            "plots of the motion need matplotlib: install it with  pip install 'variantgen[plots]'"
-        ) from None
+    need_matplotlib()
+    import matplotlib as mpl
+
     subject = Subject(variant, course(variant, asked), asked, language)
     with mpl.rc_context():
         # Settings of the machine must not change the page.

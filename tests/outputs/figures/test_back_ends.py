@@ -326,3 +326,13 @@ def test_all_but_plots_goes_without_matplotlib(tmp_path: Path, monkeypatch: pyte
     assert "\\begin{tikzpicture}" in shown.tikz
     with pytest.raises(ToolMissingError, match=r"pip install 'variantgen\[plots\]'"):
         shown.matplotlib()
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_page_of_one_figure_says_its_language(language: str, tmp_path: Path) -> None:
+    import pikepdf
+
+    path = tmp_path / "figure.pdf"
+    one_variant("four_bar").figure(language=language).save(path)
+    with pikepdf.open(path) as document:
+        assert str(document.Root.Lang) == language
