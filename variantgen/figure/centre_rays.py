@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.figure.instant import Instant
+from variantgen.methods.instant import Instant
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.figure.vector_names import centre_letters

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Chain, Slip, Turn, taken_apart
+from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.instant import Instant
+from variantgen.methods.instant import Instant
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan
 from variantgen.figure.solved import solved
 from variantgen.figure.vector_names import (

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Chain, Slip, Turn
+from variantgen.methods.chain import Chain, Slip, Turn
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.instant import Instant
+from variantgen.methods.instant import Instant
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan
 from variantgen.figure.solved import solved
 from variantgen.figure.vector_names import about, absolute, compound, image, pole_letter, transport_image
