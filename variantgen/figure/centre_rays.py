@@ -6,11 +6,11 @@ from collections.abc import Collection
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.methods.instant import Instant
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.figure.vector_names import centre_letters
 from variantgen.mechanism.scene import fixed_points
+from variantgen.methods.instant import Instant
 from variantgen.wording.formula import Symbol
 
 _REACH = 1.15  # distance of a centre that is shown from the middle of the mechanism, in sizes of the mechanism
