@@ -104,9 +104,10 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
 
 @dataclass(frozen=True, slots=True)
 class Constant(Expression):
-    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``."""
+    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` where it has a unit (180 deg)."""
 
     value: float
+    measure: str = ""
 
     def number(self, exact: bool) -> float:
         """Itself."""

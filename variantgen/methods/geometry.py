@@ -139,7 +139,7 @@ class Geometry:
         slope: Expression = Applied("arctan", Ratio(up, right))
         turn = round((exact - slope.number(True)) / 180.0) * 180.0
         if turn:
-            slope = Total(((1, slope), (1 if turn > 0 else -1, Constant(180.0))))
+            slope = Total(((1, slope), (1 if turn > 0 else -1, Constant(180.0, "angle"))))
         value = Value(name, "angle", exact, slope)
         self.items.append(Derived(value))
         return value
@@ -180,7 +180,9 @@ class Geometry:
         exact = normal_angle(angle.exact + by)
         shift = round(exact - angle.exact, 6)
         sign = 1 if shift >= 0 else -1
-        expression = Total(((1, angle), (sign, Constant(abs(shift))))) if angle.expression is not None else None
+        expression = (
+            Total(((1, angle), (sign, Constant(abs(shift), "angle")))) if angle.expression is not None else None
+        )
         return Value(name, "angle", exact, expression)
 
     # Coordinates.

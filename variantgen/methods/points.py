@@ -85,16 +85,16 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the vector of a point of a body by that of its pole."""
     name = Name(book.letter, point)
     if is_translating(book, body):
-        with book.step("points.translation", body=Body(body), point=Point(point)):
+        with book.step(f"points.translation_{book.letter}", body=Body(body), point=Point(point)):
             book.say("points.same", first=VectorOf(name), second=VectorOf(Name(book.letter, pole)), body=Body(body))
             book.vectors[point] = renamed(book, book.vectors[pole], point)
     elif pole in book.task.fixed:
-        with book.step("points.turning", body=Body(body), point=Point(point), pivot=Point(pole)):
-            book.say("points.about_pivot", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
+        with book.step(f"points.turning_{book.letter}", body=Body(body), point=Point(point), pivot=Point(pole)):
+            book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
             _sum_up(book, point)
     else:
-        with book.step("points.by_pole", body=Body(body), point=Point(point), pole=Point(pole)):
+        with book.step(f"points.by_pole_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
             by_pole(book, point, body, pole)
 
 

@@ -23,8 +23,10 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     point, pole, body = group.track.point, group.pole, group.body
     known = vector(book, pole)
     view = "velocities" if book.order == 1 else "accelerations"
-    with book.step("pole.dyad", view, body=Body(body), point=Point(point), pole=Point(pole)):
-        book.say("pole.choose", pole=Point(pole), body=Body(body), vector=VectorOf(Name(book.letter, point)))
+    with book.step(f"pole.dyad_{book.letter}", view, body=Body(body), point=Point(point), pole=Point(pole)):
+        book.say(
+            f"pole.choose_{book.letter}", pole=Point(pole), body=Body(body), vector=VectorOf(Name(book.letter, point))
+        )
         at_path, path = on_track(book, group.track)
         turning, turn = about_pole(book, point, pole, body)
         _equate(book, ((*at_path, path), (*known, *turning, turn)))
@@ -44,7 +46,7 @@ def solve_crossing(book: Book, group: Crossed) -> None:
     first, second = group.bodies
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"first": Body(first), "second": Body(second), "point": Point(point)}
-    with book.step("pole.crossing", view, **facts):
+    with book.step(f"pole.crossing_{book.letter}", view, **facts):
         book.say("pole.two_poles", pole=Point(group.poles[0]), other=Point(group.poles[1]), **facts)
         sides: list[tuple[Term, ...]] = []
         turns: list[Term] = []

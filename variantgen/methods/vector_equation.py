@@ -119,7 +119,7 @@ def _acute(direction: Value, axis: Value, acute: float) -> Value:
         whole = round(turn / 180.0) * 180.0
         if abs(turn - whole) < 1e-6:
             parts: list[tuple[int, Expression]] = [(sign, direction), (-sign, axis)]
-            parts += [(1 if whole > 0 else -1, Constant(abs(whole)))] if whole else []
+            parts += [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
             return Value(None, "angle", acute, Total(tuple(parts)))
     raise ArithmeticError("an angle between two directions is not their difference")
 
