@@ -104,14 +104,17 @@ class Composed:
 
 @dataclass(frozen=True, slots=True)
 class Joined:
-    """A joint of the scene (its number) that gives the rate of ``body`` or the motion of ``point`` by a law of its own.
+    """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
 
-    Gears, threads, racks: see :mod:`variantgen.methods.laws`.
+    Gears, threads, racks: see :mod:`variantgen.methods.laws`. With a ``second`` contact of the same body (number of its
+    joint, or -1) both are found at once. ``track`` is the path of the point.
     """
 
     joint: int
     body: str = ""
     point: str = ""
+    second: int = -1
+    track: Track | None = None
 
 
 @dataclass(frozen=True, slots=True)

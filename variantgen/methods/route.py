@@ -14,6 +14,7 @@ from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow, Sliding
 from variantgen.methods.book import Book
 from variantgen.methods.group import Composed, Crossed, Dyad, Extended, Group, Rolled, Slid, Track, Turned
+from variantgen.methods.joined import joined
 
 
 class Route:
@@ -201,7 +202,7 @@ class Route:
         )
 
     def _joined(self) -> Iterator[Group]:
-        return iter(())
+        yield from joined(self)
 
     def _extended(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):

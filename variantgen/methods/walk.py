@@ -7,7 +7,8 @@ from typing import Any
 
 from variantgen.methods import given
 from variantgen.methods.book import Book
-from variantgen.methods.group import Composed, Crossed, Dyad, Group, Rolled, Slid, Turned
+from variantgen.methods.contact_motion import solve_joined
+from variantgen.methods.group import Composed, Crossed, Dyad, Group, Joined, Rolled, Slid, Turned
 from variantgen.methods.points import vector
 from variantgen.methods.pole import solve_crossing, solve_dyad
 from variantgen.methods.relative_motion import solve_slid
@@ -23,6 +24,7 @@ HANDLERS: dict[type, Handler] = {
     Crossed: solve_crossing,
     Slid: solve_slid,
     Composed: solve_composed,
+    Joined: solve_joined,
 }
 
 
