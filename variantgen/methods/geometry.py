@@ -32,6 +32,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.placing import placed
 from variantgen.methods.step import Derived, Item
 from variantgen.methods.task import CLOSE, Task
+from variantgen.methods.timed import timed_direction
 
 _DISTANCES = ("distance", "first_distance", "second_distance", "length")
 _LEVEL = 1e-9  # of the size: a coordinate difference below it is none
@@ -162,6 +163,8 @@ class Geometry:
         name = Name("direction", start, end)
         if self.is_read_off(start, end):
             return Value(name, "angle", exact)
+        if timed := timed_direction(self, start, end, exact):
+            return timed
         right, up = self._shift(start, end)
         if abs(right.number(True)) < _LEVEL * self.task.size or abs(up.number(True)) < _LEVEL * self.task.size:
             return Value(name, "angle", exact)
