@@ -1,8 +1,8 @@
 """Two material points with a common component of velocity: gears and wheels that touch, the ends of a thread.
 
-Where two bodies touch without slip, their points at the contact have the same velocity along the common tangent; the two
-ends of an inextensible thread have the same velocity along it. The components of the accelerations are equal too: the
-tangential ones, while the normal ones differ, because the points move on different paths (guide, section 4.1).
+Where two bodies touch without slip, their points at the contact have the same velocity along the common tangent; the
+two ends of an inextensible thread have the same velocity along it. The components of the accelerations are equal too:
+the tangential ones, while the normal ones differ, because the points move on different paths (guide, section 4.1).
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ class Side:
 
     ``line`` is the unit vector on paper along which the component is taken, ``radius`` (printed unit of length) the
     distance of the point from ``centre``, ``lever`` +1 or -1 by the sense of the arm, 0 where the point is the centre
-    itself. ``centre`` is empty for something at rest. ``name`` is the letter of the point. ``radial`` are the two points
-    to whose line the contact's tangent is perpendicular, if that is how it is known.
+    itself. ``centre`` is empty for something at rest. ``name`` is the letter of the point. ``radial`` are the two
+    points to whose line the contact's tangent is perpendicular, if that is how it is known.
     """
 
     name: str

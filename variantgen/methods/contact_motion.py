@@ -188,11 +188,11 @@ def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
     if not parts or abs(exact) <= 1e-10 * book.size_of(book.measure):
         book.vectors[group.point] = normal
         return
-    share = share_of(path, axis)
-    assert share is not None, "the path of the centre is across the thread or tangent"
+    along = share_of(path, axis)
+    assert along is not None, "the path of the centre is across the thread or tangent"
     whole = signed_sum(parts, 1 if exact > 0 else -1)
-    size = book.derive(path.name, book.measure, whole if share.angle is None else whole / cos(share.angle))
-    angle = path.angle if (exact > 0) == (share.sign > 0) else Geometry.turned(path.angle, 180.0)
+    size = book.derive(path.name, book.measure, whole if along.angle is None else whole / cos(along.angle))
+    angle = path.angle if (exact > 0) == (along.sign > 0) else Geometry.turned(path.angle, 180.0)
     book.vectors[group.point] = (*normal, Term(path.name, size, angle, path.way))
 
 

@@ -13,7 +13,7 @@ from variantgen.methods.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.monomial import simplified
 from variantgen.methods.name import Name
 from variantgen.methods.route import Route
-from variantgen.methods.step import Point, Statement
+from variantgen.methods.step import Body, Fact, Point, Statement
 from variantgen.methods.timed import law_behind
 from variantgen.methods.tracks import on_track
 
@@ -75,11 +75,24 @@ def amount(book: Book, template: Template, key: str, measure: str) -> Value:
         number /= book.task.length_unit
     if number == 0 or expression is None or isinstance(expression, Constant):
         return Value(None, measure, number)
-    if book.order == 1 and (law := law_behind(book.task, source)) is not None:
-        book.say("given.law", False, point=Point(_name_of(book, template, key).of))
-        book.items.append(Statement(Value(Name("parameter", "s"), "length", law.number(True), law), law))
+    if book.order == 1:
+        _say_law(book, template, source)
     expression = simplified(expression)
     return book.derive(_name_of(book, template, key), measure, expression)
+
+
+def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
+    """The law of time of which a given rate is the derivative, if it is one."""
+    law = law_behind(book.task, source)
+    if law is None:
+        return
+    point = template.fields.get("point")
+    name, measure = ("s", "length") if isinstance(point, str) else ("phi", "number")
+    facts: dict[str, Fact] = (
+        {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
+    )
+    book.say(f"given.law_{name}", False, **facts)
+    book.items.append(Statement(Value(Name("parameter", name), measure, law.number(True), law), law))
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:

@@ -1,4 +1,4 @@
-"""The laws of joints: the module of the same stem as the joint in :mod:`variantgen.methods.laws`, where there is one."""
+"""The laws of joints: the module of the same stem as the joint in :mod:`variantgen.methods.laws`, if there is one."""
 
 from __future__ import annotations
 

@@ -16,6 +16,7 @@ from variantgen.methods.expression import (
     Value,
     rounded,
 )
+from variantgen.methods.name import Name
 from variantgen.methods.step import (
     Derived,
     Item,
@@ -123,6 +124,6 @@ def _facts(sentence: Sentence) -> list[Value]:
             found.append(fact.value)
         elif isinstance(fact, Sentence):
             waiting += fact.facts.values()
-        elif type(fact) is tuple:
+        elif isinstance(fact, tuple) and not isinstance(fact, Name):
             waiting += fact
     return found
