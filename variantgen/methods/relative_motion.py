@@ -57,8 +57,9 @@ def solve_slid(book: Book, group: Slid) -> None:
     facts: dict[str, Fact] = {"point": Point(point), "carrier": Body(carrier)}
     with book.step(f"relative.{book.measure}", view, **facts):
         book.say("relative.compound", **facts)
+        start = len(book.items)
         sides = _sides(book, group)
-        write(book, sides.left, sides.right)
+        write(book, sides.left, sides.right, start)
         _solve(book, group, sides)
 
 
