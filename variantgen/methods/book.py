@@ -34,7 +34,9 @@ class Rate:
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
-    A point at rest has no terms. ``values`` are all that were derived, by name. ``order`` says what is being worked out: 1 velocities, 2 accelerations.
+    A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
+    velocities, 2 accelerations.
     """
 
     task: Task
@@ -45,6 +47,8 @@ class Book:
     omega: dict[str, Rate] = field(default_factory=dict)
     epsilon: dict[str, Rate] = field(default_factory=dict)
     relative: dict[tuple[str, str], Known] = field(default_factory=dict)
+    relative_acceleration: dict[tuple[str, str], Known] = field(default_factory=dict)
+    coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
 

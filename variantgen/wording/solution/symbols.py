@@ -35,6 +35,8 @@ class Symbols:
                 return self._of_points(name)
             case "radius":
                 return Symbol("r", self._body_index(name.of))
+            case "heading":
+                return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
                 return Symbol(self.language.letter(name.kind), self._body_index(name.of))
         return self._vector(name)
