@@ -109,7 +109,7 @@ def combined(book: Book, name: Name, parts: Sequence[tuple[int, Expression]]) ->
     if not parts or abs(exact) <= 1e-10 * book.size_of(book.measure):
         return ZERO
     sign = 1 if exact > 0 else -1
-    if len(parts) == 1 and isinstance(parts[0][1], Value):
+    if len(parts) == 1 and isinstance(parts[0][1], Value) and parts[0][1].exact > 0:
         return Component(parts[0][1], sign)
     return Component(book.derive(name, book.measure, signed_sum(parts, sign)), sign)
 

@@ -54,9 +54,10 @@ def solve_coupled(book: Book, group: Coupled) -> None:
 def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term) -> Row:
     """The equation of one support: ``v_Q = v_P + v_QP`` on the axis across its private unknown vector."""
     pole, body = group.track.point, group.body
+    start = len(book.items)
     own, private, axis = _supported(book, support)
     turning, turn = about_pole(book, support.point, pole, body)
-    write(book, (*own, private), (*known, path, *turning, turn))
+    write(book, (*own, private), (*known, path, *turning, turn), start)
     book.say("coupled.axis", True, vector=VectorOf(private.name), point=Point(support.point), angle=axis)
     right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]
     right += [(-share.sign, _projection(share.term.size, share.angle)) for share in shares((*known, *turning), axis)]

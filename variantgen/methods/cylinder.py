@@ -30,11 +30,12 @@ def solve_extended(book: Book, group: Extended) -> None:
     view = "velocities" if book.order == 1 else "accelerations"
     with book.step(f"cylinder.{book.measure}", view, body=Body(group.body), **facts):
         book.say("cylinder.compound", **facts)
+        start = len(book.items)
         known, turn = about_pole(book, point, group.pivot, group.body)
         sliding = _along(book, group)
         own, swing = _transport(book, group)
         left, right = (*known, turn), (*carried, *sliding, *own, swing)
-        write(book, left, right)
+        write(book, left, right, start)
         sizes = solved(book, left, right, [turn, swing] if book.order < book.task.order else [turn])
         if book.order == 1:
             book.relative[point, _link(group)] = sliding

@@ -1,4 +1,4 @@
-"""The printed numbers of a solution: with as few digits as lead a reader with a calculator to the answers of the key."""
+"""The printed numbers of a solution: as few digits as lead a reader with a calculator to the answers of the key."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from variantgen.methods.expression import (
 from variantgen.methods.name import Name
 from variantgen.methods.step import (
     Derived,
+    Fact,
     Item,
     LinearSystem,
     Listing,
@@ -115,7 +116,7 @@ def items_values(items: Iterable[Item]) -> list[Value]:
 def _facts(sentence: Sentence) -> list[Value]:
     """Values among the facts of a sentence."""
     found: list[Value] = []
-    waiting = list(sentence.facts.values())
+    waiting: list[Fact] = list(sentence.facts.values())
     while waiting:
         fact = waiting.pop()
         if isinstance(fact, Value):
