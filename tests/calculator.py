@@ -1,7 +1,7 @@
 """A reader with a calculator: evaluates a printed formula from its text, knowing nothing of how it was made.
 
 ``3 · (−20.3)``, ``a / b``, ``√(4^2 + 3^2)``, ``cos 12.3°`` (a degree mark belongs to the number before it); functions
-whose value is an angle give it in degrees; ``2 ω_BD · v`` is a product. Symbols take the numbers printed for them before.
+whose value is an angle give it in degrees; ``2 ω_BD · v`` is a product. Symbols take the numbers printed before.
 """
 
 from __future__ import annotations

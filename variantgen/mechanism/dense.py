@@ -101,7 +101,8 @@ class DenseSystem:
         points: dict[str, ComplexField] = {}
         for name, column in self.columns.items():
             points[name] = np.asarray(self.length * (found[:, column] + 1j * found[:, column + 1]), dtype=complex)
-        return Rates(points, {body: found[:, column] for body, column in self.turns.items()})
+        bodies: dict[str, Field] = {body: np.asarray(found[:, column]) for body, column in self.turns.items()}
+        return Rates(points, bodies)
 
     def _sides(self, order: int, speeds: Rates | None) -> list[Any]:
         """Right-hand sides in the order of the equations, velocities of points in units of the size."""

@@ -54,10 +54,11 @@ def _dyads(motion: Motion, groups: Sequence[Group]) -> Iterator[tuple[Dyad, Comp
             if group.track.straight:
                 # The direction of the guide on paper differs from variant to variant; the velocity shows it.
                 v = motion.v[group.track.point]
-                way = np.where(np.abs(v) > 0, v, 1.0)
+                way: ComplexField = np.where(np.abs(v) > 0, v, 1.0)
             else:
                 way = 1j * (motion.z[group.track.point] - motion.z[group.track.centre])
-            yield group, arm, way / np.abs(way)
+            unit: ComplexField = way / np.abs(way)
+            yield group, arm, unit
 
 
 def _projections(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
@@ -104,9 +105,9 @@ def _velocity_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
             np.abs(rate - motion.omega[group.body]) * np.abs(arm),
         )
         yield np.where(fit, defect * np.minimum(1.0, np.abs(sine)) / speed, 0.0)
-    for group in groups:
-        if isinstance(group, Crossed):
-            yield from (x / speed for x in _crossing(motion, group, 1))
+    for crossed in groups:
+        if isinstance(crossed, Crossed):
+            yield from (x / speed for x in _crossing(motion, crossed, 1))
 
 
 def _crossing(motion: Motion, group: Crossed, order: int) -> Iterator[Field]:
@@ -143,9 +144,9 @@ def _acceleration_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Fiel
             np.abs(own + size * way - motion.a[point]), np.abs(rate - motion.epsilon[group.body]) * np.abs(arm)
         )
         yield np.where(fit, defect * np.minimum(1.0, np.abs(sine)) / gain, 0.0)
-    for group in groups:
-        if isinstance(group, Crossed):
-            yield from (x / gain for x in _crossing(motion, group, 2))
+    for crossed in groups:
+        if isinstance(crossed, Crossed):
+            yield from (x / gain for x in _crossing(motion, crossed, 2))
 
 
 def _acceleration_centre(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
