@@ -18,7 +18,7 @@ def whole(book: Book, point: str, known: Known) -> Term:
     """The vector of a point as one term: itself, or the magnitude and direction of its components.
 
     Of two components across each other, ``a = sqrt(a_1^2 + a_2^2)``, and the vector is turned from the first towards
-    the second by ``arctan(a_2 / a_1)``. Other components are first projected on the axes x and y. The vector must not be
+    the second by ``arctan(a_2 / a_1)``. Other components are first projected on the axes x and y. The vector is not
     zero.
     """
     if len(known) == 1:
