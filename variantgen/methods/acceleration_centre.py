@@ -14,7 +14,7 @@ from variantgen.methods.centre import Centre, Ray, named_place, reach, turned_by
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio, Value, root
 from variantgen.methods.name import Name
 from variantgen.methods.points import is_translating, renamed, vector
-from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.whole_vector import whole
 
 
@@ -45,15 +45,16 @@ def _is_direction_asked(book: Book, point: str) -> bool:
 def _term(book: Book, centre: Centre, point: str, ray: Ray, size: Value) -> Term:
     """The acceleration, at the angle mu to the ray: the ray is the acceleration turned in the sense of epsilon."""
     sense = book.epsilon[centre.body].sense
-    facts: dict[str, Fact] = {"vector": VectorOf(Name("a", point)), "ray": centre.segment(point)}
     name = Name("a", point)
+    facts: dict[str, Fact] = {"vector": VectorOf(name), "ray": centre.segment(point), "centre": centre.fact}
     if not sense:
         book.say("acceleration_centre.along", True, **facts)
-        return book.term(name, size, ray.angle, "towards_centre", start=Point(point), centre=centre.fact)
+        way = Sentence("acceleration_centre.way_towards", {"start": Point(point), **facts})
+        return Term(name, size, ray.angle, way)
     slope = angle(book, centre.body)
     book.say("acceleration_centre.direction", True, angle=slope, **facts)
-    turned = turned_by(Name("direction", point, part="a"), ray.angle, -sense, slope)
-    return book.term(name, size, turned, "under_mu", segment=centre.segment(point), mu=slope)
+    turned = turned_by(Name("heading", point, body="a"), ray.angle, -sense, slope)
+    return Term(name, size, turned, Sentence("acceleration_centre.way_turned", {"angle": slope, **facts}))
 
 
 def centre_of(book: Book, body: str, pole: str) -> Centre:

@@ -39,9 +39,10 @@ class Rate:
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
-    A point at rest has no terms. ``values`` are all that were derived, by name. ``order`` says what is being worked
-    out: 1 velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by
-    letter and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
+    A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
+    velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
+    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
@@ -52,6 +53,8 @@ class Book:
     omega: dict[str, Rate] = field(default_factory=dict)
     epsilon: dict[str, Rate] = field(default_factory=dict)
     relative: dict[tuple[str, str], Known] = field(default_factory=dict)
+    relative_acceleration: dict[tuple[str, str], Known] = field(default_factory=dict)
+    coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
     style: Style = field(default_factory=Style)

@@ -120,10 +120,13 @@ def difference(name: Name | None, first: Value, second: Value) -> Value:
     raise ArithmeticError("an angle between two directions is not their difference")
 
 
-def note_angle(book: Book, value: Value) -> Value:
-    """Show how an angle is found."""
-    book.items.append(Derived(value))
-    return value
+def note_angle(book: Book, value: Value, symbolic: bool = False) -> Value:
+    """Show once how an angle is found: by the numbers of others that are only read off, or first in symbols."""
+    assert value.name is not None
+    if value.name not in book.values:
+        book.items.append(Derived(value, symbolic))
+        book.values[value.name] = value
+    return book.values[value.name]
 
 
 def is_angle(value: float, *others: float) -> bool:
@@ -196,7 +199,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     """The third side of the triangle, and its direction from the point C."""
     base, point, ray = triangle.base, triangle.point, triangle.ray
     side = book.geometry.length(base, point)
-    there = book.geometry.direction(base, point)
+    there, mark = _towards(book, centre, base, point)
     shape = triangle.shape
     facts: dict[str, Fact] = {
         "point": Point(point),
@@ -205,9 +208,9 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
         "ray": centre.segment(base),
     }
     book.say(f"centre.{_SHAPES[shape]}", **facts)
-    spread = difference(centre.corner(base, point), ray.angle, there)
+    spread = difference(centre.corner(base, mark), ray.angle, there)
     if shape in (_ISOSCELES, _GENERAL):
-        note_angle(book, spread)
+        spread = note_angle(book, spread)
     arm = book.derive(centre.length(point), "length", _ARMS[shape](ray.arm, side, spread))
     if shape == _ON_LINE:
         beyond = spread.exact < 90.0 and side.exact > ray.arm.exact
@@ -218,9 +221,21 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     sign = min((1, -1), key=lambda s: abs(normal_angle(back.exact + s * corner.exact - goal)))
     angle = turned_by(centre.direction(point), back, sign, corner)
     if with_direction:
-        note_angle(book, corner)
+        note_angle(book, corner, symbolic=True)
         note_angle(book, angle)
     return Ray(arm, angle)
+
+
+def _towards(book: Book, centre: Centre, base: str, point: str) -> tuple[Value, str]:
+    """The direction from one point to another, and the point that names it: an earlier one on the same line will do."""
+    side = book.geometry.vector(base, point)
+    for other in centre.rays:
+        along = book.geometry.vector(base, other)
+        if other != base and abs((along.conjugate() * side).imag) <= NEAR * abs(along) * abs(side):
+            there = book.geometry.direction(base, other)
+            ahead = (along.conjugate() * side).real > 0
+            return (there, other) if ahead else (Geometry.turned(there, 180.0), point)
+    return book.geometry.direction(base, point), point
 
 
 def _on_line(arm: Value, side: Value, spread: Value) -> Expression:
@@ -229,11 +244,17 @@ def _on_line(arm: Value, side: Value, spread: Value) -> Expression:
     return arm - side if arm.exact > side.exact else side - arm
 
 
+def _hypotenuse(arm: Value, side: Value) -> Expression:
+    if abs(arm.exact - side.exact) <= NEAR * side.exact:
+        return side * root(Constant(2.0))
+    return root(arm**2 + side**2)
+
+
 _ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
     _ON_LINE: _on_line,
     _EQUILATERAL: lambda arm, side, spread: side,
     _ISOSCELES: lambda arm, side, spread: Constant(2.0) * side * sin(spread / Constant(2.0)),
-    _RIGHT: lambda arm, side, spread: root(arm**2 + side**2),
+    _RIGHT: lambda arm, side, spread: _hypotenuse(arm, side),
     _GENERAL: lambda arm, side, spread: root(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
 }
 

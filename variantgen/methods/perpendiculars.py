@@ -129,7 +129,7 @@ def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tup
     facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
     book.say(f"perpendiculars.{shape}", True, **facts)
     for angle in needed:
-        note_angle(book, angle)
+        note_angle(book, angle, symbolic=angle is at_p)
     for point, arm, ray in zip(ends, arms, rays, strict=True):
         centre.rays[point] = Ray(book.derive(centre.length(point), "length", arm), ray)
 

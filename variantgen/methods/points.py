@@ -132,7 +132,7 @@ def _is_rolling(book: Book, body: str) -> bool:
 
 
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors by its projections on the axes x and y."""
+    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
@@ -140,8 +140,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
         size = book.derive(own, book.measure, sum_of(parts))
         if size.exact == 0:
             continue
-        angle = axis if size.exact > 0 else Geometry.turned(axis, 180.0)
-        found.append(Term(own, positive(size), angle, book.term(own, None, axis, f"axis_{word}").way))
+        found.append(book.term(own, size, axis, f"axis_{word}"))
     return tuple(found)
 
 
