@@ -111,6 +111,8 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
             book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
             _sum_up(book, point)
+    elif book.carry is not None:
+        book.carry(book, point, body, pole)
     else:
         with book.step(f"points.by_pole_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
             by_pole(book, point, body, pole)
