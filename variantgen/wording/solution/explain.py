@@ -9,6 +9,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.step import Solution
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
@@ -21,13 +22,18 @@ from variantgen.wording.solution.writer import Writer
 from variantgen.wording.statement import Text
 from variantgen.wording.vector_names import centre_letters
 
+WHOLE = Wish()
+
 
 def explain(
-    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, short: bool = False
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, wish: Wish = WHOLE
 ) -> SolutionText:
-    """The solution of one variant of a solved batch, in a language."""
+    """The solution of one variant of a solved batch, in a language, as it is wished."""
     task = task_of(variant, motion, index, asked)
-    return written(task, solution(task), language, short)
+    found = solution(task)
+    if wish.depth == "answers":
+        return SolutionText((), (), _answer(task, found, language))
+    return written(task, found, language, wish.depth == "short")
 
 
 def written(task: Task, found: Solution, language: Language, short: bool = False) -> SolutionText:
