@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from pathlib import Path
+from typing import cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -14,8 +15,10 @@ from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
+from variantgen.methods.wish import Depth, Wish
 from variantgen.resources import file_hash
 from variantgen.tables import Table, read_toml
+from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
 
@@ -55,6 +58,11 @@ class Exam:
     hash: str = ""
     solutions: Solutions = Solutions()
     notation: Notation = USUAL
+
+    def wish(self, task: Task, variant: Variant) -> Wish:
+        """What is wished of the solution of a problem: its methods, or those natural to the family."""
+        depth = cast(Depth, self.solutions.depth)
+        return Wish(task.methods or variant.family.solution, depth)
 
     @property
     def spoken(self) -> Language:
@@ -122,10 +130,11 @@ def _notation(table: Table) -> Notation:
     """The letters that the course is used to; mistakes are noted in the table."""
     chosen = {name: table.take(name, str, known[0]) for name, known in CHOICES.items()}
     table.finish()
-    found = USUAL
-    with table.collecting(""):
-        found = Notation(**chosen)
-    return found
+    try:
+        return Notation(**chosen)
+    except InputError as error:
+        table.problems += [replace(problem, key=table.key(problem.key)) for problem in error.problems]
+        return USUAL
 
 
 def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:

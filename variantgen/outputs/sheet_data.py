@@ -23,7 +23,7 @@ def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict
     items = [item for sheet in sheets for item in sheet.items]
     placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
     students = [
-        _student(
+        student_data(
             sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1]
         )
         for sheet in sheets
@@ -38,7 +38,8 @@ def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict
     }
 
 
-def _student(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+    """Who a run of pages is for, and its problems."""
     student = sheet.student
     name = student.name
     return {
