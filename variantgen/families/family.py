@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.expressions import Expression
+from variantgen.families.figure_hints import FigureHints
 from variantgen.families.quantities import quantity_names
 from variantgen.families.soundness import Demand, demands
 from variantgen.families.units import Unit
@@ -126,75 +127,16 @@ class Screens:
 
 
 @dataclass(frozen=True)
-class AngleMark:
-    """An angle to be drawn: at a point, from a ray to a ray; a ray leads to a point or in a direction."""
+class Nice:
+    """How hand-friendly variants are drawn: grids in place of those of the form, further comparisons to be met.
 
-    name: str
-    at: str
-    start: str
-    end: str
-
-
-@dataclass(frozen=True)
-class RightAngle:
-    """A right angle to be marked by a small square: at a point, between two rays (see :class:`AngleMark`)."""
-
-    at: str
-    start: str
-    end: str
-
-
-@dataclass(frozen=True)
-class LengthMark:
-    """A length to be drawn as a dimension line between two points."""
-
-    name: str
-    start: str
-    end: str
-
-
-@dataclass(frozen=True)
-class DiscMark:
-    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value.
-
-    ``label`` is written into it (a gear's number; by default the symbol of its body). ``arc``: the circle is drawn as
-    an arc by its joint, only the radius is marked here.
+    ``possible``: whether there are any; ``answers``: whether the answers, too, must be short decimals or simple roots.
     """
 
-    centre: str
-    radius: Expression
-    name: str = ""
-    body: str = ""
-    label: str = ""
-    arc: bool = False
-
-
-@dataclass(frozen=True)
-class FigureHints:
-    """What the drawing cannot know from the scene.
-
-    ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
-    ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
-    links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
-    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
-    on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
-    text speaks of.
-    """
-
-    angles: tuple[AngleMark, ...] = ()
-    lengths: tuple[LengthMark, ...] = ()
-    discs: tuple[DiscMark, ...] = ()
-    hidden: tuple[str, ...] = ()
-    plates: tuple[str, ...] = ()
-    plain: tuple[str, ...] = ()
-    slotted: tuple[str, ...] = ()
-    lines: tuple[tuple[str, ...], ...] = ()
-    thin: tuple[tuple[str, ...], ...] = ()
-    grooves: tuple[tuple[str, ...], ...] = ()
-    walls: tuple[tuple[str, ...], ...] = ()
-    bare: tuple[str, ...] = ()
-    stems: tuple[str, ...] = ()
-    right_angles: tuple[RightAngle, ...] = ()
+    parameters: Mapping[str, Parameter] = field(default_factory=dict)
+    require: tuple[Comparison, ...] = ()
+    possible: bool = True
+    answers: bool = True
 
 
 @dataclass(frozen=True)
@@ -233,6 +175,8 @@ class Form:
     pose: Pose = Pose()
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
+    nice: Nice = field(default_factory=Nice)
+    friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""

@@ -15,6 +15,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
     parameter_screens,
@@ -151,7 +152,12 @@ class FormDrawing:
             return attempts
         motion = add_speeds(motion.take(passed), self.form.plan, self.order)
         attempts = replace(attempts, motion=motion)
-        return attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
+        attempts = attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
+        if not (self.form.friendly and attempts.owner.size):
+            return attempts
+        assert attempts.motion is not None, "it was put in above"
+        nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
+        return attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
 
     def _sound(self, attempts: Attempts) -> NDArray[np.bool_]:
         """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
