@@ -127,13 +127,35 @@ class Screens:
 
 
 @dataclass(frozen=True)
-class Nice:
-    """How hand-friendly variants are drawn: grids in place of those of the form, further comparisons to be met.
+class Ties:
+    """Values of some parameters that go together: one of the ``rows`` is drawn, each with a printed value per name."""
 
-    ``possible``: whether there are any; ``answers``: whether the answers, too, must be short decimals or simple roots.
+    names: tuple[str, ...]
+    rows: tuple[tuple[Decimal, ...], ...]
+
+    def within(self, parameters: Mapping[str, Parameter]) -> Ties:
+        """The rows that lie on the grids of the parameters."""
+        grids = [parameters[name].printed for name in self.names]
+        return Ties(self.names, tuple(r for r in self.rows if all(v in g for v, g in zip(r, grids, strict=True))))
+
+    def places(self, parameters: Mapping[str, Parameter]) -> dict[str, NDArray[np.int64]]:
+        """Per name the places of the values of the rows on its grid, shape (R,)."""
+        return {
+            name: np.array([parameters[name].printed.index(row[k]) for row in self.rows], dtype=np.int64)
+            for k, name in enumerate(self.names)
+        }
+
+
+@dataclass(frozen=True)
+class Nice:
+    """How hand-friendly variants are drawn: grids in place of those of the form, rows of values that go together.
+
+    ``require``: further comparisons; ``possible``: whether there are such variants at all; ``answers``: whether the
+    answers, too, must be short decimals or simple roots.
     """
 
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
+    ties: Ties | None = None
     require: tuple[Comparison, ...] = ()
     possible: bool = True
     answers: bool = True
@@ -176,6 +198,7 @@ class Form:
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
     nice: Nice = field(default_factory=Nice)
+    ties: Ties | None = None
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
@@ -227,10 +250,16 @@ class Form:
     @property
     def grid_size(self) -> int:
         """Number of points of the parameter grid (poses and silent parameters not counted)."""
-        size = 1
-        for parameter in self.parameters.values():
-            size *= 1 if parameter.silent else len(parameter.printed)
+        size = len(self.ties.rows) if self.ties else 1
+        for name in self.free_names:
+            size *= len(self.parameters[name].printed)
         return size
+
+    @property
+    def free_names(self) -> list[str]:
+        """Parameters that are drawn each by itself, without the silent ones, in order of their names."""
+        tied = self.ties.names if self.ties else ()
+        return sorted(name for name, p in self.parameters.items() if not p.silent and name not in tied)
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,13 @@ table names other grids (sides of right triangles, say) and comparisons, so that
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import nearest
-from variantgen.families.family import Form, Nice, Parameter
+from variantgen.families.family import Form, Nice, Parameter, Ties
 from variantgen.families.hints import ExpressionReader, read_require
 from variantgen.families.parameters import choose_words, read_parameter
 from variantgen.tables import Table
@@ -21,12 +22,15 @@ _USUAL_ANGLES = (30, 45)  # degrees: multiples of these have the sines that ever
 
 def read_nice(table: Table, parameters: Mapping[str, Parameter], expression: ExpressionReader) -> Nice:
     """The table ``[nice]``; an empty one leaves everything to the answers."""
+    before = len(table.problems)
     grids = table.table("parameters")
     found = grids.each(lambda name, value: _read_grid(grids, name, value, parameters))
+    columns, rows = table.strings("columns"), table.take("rows", list, [], "a list of lists of values")
+    ties = _read_ties(table, columns, rows, parameters, found) if columns or rows else None
     require = read_require(table, expression)
-    nice = Nice(found, require, table.take("possible", bool, True), table.take("answers", bool, True))
+    possible, answers = table.take("possible", bool, True), table.take("answers", bool, True)
     table.finish()
-    return nice
+    return Nice(found, ties, require, possible, answers) if len(table.problems) == before else Nice()
 
 
 def _read_grid(table: Table, name: str, value: Any, parameters: Mapping[str, Parameter]) -> Parameter | None:
@@ -57,12 +61,50 @@ def _read_words(table: Table, name: str, value: Any, known: Parameter) -> Parame
     return found[0] if found else None
 
 
+def _read_ties(
+    table: Table,
+    columns: Sequence[str],
+    rows: Sequence[Any],
+    parameters: Mapping[str, Parameter],
+    grids: dict[str, Parameter],
+) -> Ties | None:
+    """Values that go together; the grid of a parameter becomes its column, unless ``parameters`` gives it one."""
+    for name in columns:
+        if name not in parameters or parameters[name].silent:
+            table.problem("expected a printed parameter", "columns", name, nearest(name, parameters))
+            return None
+    if len(set(columns)) < max(2, len(columns)):
+        table.problem("expected two or more parameters, each once", "columns", ", ".join(columns))
+        return None
+    if not rows or not all(_is_row(row, len(columns)) for row in rows):
+        table.problem(f"expected lists of {len(columns)} values", "rows", rows)
+        return None
+    read: list[list[Decimal]] = []
+    for k, name in enumerate(columns):
+        values = [row[k] for row in rows]
+        grid = grids.get(name) or _read_grid(table, name, list(dict.fromkeys(values)), parameters)
+        if grid is None:
+            return None
+        numbers = dict(zip(grid.words or grid.printed, grid.printed, strict=True))
+        foreign = [value for value in values if value not in numbers]
+        if foreign:
+            table.problem(f"is not on the grid of {name}", "rows", foreign[0])
+            return None
+        grids[name] = grid
+        read.append([numbers[value] for value in values])
+    return Ties(tuple(columns), tuple(zip(*read, strict=True)))
+
+
+def _is_row(row: Any, size: int) -> bool:
+    return isinstance(row, list) and len(row) == size and all(isinstance(v, int | Decimal | str) for v in row)
+
+
 def hand_friendly(form: Form) -> Form:
     """The form that draws hand-friendly variants only (:attr:`Nice.possible` says whether it has any)."""
     nice = form.nice
     parameters = {name: nice.parameters.get(name) or _usual_angles(known) for name, known in form.parameters.items()}
     screens = replace(form.screens, require=form.screens.require + nice.require)
-    return replace(form, parameters=parameters, screens=screens, friendly=nice.answers)
+    return replace(form, parameters=parameters, screens=screens, ties=nice.ties, friendly=nice.answers)
 
 
 def _usual_angles(parameter: Parameter) -> Parameter:

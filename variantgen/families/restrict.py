@@ -56,6 +56,10 @@ def restrict(
             except InputError as error:
                 problems += error.problems
         narrowed[form_name] = replace(form, parameters=parameters)
+        if form.ties and len(parameters) == len(form.parameters):
+            ties = form.ties.within(parameters)
+            narrowed[form_name] = replace(form, parameters=parameters, ties=ties)
+            problems += [] if ties.rows else [_no_row(form)]
     if problems:
         raise InputError(dict.fromkeys(problems))
     return replace(family, forms=narrowed)
@@ -75,6 +79,16 @@ def _hand_friendly(family: Family, forms: Mapping[str, Form]) -> dict[str, Form]
             )
         )
     return found
+
+
+def _no_row(form: Form) -> Problem:
+    assert form.ties is not None, "asked only of a form with rows"
+    return Problem(
+        "no hand-friendly variant has these values",
+        key="nice",
+        value=form.name,
+        remedy=f"leave nice out, or leave one of {', '.join(form.ties.names)} free",
+    )
 
 
 def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str, Any]) -> Parameter:

@@ -13,13 +13,13 @@ from variantgen.mechanism.closed_form import TOLERANCE, root_of_fraction, square
 from variantgen.mechanism.motion import Motion
 
 _DIGITS = 3
-_MOST_RADICAND, _MOST_DENOMINATOR = 100, 9
+_MOST_RADICAND, _MOST_DENOMINATOR = 100, 13
 
 
 def friendly(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether values are hand-friendly, shape (N,): zero, decimals of at most three digits, or simple roots.
 
-    A simple root is ``d sqrt(n) / k``: d a decimal of at most three digits, n up to 100, k up to 9 (``0.35 sqrt(3)``,
+    A simple root is ``d sqrt(n) / k``: d a decimal of at most three digits, n up to 100, k up to 13 (``0.35 sqrt(3)``,
     ``40 sqrt(3) / 3``, ``4 / 3``); see :mod:`variantgen.mechanism.closed_form`.
     """
     found = _short(values)
