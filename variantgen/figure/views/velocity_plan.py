@@ -12,7 +12,7 @@ from itertools import combinations
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import Vector, VectorPlan, draw_plan
+from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.chain import Chain, Slip, Turn
@@ -28,7 +28,8 @@ _AT_REST = 1e-9  # of the largest velocity
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The plan of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_plan(velocity_plan(found.chain, found.now, language), found.unit, language)
+    scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)
+    return draw_plan(velocity_plan(found.chain, found.now, language), scale, language)
 
 
 def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
