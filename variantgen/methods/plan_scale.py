@@ -1,7 +1,7 @@
 """The scale of velocity and acceleration plans: a round one, the same in the solution and in the printed figure.
 
-A plan is drawn so that one millimetre of the sheet stands for 1, 2, 2.5, 4 or 5 times a power of ten of cm/s (or
-whatever the printed unit is). Then a ruler on the page gives the numbers of the text.
+A plan is drawn so that one millimetre of the sheet stands for 1, 1.5, 2, 2.5, 4, 5 or 7.5 times a power of ten of
+cm/s (or whatever the printed unit is). Then a ruler on the page gives the numbers of the text.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from variantgen.methods.instant import Instant
 
 MILLIMETRES = 0.8  # on paper, of one figure unit, where the paper does not ask for less
 ROOM = (64.0, 56.0)  # for a plan without its letters, width and height, mm
-_STEPS = tuple(Decimal(step) for step in ("1", "2", "2.5", "4", "5", "10"))
+_STEPS = tuple(Decimal(step) for step in ("1", "1.5", "2", "2.5", "4", "5", "7.5", "10"))
 _SLACK = 1e-9  # of the room: rounding decides nothing
 
 
