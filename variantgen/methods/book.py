@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -32,7 +34,9 @@ class Rate:
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
-    A point at rest has no terms. ``order`` says what is being worked out: 1 velocities, 2 accelerations.
+    A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
+    velocities, 2 accelerations.
     """
 
     task: Task
@@ -43,6 +47,9 @@ class Book:
     omega: dict[str, Rate] = field(default_factory=dict)
     epsilon: dict[str, Rate] = field(default_factory=dict)
     relative: dict[tuple[str, str], Known] = field(default_factory=dict)
+    relative_acceleration: dict[tuple[str, str], Known] = field(default_factory=dict)
+    coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
+    values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
 
     def __post_init__(self) -> None:
@@ -115,6 +122,7 @@ class Book:
         """A new value by an expression, with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))
         self.items.append(Derived(value, detail=detail))
+        self.values[name] = value
         return value
 
     def size_of(self, measure: str) -> float:
@@ -139,9 +147,6 @@ def along(start: str, end: str) -> dict[str, Fact]:
 
 def resultant(terms: Sequence[Term]) -> complex:
     """The exact sum of known vectors as a complex number."""
-    import cmath
-    import math
-
     return sum(
         (cmath.rect(term.size.exact, math.radians(term.angle.exact)) for term in terms if term.size is not None), 0j
     )

@@ -104,7 +104,7 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
 
 @dataclass(frozen=True, slots=True)
 class Constant(Expression):
-    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` where it has a unit (180 deg)."""
+    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` "angle" for degrees."""
 
     value: float
     measure: str = ""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods.book import Book, Known, Rate, along
-from variantgen.methods.expression import Expression, Value, cos, hypotenuse
+from variantgen.methods.expression import Constant, Expression, Total, Value, cos, hypotenuse
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
-from variantgen.methods.step import Body, Derived, Point, Share, Term, VectorOf
+from variantgen.methods.step import Body, Point, Share, Term, VectorOf
 from variantgen.methods.vector_equation import shares, write
 
 RIGHT = Value(None, "angle", 0.0)
@@ -113,11 +113,20 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     """The pole formula: vectors of the pole and of the rotation about it, summed on the axes."""
     name, about = Name(book.letter, point), Name(book.letter, point, pole)
     known = vector(book, pole)
+    key = "wheel" if book.order == 2 and _is_rolling(book, body) else book.letter
+    book.say(f"points.sum_{key}", body=Body(body), pole=Point(pole), point=Point(point), vector=VectorOf(name))
+    start = len(book.items)
     turning = rotation(book, point, pole, body, about)
-    sought = Term(name, None, RIGHT, book.term(name, None, RIGHT, "unknown").way)
-    write(book, (sought,), (*known, *turning))
+    sought = book.term(name, None, RIGHT, "unknown")
+    write(book, (sought,), (*known, *turning), start)
     book.vectors[point] = components(book, name, (*known, *turning))
     _sum_up(book, point)
+
+
+def _is_rolling(book: Book, body: str) -> bool:
+    """Whether a body touches something without slip, so that its rates are known before the equation is written."""
+    at = book.task.at
+    return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
 
 
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
@@ -136,8 +145,6 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
 
 def sum_of(parts: Sequence[Share]) -> Expression:
     """The sum of projections of known vectors."""
-    from variantgen.methods.expression import Constant, Total
-
     if not parts:
         return Constant(0.0)
     terms: list[tuple[int, Expression]] = []
@@ -169,9 +176,8 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
     sizes = [term.size for term in terms if term.size is not None]
     if len(terms) == 1 and sizes[0].name == name:
         return sizes[0]
-    for line in book.items:
-        if isinstance(line, Derived) and line.value.name == name:
-            return line.value
+    if name in book.values:
+        return book.values[name]
     if not terms:
         return Value(name, book.measure, 0.0)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):

@@ -18,9 +18,12 @@ def unknowns(terms: Sequence[Term]) -> list[Term]:
     return [term for term in terms if term.size is None]
 
 
-def write(book: Book, left: Sequence[Term], right: Sequence[Term]) -> None:
-    """The equation and the table of its vectors: what is known of each."""
-    book.items.append(VectorLine(tuple(left), tuple(right)))
+def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
+    """The equation and the table of its vectors: what is known of each.
+
+    The equation comes before the lines of its known magnitudes, which begin at the item ``start`` of the step.
+    """
+    book.items.insert(start, VectorLine(tuple(left), tuple(right)))
     book.items.append(TermTable((*left, *right)))
 
 
