@@ -7,7 +7,7 @@ cm/s (or whatever the printed unit is). Then a ruler on the page gives the numbe
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from decimal import Decimal
 
 from variantgen.methods.chain import Chain, taken_apart
@@ -59,3 +59,8 @@ def _accelerations(chain: Chain, now: Instant) -> list[complex]:
         relative = now.relative_acceleration(slip.point, slip.body)
         ends += [transport, start, start + relative, start + complex(slip.path.curvature(now.z)) * abs(speed) ** 2]
     return ends
+
+
+def pole_letter(moving: Collection[str]) -> str:
+    """The letter of the pole of a velocity plan: o, or another one where a moving point is called so."""
+    return next(letter for letter in "opqw" if letter.upper() not in moving or letter == "w")
