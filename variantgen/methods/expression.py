@@ -36,6 +36,8 @@ class Expression:
         return Total(((1, self), (-1, other)))
 
     def __neg__(self) -> Expression:
+        if isinstance(self, Total):
+            return Total(tuple((-sign, term) for sign, term in self.terms))
         return Total(((-1, self),))
 
     def __mul__(self, other: Expression) -> Expression:

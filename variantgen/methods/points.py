@@ -135,7 +135,7 @@ def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
 
 
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors by its projections on the axes x and y."""
+    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
@@ -144,8 +144,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
         size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue
-        angle = axis if size.exact > 0 else Geometry.turned(axis, 180.0)
-        found.append(Term(own, positive(size), angle, book.term(own, None, axis, f"axis_{word}").way))
+        found.append(book.term(own, size, axis, f"axis_{word}"))
     return tuple(found)
 
 

@@ -155,7 +155,8 @@ class Route:
     def _crossed(self) -> Iterator[Group]:
         for first in self.open_bodies:
             for second in self.open_bodies:
-                shared = [p for p in self.scene.bodies[first] if p in self.scene.bodies[second]]
+                members = self.scene.bodies[first]
+                shared = [p for p in members if p in self.scene.bodies[second] and not self.is_known(p)]
                 poles = self.known_point(first), self.known_point(second)
                 if first < second and shared and poles[0] and poles[1]:
                     yield Crossed(shared[0], (first, second), (poles[0], poles[1]))

@@ -87,7 +87,8 @@ class Formulas:
             case Pi():
                 return Symbol("pi")
             case Total(terms):
-                return Sum(tuple(self._signed(sign, term, numbers) for sign, term in terms))
+                signed = tuple(self._signed(sign, term, numbers) for sign, term in terms)
+                return signed[0][1] if len(signed) == 1 and signed[0][0] > 0 else Sum(signed)
             case Times(factors):
                 return Product(tuple(self._written(factor, numbers) for factor in factors))
             case Ratio(above, below):

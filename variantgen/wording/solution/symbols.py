@@ -35,6 +35,9 @@ class Symbols:
                 return self._of_points(name)
             case "radius":
                 return Symbol("r", self._body_index(name.of))
+            case "projection":
+                vector = self._vector(name._replace(kind=name.body, body=""))
+                return Symbol("pr", vector.index, vector.upper)
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
