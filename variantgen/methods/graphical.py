@@ -20,11 +20,11 @@ from variantgen.methods.instant import Instant
 from variantgen.methods.name import Name
 from variantgen.methods.plan_drawing import PlanDrawing
 from variantgen.methods.plan_scale import per_millimetre, places_of, pole_letter
-from variantgen.methods.step import Sentence, Shown, Term
+from variantgen.methods.step import Sentence, Shown, Step, Term
 from variantgen.methods.task import Task
 from variantgen.variants.needed import shown_points
 
-DIGITS = 3  # significant digits of what is measured and of what is computed from it
+DIGITS = 4  # significant digits of intermediate results: one more than the three that readings are worth
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 
@@ -59,10 +59,13 @@ class Plans:
     def __init__(self, task: Task) -> None:
         self.task = task
         self.made: dict[str, PlanDrawing] = {}
+        self._step: Step | None = None
 
     def write(self, book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
         """Write a vector equation; see :meth:`PlanDrawing.write`."""
-        self._plan(book, book.letter).write(book, left, right, start)
+        items = len(book.items)
+        plan = self._plan(book, book.letter)
+        plan.write(book, left, right, start + len(book.items) - items)
 
     def solve(self, book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:
         """Solve a vector equation; see :meth:`PlanDrawing.solve`."""
@@ -85,13 +88,16 @@ class Plans:
         if letter not in self.made:
             plan = begun(self.task, letter)
             self.made[letter] = plan
-            book.steps[-1].views = (_VIEWS[letter],)
+            self._step = book.steps[-1]
+            self._step.views += (_VIEWS[letter],)
             start = Sentence(
                 f"graphical.plan_{letter}",
                 {"scale": plan.scale, "value": Shown(plan.scale), "pole": plan.pole.name},
                 detail=False,
             )
             book.items.insert(0, start)
+        elif book.steps[-1] is not self._step:
+            book.steps[-1].views = ()  # one plan shows all steps
         return self.made[letter]
 
 

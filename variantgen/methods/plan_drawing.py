@@ -29,7 +29,7 @@ class Spot:
     kind: str = "image"
 
     def called(self, form: str) -> Sentence:
-        """Its name, ``of`` (from the point ...) or ``what`` (through the point ...)."""
+        """Its name in the case ``name``, ``of`` (from the point ...) or ``what`` (through the point ...)."""
         fact: Fact = self.name if self.kind == "image" else VectorOf(self.name)
         return Sentence(f"graphical.{form}_{self.kind}", {"name": fact})
 
@@ -129,7 +129,7 @@ class PlanDrawing:
         end = self._chain(book, sides[0])
         start = self._chain(book, [term for term in sides[1] if term is not free])
         book.say(
-            "graphical.closing", False, start=start.called("what"), end=end.called("what"), vector=VectorOf(free.name)
+            "graphical.closing", False, start=start.called("name"), end=end.called("name"), vector=VectorOf(free.name)
         )
         return {free.name: end.at - start.at}
 
