@@ -24,7 +24,8 @@ from variantgen.methods.step import Sentence, Shown, Step, Term
 from variantgen.methods.task import Task
 from variantgen.variants.needed import shown_points
 
-DIGITS = 4  # significant digits of intermediate results: one more than the three that readings are worth
+ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
+DIGITS = ANSWER_DIGITS + 1  # of intermediate results
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 
@@ -96,6 +97,8 @@ class Plans:
                 detail=False,
             )
             book.items.insert(0, start)
+            if len(self.made) == 1:
+                book.items.insert(1, Sentence("graphical.lengths", detail=False))
         elif book.steps[-1] is not self._step:
             book.steps[-1].views = ()  # one plan shows all steps
         return self.made[letter]

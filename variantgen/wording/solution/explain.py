@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
-from variantgen.methods.step import Solution
+from variantgen.methods.step import Sentence, Solution
 from variantgen.methods.task import Task, task_of
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
@@ -39,7 +39,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
     return SolutionText(
         _plan([writer.text(step.heading) for step in found.steps]),
         sections,
-        _answer(task, found, language),
+        _answer(task, found, language, writer),
         writer.blocks(found.check),
     )
 
@@ -61,11 +61,15 @@ def _plan(headings: Sequence[Text]) -> Text:
     return (*parts, ".")
 
 
-def _answer(task: Task, found: Solution, language: Language) -> Text:
-    """The asked quantities with their values as in the key."""
+def _answer(task: Task, found: Solution, language: Language, writer: Writer) -> Text:
+    """The asked quantities with their values as in the key; measured ones with the digits that they are worth."""
     parts: list[str | Formula] = []
-    for quantity, (_, value) in zip(task.asked, found.answers, strict=True):
+    digits = found.approximate
+    if digits:
+        parts += writer.text(Sentence("graphical.answer"))
+    for position, (quantity, (_, value)) in enumerate(zip(task.asked, found.answers, strict=True)):
         unit = language.unit(quantity.unit(task.variant.family.length_unit))
         symbol = language.quantity(quantity, task.form.symbols)
-        parts += ["; " if parts else "", Equation(symbol, Measured(language.rounded(value.exact), unit))]
+        number = language.rounded(value.shown, digits) if digits else language.rounded(value.exact)
+        parts += ["; " if position else "", Equation(symbol, Measured(number, unit))]
     return (*parts, ".")

@@ -70,7 +70,7 @@ class Formulas:
     def _printed(self, value: Value) -> Number:
         """The printed number; a length on a drawing always with its tenths."""
         if value.measure == DRAWING_LENGTH:
-            return self.language.decimal(Decimal(f"{value.shown:.1f}"))
+            return self.language.fixed(value.shown, 1)
         return self.number(value.shown)
 
     def symbol(self, value: Value) -> Formula:
