@@ -15,7 +15,7 @@ from variantgen.methods.book import Book, Known
 from variantgen.methods.chain import Chain, chain_of
 from variantgen.methods.drawn_geometry import DrawnGeometry
 from variantgen.methods.expression import Expression, Value
-from variantgen.methods.group import Coupled
+from variantgen.methods.group import Coupled, Group
 from variantgen.methods.instant import Instant
 from variantgen.methods.name import Name
 from variantgen.methods.plan_drawing import PlanDrawing
@@ -34,16 +34,21 @@ def applies(task: Task) -> bool:
     """Whether something is found by a plan, and no bodies are coupled so that lines of one group do not cross."""
     book = Book(task)
     plans = prepare(book)
-    groups = walk.velocities(book)
+    groups = _walk(book)
     return bool(plans.made) and not any(isinstance(group, Coupled) for group in groups)
 
 
 def solve(book: Book) -> None:
     """Enter the velocities and, where asked, the accelerations, found by drawing."""
     prepare(book)
+    _walk(book)
+
+
+def _walk(book: Book) -> list[Group]:
     groups = walk.velocities(book)
     if book.task.order == 2:
         walk.accelerations(book, groups)
+    return groups
 
 
 def prepare(book: Book) -> Plans:
