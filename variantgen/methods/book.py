@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence, Step, Term
+from variantgen.methods.style import Style
 from variantgen.methods.task import Task
+
+if TYPE_CHECKING:
+    from variantgen.methods.centre import Centre
 
 Known = tuple[Term, ...]
 
@@ -56,7 +60,8 @@ class Book:
 
     A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
     and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
-    velocities, 2 accelerations.
+    velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
+    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
@@ -72,6 +77,9 @@ class Book:
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
     graphics: Graphics | None = None
+    style: Style = field(default_factory=Style)
+    centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
+    carry: Callable[[Book, str, str, str], None] | None = None
 
     def __post_init__(self) -> None:
         self.geometry = Geometry(self.task)

@@ -32,7 +32,11 @@ class Symbols:
                 return self.language.symbol(name.of, self.form.symbols)
             case "x" | "y":
                 return Symbol(name.kind, (Index(name.of),))
-            case "length" | "angle" | "direction":
+            case "angle":
+                return self._corner(name)
+            case "mu":
+                return Symbol("mu", self._body_index(name.of))
+            case "length" | "direction":
                 return self._of_points(name)
             case "radius":
                 return Symbol("r", self._body_index(name.of))
@@ -63,10 +67,24 @@ class Symbols:
 
     def _of_points(self, name: Name) -> Symbol:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
-        end: Symbol = self.centres[name.body] if name.part == "centre" else Symbol(name.about)
+        end = self.centre(name.about, name.body) if name.part == "centre" else Symbol(name.about)
         if name.kind == "direction":
             return Symbol("phi", (Index(name.of + end.base),))
         return Symbol(name.of + end.base, end.index)
+
+    def _corner(self, name: Name) -> Symbol:
+        """A corner of a triangle by its three points, ``BAP``; one at a centre by this alone."""
+        start, end = name.about.split()
+        if name.part == "vertex":
+            centre = self.centre(name.of, name.body)
+            return Symbol(f"\N{ANGLE}{centre.base}", centre.index)
+        last = self.centre(end, name.body) if name.part == "centre" else Symbol(end)
+        return Symbol(f"\N{ANGLE}{start}{name.of}{last.base}", last.index)
+
+    def centre(self, letter: str, body: str) -> Symbol:
+        """The letter of a velocity centre (P) or an acceleration centre (Q), with the index that tells bodies apart."""
+        found = self.centres[body]
+        return found if letter == found.base else Symbol(letter, found.index)
 
     def _body_index(self, body: str) -> tuple[Index, ...]:
         text = self.form.symbols.get(body, body)
@@ -87,7 +105,7 @@ class Symbols:
         noun = self.phrases.bodies[kind][case or "name"]
         called = self.form.symbols.get(name, name)
         if not called:
-            return (noun,)
+            return (self.phrases.words["the"] + noun,)
         return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
 
     def _kind(self, name: str) -> str:
