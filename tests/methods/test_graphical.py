@@ -19,7 +19,7 @@ from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.methods import graphical
 from variantgen.methods.agreement import deviation
 from variantgen.methods.book import Book
-from variantgen.methods.compose import graphical_solution
+from variantgen.methods.compose import solution
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
 from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, pole_letter
@@ -69,7 +69,7 @@ class TestProblem28:
 
     @cache  # noqa: B019 - one solution for all tests of the class
     def found(self) -> Solution:
-        return graphical_solution(task(*case_of("four_bar_with_sleeve", "K28")))
+        return solution(task(*case_of("four_bar_with_sleeve", "K28")), ["graphical"])
 
     def test_readings_are_those_of_a_ruler(self) -> None:
         scales = {"v": 2.5, "a": 15.0}  # 1 mm = 2.5 cm/s: the plan is 48 mm wide; 1 mm = 15 cm/s^2: 49 mm high
@@ -117,7 +117,7 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
         symbols = Symbols(item.form, EN, load_phrases("en"), {})
         for order, module in ((1, velocity_plan), (2, acceleration_plan)):
             letter = "va"[order - 1]
-            read = [v for v in readings(graphical_solution(item)) if v.name and v.name.body == letter]
+            read = [v for v in readings(solution(item, ["graphical"])) if v.name and v.name.body == letter]
             shown = shown_points(item.variant, asked)
             read = [v for v in read if v.name and v.name.of in shown]
             read = [v for v in read if v.shown > COINCIDENT * MILLIMETRES and not set("xy") & set(v.name.part.split())]
@@ -166,7 +166,7 @@ def test_text_and_figure_have_one_scale(name: str, form: str) -> None:
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_a_calculator_follows_the_numbers(name: str, form: str) -> None:
     for item in tasks(name, form)[:1]:
-        found = graphical_solution(item)
+        found = solution(item, ["graphical"])
         symbols = Symbols(item.form, EN, load_phrases("en"), {})
         text = written(item, found, EN)
         known: dict[str, float] = {}
