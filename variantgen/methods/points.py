@@ -54,6 +54,7 @@ def vector(book: Book, point: str) -> Known:
     """
     if point not in book.vectors:
         body, pole = carrier_of(book, point)
+        vector(book, pole)
         _carry(book, point, body, pole)
     return book.vectors[point]
 
