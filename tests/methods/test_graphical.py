@@ -32,6 +32,7 @@ from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import written
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.vector_names import absolute
 
 EN = load_language("en")
 SEEDS = 2
@@ -134,6 +135,9 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
                 parts = [v for v in plan.vectors if v.symbol == wanted]
                 # A vector that is drawn as two components is measured from the start of one to the end of the other.
                 parts = parts or [v for v in plan.vectors if replace(v.symbol, upper=()) == wanted]
+                # About a point that is at rest for an instant the point turns with its whole velocity.
+                whole = absolute(letter, value.name.of)
+                parts = parts or [v for v in plan.vectors if v.whole and v.symbol == whole]
                 assert parts, wanted
                 steps = [drawing.scale * (v.end - v.start) for v in parts]
                 assert abs(abs(sum(steps)) * MILLIMETRES - value.shown) < RULER
