@@ -10,10 +10,9 @@ from variantgen.methods.name import Name
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
-from variantgen.wording.vector_names import image, transport_image
+from variantgen.wording.vector_names import COMPONENTS, image, transport_image
 
 _COMPOUND = ("rel", "tr", "cor")
-_UPPER = ("n", "tau")
 
 
 @dataclass(frozen=True)
@@ -96,7 +95,7 @@ class Symbols:
         index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
         index.append(Index(name.of + name.about))
         index += [Index(w) for w in words if w in ("x", "y")]
-        upper = tuple(Index(w) for w in words if w in _UPPER)
+        upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
         return Symbol(self.language.letter(name.kind), tuple(index), upper)
 
     def body(self, name: str, case: str) -> tuple[str | Symbol, ...]:
