@@ -12,7 +12,9 @@ class Name(NamedTuple):
     triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point, the
     body or the first point of a segment; ``about`` the pole (v_BA) or the second point; ``part``: words from
     ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity
-    centre of the body ``body``.
+    centre of the body ``body``. Coordinates of a method that differentiates: ``rotation`` (angle through which the
+    body ``of`` has turned), ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a
+    circle), ``swing`` (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time.
     """
 
     kind: str
@@ -20,6 +22,7 @@ class Name(NamedTuple):
     about: str = ""
     part: str = ""
     body: str = ""
+    dots: int = 0
 
     @property
     def whole(self) -> Name:
