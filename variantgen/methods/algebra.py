@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from variantgen.methods.expression import (
     Applied,
@@ -34,24 +34,49 @@ def signed(item: Expression) -> tuple[int, Expression]:
 
 
 def added(*terms: tuple[int, Maybe]) -> Maybe:
-    """The sum of terms with signs; sums in it are opened, a positive term comes first if there is one."""
-    flat: list[tuple[int, Expression]] = []
+    """The sum of terms with signs: sums in it are opened, like terms put together, a positive term comes first."""
+    flat: dict[Expression, float] = {}
+    for sign, term in _opened(terms):
+        number, rest = _split(term)
+        flat[rest] = flat.get(rest, 0.0) + sign * number
+    found = [(1 if number > 0 else -1, _scaled(abs(number), rest)) for rest, number in flat.items() if number]
+    if not found:
+        return None
+    first = next((i for i, (sign, _) in enumerate(found) if sign > 0), 0)
+    found.insert(0, found.pop(first))
+    return found[0][1] if len(found) == 1 and found[0][0] > 0 else Total(tuple(found))
+
+
+def _opened(terms: Iterable[tuple[int, Maybe]]) -> Iterator[tuple[int, Expression]]:
     for sign, term in terms:
         if isinstance(term, Total):
-            inner = added(*((sign * s, t) for s, t in term.terms))
-            flat += inner.terms if isinstance(inner, Total) else [(1, inner)] if inner is not None else []
+            yield from _opened((sign * s, t) for s, t in term.terms)
         elif term is not None:
-            flat.append((sign, term))
-    if not flat:
-        return None
-    first = next((i for i, (sign, _) in enumerate(flat) if sign > 0), 0)
-    flat.insert(0, flat.pop(first))
-    return flat[0][1] if len(flat) == 1 and flat[0][0] > 0 else Total(tuple(flat))
+            yield sign, term
+
+
+def _split(term: Expression) -> tuple[float, Expression]:
+    """A term as a number and the rest."""
+    if isinstance(term, Constant) and not term.measure:
+        return term.value, _ONE
+    if isinstance(term, Times) and isinstance(term.factors[0], Constant) and not term.factors[0].measure:
+        rest = term.factors[1:]
+        return term.factors[0].value, rest[0] if len(rest) == 1 else Times(rest)
+    return 1.0, term
+
+
+def _scaled(number: float, rest: Expression) -> Expression:
+    if number == 1:
+        return rest
+    if rest == _ONE:
+        return Constant(number)
+    return Times((Constant(number), *(rest.factors if isinstance(rest, Times) else (rest,))))
 
 
 def product(*items: Maybe) -> Maybe:
-    """The product of factors: signs are taken out, numbers put together in front."""
-    sign, number, factors = 1, 1.0, list[Expression]()
+    """The product of factors: signs are taken out, numbers put together in front, like factors to powers."""
+    sign, number = 1, 1.0
+    powers: dict[Expression, int] = {}
     for item in items:
         if item is None:
             return None
@@ -60,10 +85,14 @@ def product(*items: Maybe) -> Maybe:
         for factor in inner.factors if isinstance(inner, Times) else (inner,):
             if isinstance(factor, Constant) and not factor.measure:
                 number *= factor.value
-            else:
-                factors.append(factor)
+                continue
+            base, exponent = (factor.base, factor.exponent) if isinstance(factor, Raised) else (factor, 1)
+            powers[base] = powers.get(base, 0) + exponent
+    if number == 0:
+        return None
     if number < 0:
         sign, number = -sign, -number
+    factors = [base if exponent == 1 else Raised(base, exponent) for base, exponent in powers.items()]
     if number != 1 or not factors:
         factors.insert(0, Constant(number))
     whole = factors[0] if len(factors) == 1 else Times(_grouped(factors))
@@ -106,15 +135,9 @@ def derivative(item: Expression, rates: Mapping[Value, Maybe]) -> Maybe:
 
 
 def _one_factor(factors: tuple[Expression, ...], index: int, rates: Mapping[Value, Maybe]) -> Maybe:
-    """The product in which one factor is replaced by its derivative; a factor that comes twice becomes a square."""
+    """The product in which one factor is replaced by its derivative."""
     rate = derivative(factors[index], rates)
-    if rate is None:
-        return None
-    others = [*factors[:index], *factors[index + 1 :]]
-    if rate in others:
-        others[others.index(rate)] = Raised(rate, 2)
-        return product(*others)
-    return product(*others[:index], rate, *others[index:])
+    return None if rate is None else product(*factors[:index], rate, *factors[index + 1 :])
 
 
 def _quotient(above: Expression, below: Expression, rates: Mapping[Value, Maybe]) -> Maybe:

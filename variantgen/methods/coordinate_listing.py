@@ -7,29 +7,29 @@ to rounding: the first by a step in the imaginary direction, the second by Cauch
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from variantgen.methods import coordinate_outputs as outputs
-from variantgen.methods.algebra import added
+from variantgen.methods.algebra import added, signed
 from variantgen.methods.coordinate_blocks import Block, given_coordinates
 from variantgen.methods.coordinate_model import Coordinate, Model
 from variantgen.methods.expression import Expression, Value
-from variantgen.methods.program import identifier, number, written
+from variantgen.methods.program import enclosed, identifier, number, written
 from variantgen.methods.settle import in_order, parts
 from variantgen.methods.step import Listing
 
 _WIDTH = 100
+_ABREAST = 4  # numbers in a line of data
 _ROUGH = 4  # digits of the coordinates from which the program starts
 
 _SOLVER = """\
+
 #{listing.derivative}
 def rate(g):
     return g(1e-20j).imag / 1e-20
 
-
 def jacobian(q):
     return np.array([rate(lambda s: f(q + s*e, 0)) for e in np.eye(len(q))]).T
-
 
 #{listing.positions}
 for _ in range(20):
@@ -65,55 +65,52 @@ class _Program:
 
     def lines(self) -> Iterator[str]:
         """The whole program."""
-        body = [self._row(added((1, e.left), (-1, e.right))) for e in self.equations]
-        given = [self._given(own) for own in self.given]
+        data = list(self._data())
         asked = outputs.lines(self.model, self.names)
-        yield "import numpy as np"
-        yield ""
-        yield "#{listing.data}"
-        yield from self._data(asked)
-        yield "#{listing.start}"
-        names = [self.names[own.place] for own in self.coordinates]
-        yield from _wrapped(f'names = "{" ".join(names)}".split()', "        ")
-        yield from _wrapped(f"q = np.array([{', '.join(map(self._start, self.coordinates))}])", "    ")
-        yield ""
-        yield ""
-        yield "#{listing.equations}"
-        yield "def f(q, t):"
-        yield from _wrapped(f"    {', '.join(names)}{',' if len(names) == 1 else ''} = q", "        ")
-        yield "    return np.array(["
-        for row in (*given, *body):
-            yield from _wrapped(f"        {row},", "            ")
-        yield "    ])"
-        yield ""
-        yield ""
+        yield from ("import numpy as np", "", "#{listing.data}", *data, *self._extra(asked))
+        yield from self._start()
+        yield from self._function()
         yield from _SOLVER.splitlines()
-        yield "V = dict(zip(names, v))"
         if self.model.task.order == 2:
             yield from _ACCELERATIONS.replace("SCALE", number(self._pace())).splitlines()
-            yield "A = dict(zip(names, a))"
         yield "#{listing.answers}"
-        yield "Q = dict(zip(names, q))"
+        tables = [f"{table} = dict(zip(names, {table.lower()}))" for table in "QVA" if f'{table}["' in "".join(asked)]
+        if tables:
+            yield "; ".join(tables)
         yield from asked
+
+    def _start(self) -> Iterator[str]:
+        """The unknowns and rough values of them."""
+        names = " ".join(self.names[own.place] for own in self.coordinates)
+        yield "#{listing.start}"
+        yield from _wrapped(f'names = "{names}".split()', "    ")
+        yield from _wrapped(f"q = np.array([{', '.join(map(_rough, self.coordinates))}])", "    ")
+
+    def _function(self) -> Iterator[str]:
+        """The constraint equations."""
+        names = [self.names[own.place] for own in self.coordinates]
+        rows = [self._given(own) for own in self.given]
+        rows += [self._row(added((1, e.left), (-1, e.right))) for e in self.equations]
+        yield from ("", "#{listing.equations}", "def f(q, t):")
+        yield from _wrapped(f"    {', '.join(names)}{',' if len(names) == 1 else ''} = q", "        ")
+        yield "    return np.array(["
+        for row in rows:
+            yield from _wrapped(f"        {row},", "            ")
+        yield "    ])"
 
     def _row(self, expression: Expression | None) -> str:
         return "0*t" if expression is None else written(expression, self.names)
 
     def _given(self, own: Coordinate) -> str:
         """``phi - (phi_0 + omega t + epsilon t^2/2)``."""
-        name, rates = self.names[own.place], ""
-        for source, power in ((own.speed, "*t"), (own.gain, "*t**2/2")):
-            assert source.expression is not None
-            if source.exact:
-                text = written(source.expression, self.names)
-                sum_like = " " in text
-                rates += f" - ({text}){power}" if sum_like or text.startswith("-") else f" - {text}{power}"
-        start = own.place.exact
-        return f"{name}{f' - {number(start, own.place.measure)}' if start else ''}{rates}"
-
-    def _start(self, own: Coordinate) -> str:
-        rough = float(f"{own.place.exact:.{_ROUGH}g}")
-        return number(rough, own.place.measure) if rough else "0"
+        function = [(1, number(own.place.exact, own.place.measure))] if own.place.exact else []
+        for rate, power in ((own.speed, "t"), (own.gain, "t**2/2")):
+            assert rate.expression is not None
+            if rate.exact:
+                sign, size = signed(rate.expression)
+                function.append((sign, f"{enclosed(size, self.names)}*{power}"))
+        text = "".join((" + " if sign > 0 else " - ") + part for sign, part in function)
+        return f"{self.names[own.place]} - ({text.removeprefix(' + ').replace(' - ', '-', text.startswith(' - '))})"
 
     def _pace(self) -> float:
         """About how fast the mechanism turns (rad/s), with one digit: the step in time is a part of a turn."""
@@ -123,33 +120,81 @@ class _Program:
         pace = max([pace, *(abs(rate) for rate in now.omega.values()), 1e-6])
         return float(f"{pace:.0e}")
 
-    def _data(self, asked: list[str]) -> Iterator[str]:
-        """The given data and constant coordinates that the equations use, as variables."""
+    def _data(self) -> Iterator[str]:
+        """The given data and constant coordinates that the equations use, as variables; numbers several in a line."""
         sides = [side for e in self.equations for side in (e.left, e.right) if side is not None]
         sides += [s.expression for own in self.given for s in (own.speed, own.gain) if s.expression is not None]
-        values = in_order(value for side in sides for value in parts(side))
-        text = "\n".join(asked)
-        for value in values:
-            if value in self.names or value.name is None:
+        plain: dict[str, str] = {}
+        derived: list[str] = []
+        for value in self._constants(value for side in sides for value in parts(side)):
+            assert value.name is not None
+            name, source = identifier(value.name), self._source(value)
+            taken = name in self.names.values()
+            self.names[value] = name
+            if taken:
                 continue
-            name = identifier(value.name)
-            if name not in self.names.values():
-                self.names[value] = name
-                yield f"{name} = {self._source(value)}"
+            if self._is_number(value):
+                plain[name] = source
+            else:
+                derived.append(f"{name} = {source}")
+        yield from _assigned(plain)
+        yield from derived
+
+    def _constants(self, values: Iterable[Value]) -> Iterator[Value]:
+        """Named constants, each after those that it follows from."""
+        for value in dict.fromkeys(values):
+            if value.name is None or value in self.model.coordinates or value in self.names:
+                continue
+            if not self._is_number(value) and value.expression is not None:
+                yield from self._constants(parts(value.expression))
+            yield value
+
+    def _is_number(self, value: Value) -> bool:
+        """Whether a constant is written as a number: given, or not following from given data by a short formula."""
+        if value.expression is None:
+            return True
+        used = in_order(parts(value.expression))
+        return not used or any(part.name is None or part.name.kind != "parameter" for part in used)
+
+    def _extra(self, asked: list[str]) -> Iterator[str]:
+        """Constants that only the answers use."""
         for name, value in outputs.constants(self.model):
-            if name in text and name not in self.names.values():
+            if name in "".join(asked) and name not in self.names.values():
                 yield f"{name} = {number(value)}"
 
     def _source(self, value: Value) -> str:
         """A number, or how it follows from what is defined already."""
-        if value.expression is not None and value.expression is not value:
-            used = parts(value.expression)
-            if used and all(part in self.names and part not in self.model.coordinates for part in used):
-                return written(value.expression, self.names)
-        return number(value.exact, value.measure)
+        if value.expression is None or self._is_number(value):
+            return number(value.exact, value.measure)
+        return written(value.expression, self.names)
+
+
+def _rough(own: Coordinate) -> str:
+    """A coordinate with a few digits."""
+    rough = float(f"{own.place.exact:.{_ROUGH}g}")
+    return number(rough, own.place.measure) if rough else "0"
+
+
+def _assigned(values: dict[str, str]) -> Iterator[str]:
+    """``OA, AB = 40, 111``: several in a line."""
+    names = list(values)
+    for start in range(0, len(names), _ABREAST):
+        part = names[start : start + _ABREAST]
+        yield f"{', '.join(part)} = {', '.join(values[name] for name in part)}"
 
 
 def _wrapped(line: str, indent: str) -> list[str]:
     """A long line in several, at spaces."""
-    return textwrap.wrap(line, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
-                         drop_whitespace=True, initial_indent="") if len(line) > _WIDTH else [line]
+    return (
+        textwrap.wrap(
+            line,
+            _WIDTH,
+            subsequent_indent=indent,
+            break_long_words=False,
+            break_on_hyphens=False,
+            drop_whitespace=True,
+            initial_indent="",
+        )
+        if len(line) > _WIDTH
+        else [line]
+    )

@@ -280,7 +280,10 @@ class Model:
     def radius(self, centre: str, exact: float) -> Expression:
         """A radius of that length about a point: of the disc of the drawing, or a number."""
         for disc in self.task.form.figure.discs:
-            if disc.centre == centre and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < 1e-9 * exact:
+            if (
+                disc.centre == centre
+                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < 1e-9 * exact
+            ):
                 found = self.task.expressed(disc.radius)
                 if found is not None:
                     return found

@@ -88,8 +88,9 @@ class _Outputs:
         shifts = [self._difference(self._place(second, axis), self._place(first, axis)) for axis in (0, 1)]
         ends = [self._components(point, order) for point in (second, first)]
         rates = [self._difference(a, b) for a, b in zip(*ends, strict=True)]
-        length = abs(model.now(first, second))
-        return f"({shifts[0]}*{rates[1]} - {shifts[1]}*{rates[0]})/{number(length)}**2"
+        value = model.geometry.length(first, second)
+        length = self.names.get(value) or number(value.exact)
+        return f"({shifts[0]}*{rates[1]} - {shifts[1]}*{rates[0]})/{length}**2"
 
     @staticmethod
     def _difference(end: str, start: str) -> str:
@@ -128,7 +129,5 @@ class _Outputs:
         """A vector given by parts along unit vectors at right angles."""
         if component == "":
             return f"abs({parts[0][0]})" if len(parts) == 1 else f"np.hypot({parts[0][0]}, {parts[1][0]})"
-        sums = [
-            " + ".join(f"{text}*({number((way.real, way.imag)[axis])})" for text, way in parts) for axis in (0, 1)
-        ]
+        sums = [" + ".join(f"{text}*({number((way.real, way.imag)[axis])})" for text, way in parts) for axis in (0, 1)]
         return self._vector((sums[0], sums[1]), component)

@@ -27,6 +27,8 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
             return None if own is value else own
         case "direction" if value in model.coordinates:
             return geometry.direction(name.of, name.about)
+        case "slide" if value in model.coordinates and name.about:
+            return model.geometry.length(name.of, name.about)
         case "slide" | "arc" if value in model.coordinates and value.exact:
             return _slid(model, value, name)
     return None
@@ -34,8 +36,6 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
 
 def _slid(model: Model, value: Value, name: Name) -> Expression:
     """The way from the pole of the body, or the angle on it."""
-    if name.about:
-        return model.geometry.length(name.of, name.about)
     body = next(body for (point, body), own in model.slides.items() if own is value)
     if name.kind == "arc":
         joint = next(s for j in model.task.scene.joints if (s := j.sliding()) and s.point == name.of and s.body == body)

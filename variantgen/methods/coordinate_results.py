@@ -7,7 +7,7 @@ from variantgen.methods.algebra import added, product
 from variantgen.methods.book import Known, Rate
 from variantgen.methods.coordinate_blocks import Block
 from variantgen.methods.coordinate_model import Model
-from variantgen.methods.expression import Constant, Expression, Raised, Ratio, Value
+from variantgen.methods.expression import Constant, Expression, Magnitude, Raised, Ratio, Value
 from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.name import Name
 from variantgen.methods.points import RIGHT, UP, positive
@@ -95,6 +95,7 @@ def _enter_rate(model: Model, body: str) -> None:
     book = model.book
     kind = "omega" if book.order == 1 else "epsilon"
     name = Name(kind, body)
+    given = model.has_angle(body) and model.coordinates[model.angle(body)].given
     signed: Expression = rate_of(model, model.angle(body)) if model.has_angle(body) else _by_points(model, body)
     exact = signed.number(True)
     if abs(exact) <= 1e-10 * book.size_of(book.rate_measure):
@@ -102,6 +103,9 @@ def _enter_rate(model: Model, body: str) -> None:
         book.say(f"rates.no_{kind}", False, body=Body(body))
         return
     sense = 1 if exact > 0 else -1
+    if given:
+        book.rates[body] = Rate(positive(rate_of(model, model.angle(body))), sense)
+        return
     size = book.derive(name, book.rate_measure, signed)
     book.rates[body] = Rate(positive(size), sense)
     book.say(f"coordinates.{kind}_{book.rates[body].word}", body=Body(body))
@@ -142,9 +146,10 @@ def _enter_relative(model: Model, point: str, carrier: str) -> None:
                 terms = (book.term(normal.name or name, normal, angle, "towards", **facts),)
             name = name.component("tau")
     if along.exact:
-        size = book.derive(name, book.measure, signed)
-        way = Value(None, "angle", degrees(tangent if size.exact > 0 else -tangent))
-        terms = (*terms, book.term(name, positive(size), way, "path", point=Point(point)))
+        ahead = signed.number(True) > 0
+        size = book.derive(name, book.measure, signed if ahead else Magnitude(signed))
+        way = Value(None, "angle", degrees(tangent if ahead else -tangent))
+        terms = (*terms, book.term(name, size, way, "track", point=Point(point)))
     table = book.relative if book.order == 1 else book.relative_acceleration
     table[point, carrier] = terms
     if book.order == 2:
@@ -171,5 +176,3 @@ def _coriolis(model: Model, point: str, carrier: str, tangent: complex) -> Known
     slip = Name("v", point, part="rel")
     way = Geometry.turned(relative[0].angle, 90.0 * rate.sense)
     return (book.term(name, size, way, "zhukovsky", relative=VectorOf(slip)),)
-
-

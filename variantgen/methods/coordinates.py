@@ -7,7 +7,7 @@ computes the same is added to the solution (:mod:`variantgen.methods.coordinate_
 from __future__ import annotations
 
 from variantgen.methods import coordinate_results as results
-from variantgen.methods.algebra import Maybe, added, derivative, linear, product, pruned, reduced
+from variantgen.methods.algebra import Maybe, added, derivative, linear, pruned, reduced
 from variantgen.methods.book import Book
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinate_listing import listing
@@ -19,7 +19,6 @@ from variantgen.methods.task import Task
 
 _LARGEST = 3  # unknowns of a system that is shown with its numbers
 _ZERO = Constant(0.0)
-_MINUS = Constant(-1.0)
 _ROUNDING = 1e-10  # of the natural scale: what is smaller is zero
 
 
@@ -109,7 +108,7 @@ def _solve_block(model: Model, block: Block, written: Written, order: int) -> No
     model.book.items.extend(Statement(left or _ZERO, right or _ZERO) for left, right in sides)
     forms = [linear(added((1, left), (-1, right)), unknowns) for left, right in sides]
     rows = [[found.get(value, _ZERO) for value in unknowns] for found, _ in forms]
-    right = [_ZERO if rest is None else product(_MINUS, rest) or _ZERO for _, rest in forms]
+    right = [_ZERO if rest is None else added((-1, rest)) or _ZERO for _, rest in forms]
     if len(unknowns) <= _LARGEST:
         model.book.say("coordinates.numbers", True)
         system = _system(unknowns, rows, right)
@@ -145,7 +144,7 @@ def _found(value: Value, expression: Expression, number: float) -> None:
 def _solve_one(model: Model, value: Value, left: Maybe, right: Maybe) -> None:
     """One equation with one unknown: ``x' = ...`` at once, or divided by the coefficient."""
     found, rest = linear(added((1, left), (-1, right)), [value])
-    expression = _ZERO if rest is None else product(_MINUS, rest) or _ZERO
+    expression = _ZERO if rest is None else added((-1, rest)) or _ZERO
     if left is value:
         _found(value, expression, expression.number(True))
         model.book.items.append(Derived(value))
@@ -156,5 +155,3 @@ def _solve_one(model: Model, value: Value, left: Maybe, right: Maybe) -> None:
         expression = Ratio(expression, coefficient)
     _found(value, expression, expression.number(True))
     model.book.items.append(Derived(value, symbolic=False))
-
-

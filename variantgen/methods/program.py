@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.expression import Applied, Constant, Expression, Pi, Raised, Ratio, SquareRoot, Times, Total, Value
+from variantgen.methods.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Pi,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+)
 from variantgen.methods.name import Name
 
 _FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
@@ -40,11 +51,11 @@ def written(item: Expression, names: Mapping[Value, str]) -> str:
         case Total(terms):
             return _sum(terms, names)
         case Times(factors):
-            return "*".join(_enclosed(factor, names) for factor in factors)
+            return "*".join(enclosed(factor, names) for factor in factors)
         case Ratio(above, below):
-            return f"{_enclosed(above, names)}/{_enclosed(below, names, tight=True)}"
+            return f"{enclosed(above, names)}/{enclosed(below, names, tight=True)}"
         case Raised(base, exponent):
-            return f"{_enclosed(base, names, tight=True)}**{exponent}"
+            return f"{enclosed(base, names, tight=True)}**{exponent}"
         case SquareRoot(inner):
             return f"np.sqrt({written(inner, names)})"
         case Applied(function, argument) if function in _FUNCTIONS:
@@ -62,10 +73,8 @@ def _sum(terms: tuple[tuple[int, Expression], ...], names: Mapping[Value, str]) 
     return text
 
 
-def _enclosed(item: Expression, names: Mapping[Value, str], tight: bool = False) -> str:
+def enclosed(item: Expression, names: Mapping[Value, str], tight: bool = False) -> str:
     """A factor, in parentheses where it needs them; ``tight`` for a base or a divisor."""
     text = written(item, names)
     loose = isinstance(item, Total) or text.startswith("-") or (tight and isinstance(item, Times | Ratio))
     return f"({text})" if loose else text
-
-

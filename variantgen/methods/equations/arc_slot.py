@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.methods.algebra import added
-from variantgen.methods.heading import Heading
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading
 from variantgen.methods.step import Body, Fact, Point
 
 if TYPE_CHECKING:
@@ -33,4 +33,6 @@ def state(model: Model, joint: ArcSlot, template: None) -> None:
 
 def _is_driven(model: Model, joint: ArcSlot) -> bool:
     """Whether the motion along the arc is given."""
-    return any(isinstance(d, Circling) and (d.point, d.body) == (joint.point, joint.body) for d in model.task.scene.drivers)
+    return any(
+        isinstance(d, Circling) and (d.point, d.body) == (joint.point, joint.body) for d in model.task.scene.drivers
+    )

@@ -17,6 +17,6 @@ if TYPE_CHECKING:
 def state(model: Model, driver: Extension, template: Template) -> None:
     """``(x_E - x_S)^2 + (y_E - y_S)^2 = s(t)^2``."""
     start, end = driver.start, driver.end
-    given = model.coordinate(Name("slide", start + end), "length", abs(model.now(start, end)))
+    given = model.coordinate(Name("slide", start, end), "length", abs(model.now(start, end)))
     model.prescribe(given, *rates(model, driver, template))
     model.add_distance("extension", start, end, given, segment=Segment(start, end))

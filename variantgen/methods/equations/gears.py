@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from variantgen.methods.algebra import Maybe, added, product
-from variantgen.methods.heading import Heading
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading
 from variantgen.methods.name import Name
 from variantgen.methods.step import Body, Fact
 

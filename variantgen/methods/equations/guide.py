@@ -35,4 +35,6 @@ def state(model: Model, joint: Guide, template: None) -> None:
         return
     ray = Heading(None, math.degrees(math.atan2(way.imag, way.real))).ray(model.slide(joint.point, "", 0.0))
     for axis in (0, 1):
-        model.add_sum("guide", model.of(joint.point, axis), model.start(joint.point, axis), ray[axis], point=Point(joint.point))
+        model.add_sum(
+            "guide", model.of(joint.point, axis), model.start(joint.point, axis), ray[axis], point=Point(joint.point)
+        )

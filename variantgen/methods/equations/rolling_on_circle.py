@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from variantgen.methods.algebra import added, product
-from variantgen.methods.heading import Heading
 from variantgen.methods.expression import Ratio
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading
 from variantgen.methods.step import Body, Point
 
 if TYPE_CHECKING:

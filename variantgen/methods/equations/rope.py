@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.methods.algebra import Maybe, added, product
-from variantgen.methods.heading import Heading
 from variantgen.methods.expression import Expression
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading
 from variantgen.methods.name import Name
 from variantgen.methods.step import Point
 

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.methods.algebra import added, product
-from variantgen.methods.heading import Heading
 from variantgen.methods.equations.guide import direction
 from variantgen.methods.equations.prescribed import rates
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading
 from variantgen.methods.name import Name
 from variantgen.methods.step import Point
 

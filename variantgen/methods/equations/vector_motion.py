@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from variantgen.methods.heading import Heading
 from variantgen.methods.expression import Constant, Expression
 from variantgen.methods.geometry import degrees
 from variantgen.methods.given import amount
+from variantgen.methods.heading import Heading
 
 if TYPE_CHECKING:
     from variantgen.families.family import Template
