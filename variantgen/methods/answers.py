@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
+from variantgen.methods import acceleration_centre, velocity_centre
 from variantgen.methods.book import Book, Known, resultant
 from variantgen.methods.expression import Applied, Constant, Ratio, Total, Value
 from variantgen.methods.geometry import degrees
@@ -20,7 +21,7 @@ def answer(book: Book, quantity: Quantity) -> Value:
     if quantity.is_rotation:
         return _rate(book, quantity)
     if not quantity.is_vector:
-        raise LookupError(quantity.name)
+        return _of_centre(book, quantity)
     name, terms = _vector(book, quantity)
     if quantity.component in ("x", "y"):
         return _component(book, name, terms, quantity.component)
@@ -49,6 +50,14 @@ def _rate(book: Book, quantity: Quantity) -> Value:
     if quantity.component == "abs" or rate.sense >= 0:
         return rate.size
     return Value(rate.size.name, measure, -rate.size.exact, -rate.size)
+
+
+def _of_centre(book: Book, quantity: Quantity) -> Value:
+    """A distance from the velocity or acceleration centre, or the angle of the latter."""
+    if quantity.kind == "mu":
+        return acceleration_centre.asked_angle(book, quantity.target)
+    distance = velocity_centre.distance if quantity.kind == "P" else acceleration_centre.distance
+    return distance(book, quantity.target, quantity.component)
 
 
 def _vector(book: Book, quantity: Quantity) -> tuple[Name, Known]:

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Protocol
 
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence, Step, Term
+from variantgen.methods.style import Style
 from variantgen.methods.task import Task
+
+if TYPE_CHECKING:
+    from variantgen.methods.centre import Centre
 
 Known = tuple[Term, ...]
 
@@ -30,13 +35,33 @@ class Rate:
         return "clockwise" if self.sense < 0 else "counter_clockwise"
 
 
+class Graphics(Protocol):
+    """What solves vector equations by drawing, in place of projections."""
+
+    def write(self, book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
+        """Write an equation."""
+
+    def solve(self, book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:
+        """Magnitudes of the wanted vectors, negative against the assumed direction."""
+
+    def compose(self, book: Book, name: Name, terms: Sequence[Term]) -> Known:
+        """The sum of known vectors."""
+
+    def size(self, book: Book, name: Name, terms: Known) -> Value:
+        """The magnitude of a known vector."""
+
+    def component(self, book: Book, name: Name, terms: Sequence[Term], upright: bool) -> Expression:
+        """A projection of a known vector on an axis of the paper."""
+
+
 @dataclass
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
     A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
     and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
-    velocities, 2 accelerations.
+    velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
+    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
@@ -51,6 +76,10 @@ class Book:
     coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
+    graphics: Graphics | None = None
+    style: Style = field(default_factory=Style)
+    centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
+    carry: Callable[[Book, str, str, str], None] | None = None
 
     def __post_init__(self) -> None:
         self.geometry = Geometry(self.task)

@@ -9,6 +9,7 @@ from variantgen.methods.expression import Constant, Expression, Total, Value, co
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Body, Point, Share, Term, VectorOf
+from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import shares, write
 
 RIGHT = Value(None, "angle", 0.0)
@@ -67,7 +68,19 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
             return body, fixed[0]
     for body in owners:
         return body, next(p for p in bodies[body] if p in book.vectors)
+    for body, members in bodies.items():
+        if point in members and body in book.rates:
+            reachable = (p for p in members if p != point and _is_carried(book, p, body))
+            if pole := next(reachable, None):
+                return body, pole
     raise LookupError(f"the motion of {point} is not known")
+
+
+def _is_carried(book: Book, point: str, but: str) -> bool:
+    """Whether a point belongs to another body whose motion is known."""
+    return any(
+        point in members and body != but and is_moved(book, body) for body, members in book.task.scene.bodies.items()
+    )
 
 
 def is_moved(book: Book, body: str) -> bool:
@@ -78,7 +91,12 @@ def is_moved(book: Book, body: str) -> bool:
 
 def is_translating(book: Book, body: str) -> bool:
     """Whether joints keep a body from turning."""
-    return any(not s.points and s.bodies == (body,) for joint in book.task.scene.joints for s in joint.shapes())
+    return is_kept_from_turning(book.task, body)
+
+
+def is_kept_from_turning(task: Task, body: str) -> bool:
+    """Whether a joint of the scene keeps a body from turning."""
+    return any(not s.points and s.bodies == (body,) for joint in task.scene.joints for s in joint.shapes())
 
 
 def _carry(book: Book, point: str, body: str, pole: str) -> None:
@@ -93,6 +111,8 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
             book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
             _sum_up(book, point)
+    elif book.carry is not None:
+        book.carry(book, point, body, pole)
     else:
         with book.step(f"points.by_pole_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
             by_pole(book, point, body, pole)
@@ -119,7 +139,7 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     turning = rotation(book, point, pole, body, about)
     sought = book.term(name, None, RIGHT, "unknown")
     write(book, (sought,), (*known, *turning), start)
-    book.vectors[point] = components(book, name, (*known, *turning))
+    book.vectors[point] = summed(book, name, (*known, *turning))
     _sum_up(book, point)
 
 
@@ -129,17 +149,22 @@ def _is_rolling(book: Book, body: str) -> bool:
     return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
 
 
+def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
+    """The sum of known vectors: by a drawing, or by its projections on the axes x and y."""
+    return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
+
+
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors by its projections on the axes x and y."""
+    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
         own = name.component(word)
-        size = book.derive(own, book.measure, sum_of(parts))
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, name, terms, word == "y")
+        size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue
-        angle = axis if size.exact > 0 else Geometry.turned(axis, 180.0)
-        found.append(Term(own, positive(size), angle, book.term(own, None, axis, f"axis_{word}").way))
+        found.append(book.term(own, size, axis, f"axis_{word}"))
     return tuple(found)
 
 
@@ -180,6 +205,8 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
         return book.values[name]
     if not terms:
         return Value(name, book.measure, 0.0)
+    if book.graphics is not None:
+        return book.graphics.size(book, name, terms)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
         terms = components(book, name, terms)
         sizes = [term.size for term in terms if term.size is not None]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from variantgen.methods.book import Book, Known, Rate
 from variantgen.methods.expression import Value
-from variantgen.methods.group import Crossed, Dyad
+from variantgen.methods.group import Crossed, Dyad, Spanned
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
@@ -62,6 +62,21 @@ def solve_crossing(book: Book, group: Crossed) -> None:
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
 
 
+def solve_spanned(book: Book, group: Spanned) -> None:
+    """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
+    point, pole, body = group.point, group.pole, group.body
+    at_point, at_pole = vector(book, point), vector(book, pole)
+    if not is_rate_wanted(book.task, book.order, body, {point, pole}):
+        return
+    with book.step(f"pole.spanned_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
+        start = len(book.items)
+        turning, turn = about_pole(book, point, pole, body)
+        right = (*at_pole, *turning, turn)
+        write(book, at_point, right, start)
+        size = solved(book, at_point, right, [turn])[0]
+        enter_rate(book, body, turn, size, book.geometry.length(point, pole))
+
+
 def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Term]:
     """The rotation of a point about a pole: what is known of it, and the vector across, assumed counter-clockwise."""
     name = Name(book.letter, point, "" if pole in book.task.fixed else pole)
@@ -94,4 +109,5 @@ def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assum
 def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]], start: int) -> None:
     """Write the equation whose known magnitudes begin at the item ``start``, and how it is solved."""
     write(book, *sides, start)
-    book.say(f"pole.two_unknowns_{book.letter}")
+    if book.graphics is None:
+        book.say(f"pole.two_unknowns_{book.letter}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Mapping
 
 from variantgen.methods.expression import (
@@ -22,11 +23,14 @@ _FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
 _LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v", "a": "a", "radius": "r"}
 _KINDS = {"direction": "phi", "rotation": "phi", "slide": "s", "arc": "psi", "swing": "theta", **_LETTERS}
 
+# What the programs call their own variables and functions.
+_TAKEN = frozenset("q v a t f g e s np rate jacobian names circle bend Q V A".split()) | set(keyword.kwlist)
+
 
 def identifier(name: Name) -> str:
-    """A variable for a quantity: ``x_A``, ``phi_OA``, ``OA``."""
+    """A variable for a quantity: ``x_A``, ``phi_OA``, ``OA``; ``v_0`` for a given v."""
     if name.kind == "parameter":
-        return name.of
+        return f"{name.of}_0" if name.of in _TAKEN else name.of
     if name.kind == "length":
         return name.of + name.about
     return f"{_KINDS[name.kind]}_{name.of}{name.about}"

@@ -20,10 +20,10 @@ from variantgen.methods.name import Name
 from variantgen.methods.points import (
     RIGHT,
     across,
-    components,
     is_translating,
     modulus,
     rotation,
+    summed,
     vector,
 )
 from variantgen.methods.pole import about_pole, enter_rate
@@ -184,7 +184,7 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
         name = Name(book.letter, point)
         slips = book.relative if book.order == 1 else book.relative_acceleration
         slips[point, carrier] = tuple(t for t in sides.right if t.name.part.startswith("rel"))
-        book.vectors[point] = components(book, name, sides.right)
+        book.vectors[point] = summed(book, name, sides.right)
         modulus(book, name, book.vectors[point])
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
@@ -199,7 +199,10 @@ def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
     asked = any(q.target == point and q.kind in kinds for q in task.asked)
     relative = sides.relative if asked or book.order < task.order else None
     turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
-    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, {point, group.own_pole}) else None
+    # The vector of the point itself follows from the rate of its body.
+    sought = any(q.target == point and q.kind == book.letter for q in task.asked)
+    known = {group.own_pole} if sought else {point, group.own_pole}
+    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
     return [sides.carried, sides.path, turn, own, relative]
 
 

@@ -10,9 +10,9 @@ from variantgen.methods.name import Name
 from variantgen.wording.formula import Dotted, Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
+from variantgen.wording.vector_names import COMPONENTS, image, transport_image
 
 _COMPOUND = ("rel", "tr", "cor")
-_UPPER = ("n", "tau")
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,11 @@ class Symbols:
                 return self.language.symbol(name.of, self.form.symbols)
             case "x" | "y":
                 return Symbol(name.kind, (Index(name.of),))
-            case "length" | "angle" | "direction":
+            case "angle":
+                return self._corner(name)
+            case "mu":
+                return Symbol("mu", self._body_index(name.of))
+            case "length" | "direction":
                 return self._of_points(name)
             case "rotation":
                 return Symbol("phi", self._body_index(name.of))
@@ -44,18 +48,51 @@ class Symbols:
                 return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))
+            case "projection":
+                vector = self._vector(name._replace(kind=name.body, body=""))
+                return Symbol("pr", vector.index, vector.upper)
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
                 return Symbol(self.language.letter(name.kind), self._body_index(name.of))
+            case "drawn":
+                return self._drawn(name)
+            case "scale":
+                return Symbol("mu", (Index(name.of),))
+            case "pole":
+                return Symbol(name.of)
+            case "image":
+                primed = name.body == "a"
+                return transport_image(name.of, primed, self.language) if name.part else image(name.of, primed)
         return self._vector(name)
+
+    def _drawn(self, name: Name) -> Symbol:
+        """The length on paper of a segment, ``l_AB``, or of a vector: ``l`` with its index."""
+        if name.body == "l":
+            return Symbol("l", (Index(name.of + name.about),))
+        vector = self._vector(name)
+        return Symbol("l", vector.index, vector.upper)
 
     def _of_points(self, name: Name) -> Symbol:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
-        end: Symbol = self.centres[name.body] if name.part == "centre" else Symbol(name.about)
+        end = self.centre(name.about, name.body) if name.part == "centre" else Symbol(name.about)
         if name.kind == "direction":
             return Symbol("phi", (Index(name.of + end.base),))
         return Symbol(name.of + end.base, end.index)
+
+    def _corner(self, name: Name) -> Symbol:
+        """A corner of a triangle by its three points, ``BAP``; one at a centre by this alone."""
+        start, end = name.about.split()
+        if name.part == "vertex":
+            centre = self.centre(name.of, name.body)
+            return Symbol(f"\N{ANGLE}{centre.base}", centre.index)
+        last = self.centre(end, name.body) if name.part == "centre" else Symbol(end)
+        return Symbol(f"\N{ANGLE}{start}{name.of}{last.base}", last.index)
+
+    def centre(self, letter: str, body: str) -> Symbol:
+        """The letter of a velocity centre (P) or an acceleration centre (Q), with the index that tells bodies apart."""
+        found = self.centres[body]
+        return found if letter == found.base else Symbol(letter, found.index)
 
     def _body_index(self, body: str) -> tuple[Index, ...]:
         text = self.form.symbols.get(body, body)
@@ -67,7 +104,7 @@ class Symbols:
         index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
         index.append(Index(name.of + name.about))
         index += [Index(w) for w in words if w in ("x", "y")]
-        upper = tuple(Index(w) for w in words if w in _UPPER)
+        upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
         return Symbol(self.language.letter(name.kind), tuple(index), upper)
 
     def body(self, name: str, case: str) -> tuple[str | Symbol, ...]:
@@ -76,7 +113,7 @@ class Symbols:
         noun = self.phrases.bodies[kind][case or "name"]
         called = self.form.symbols.get(name, name)
         if not called:
-            return (noun,)
+            return (self.phrases.words["the"] + noun,)
         return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
 
     def _kind(self, name: str) -> str:

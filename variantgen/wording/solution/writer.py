@@ -127,7 +127,7 @@ class Writer:
             case VectorOf(name):
                 return (self.vector(name),)
             case CentreOf(body, kind):
-                return (self.symbols.centres[body] if kind == "P" else Symbol("Q"),)
+                return (self.symbols.centre(kind, body),)
             case Shown(value):
                 return (self.formulas.measured(value),)
             case Value():
