@@ -1,7 +1,7 @@
 """A reader with a calculator: evaluates a printed formula from its text, knowing nothing of how it was made.
 
-``3 · (−20.3)``, ``a / b``, ``√(4^2 + 3^2)``, ``cos 12.3°`` (a degree mark belongs to the number before it), functions whose
-value is an angle give it in degrees, ``2 ω_BD · v`` is a product. Symbols take the numbers printed for them before.
+``3 · (−20.3)``, ``a / b``, ``√(4^2 + 3^2)``, ``cos 12.3°`` (a degree mark belongs to the number before it); functions
+whose value is an angle give it in degrees; ``2 ω_BD · v`` is a product. Symbols take the numbers printed before.
 """
 
 from __future__ import annotations
@@ -79,9 +79,7 @@ class Calculator:
     def starts_factor(self) -> bool:
         self.skip()
         rest = self.text[self.at :]
-        if not rest or rest[0] in "+−-·/)|=^":
-            return False
-        return True
+        return bool(rest) and rest[0] not in "+−-·/)|=^"
 
     def power(self) -> float:
         base = self.atom()
@@ -147,7 +145,7 @@ def evaluate(text: str, known: Mapping[str, float] | None = None, mark: str = ".
 
 
 def last_unit(text: str, mark: str = ".", fewest: int = 5) -> float:
-    """The unit of the last digit of a printed number; zeros at its end are not printed, but ``fewest`` digits are kept."""
+    """The unit of the last printed digit; zeros at the end are not printed, but ``fewest`` digits are kept."""
     digits = text.replace("−", "").replace(mark, ".")
     number = float(digits)
     if number == 0:

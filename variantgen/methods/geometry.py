@@ -32,6 +32,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.placing import placed
 from variantgen.methods.step import Derived, Item
 from variantgen.methods.task import CLOSE, Task
+from variantgen.methods.timed import timed_direction
 
 _DISTANCES = ("distance", "first_distance", "second_distance", "length")
 _LEVEL = 1e-9  # of the size: a coordinate difference below it is none
@@ -78,6 +79,35 @@ class Geometry:
         ]
         expression = flat[0] if flat else SquareRoot(step[0] ** 2 + step[1] ** 2)
         return self._derived(start, end, exact, expression)
+
+    def defined(self, start: str, end: str, expression: Expression) -> Value:
+        """A distance that is made of others, as that of two points of contact on a diameter."""
+        key = frozenset((start, end))
+        if key not in self._lengths:
+            self._lengths[key] = self._derived(start, end, expression.number(True), expression)
+        return self._lengths[key]
+
+    def radius(self, centre: str, exact: float, body: str) -> Value:
+        """The radius of a circle about a point: as the statement gives it, or from what it gives."""
+        key = frozenset((centre, f"{exact:.9g}"))
+        if key not in self._lengths:
+            self._lengths[key] = self._radius(centre, exact, body)
+        return self._lengths[key]
+
+    def _radius(self, centre: str, exact: float, body: str) -> Value:
+        for disc in self.task.form.figure.discs:
+            if (
+                disc.centre == centre
+                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < CLOSE * exact
+            ):
+                expression = self.task.expressed(disc.radius)
+                if isinstance(expression, Value):
+                    return self._taken(expression)
+                if expression is not None:
+                    value = Value(Name("radius", body), "length", exact, expression, self.task.size)
+                    self.items.append(Derived(value))
+                    return value
+        return Value(Name("radius", body), "length", exact)
 
     def _taken(self, value: Value) -> Value:
         """A given length; one in another unit is converted first."""
@@ -133,6 +163,8 @@ class Geometry:
         name = Name("direction", start, end)
         if self.is_read_off(start, end):
             return Value(name, "angle", exact)
+        if timed := timed_direction(self, start, end, exact):
+            return timed
         right, up = self._shift(start, end)
         if abs(right.number(True)) < _LEVEL * self.task.size or abs(up.number(True)) < _LEVEL * self.task.size:
             return Value(name, "angle", exact)

@@ -9,6 +9,7 @@ from variantgen.methods.expression import Constant, Expression, Total, Value, co
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Body, Point, Share, Term, VectorOf
+from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import shares, write
 
 RIGHT = Value(None, "angle", 0.0)
@@ -67,7 +68,19 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
             return body, fixed[0]
     for body in owners:
         return body, next(p for p in bodies[body] if p in book.vectors)
+    for body, members in bodies.items():
+        if point in members and body in book.rates:
+            reachable = (p for p in members if p != point and _is_carried(book, p, body))
+            if pole := next(reachable, None):
+                return body, pole
     raise LookupError(f"the motion of {point} is not known")
+
+
+def _is_carried(book: Book, point: str, but: str) -> bool:
+    """Whether a point belongs to another body whose motion is known."""
+    return any(
+        point in members and body != but and is_moved(book, body) for body, members in book.task.scene.bodies.items()
+    )
 
 
 def is_moved(book: Book, body: str) -> bool:
@@ -78,7 +91,12 @@ def is_moved(book: Book, body: str) -> bool:
 
 def is_translating(book: Book, body: str) -> bool:
     """Whether joints keep a body from turning."""
-    return any(not s.points and s.bodies == (body,) for joint in book.task.scene.joints for s in joint.shapes())
+    return is_kept_from_turning(book.task, body)
+
+
+def is_kept_from_turning(task: Task, body: str) -> bool:
+    """Whether a joint of the scene keeps a body from turning."""
+    return any(not s.points and s.bodies == (body,) for joint in task.scene.joints for s in joint.shapes())
 
 
 def _carry(book: Book, point: str, body: str, pole: str) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from variantgen.methods.book import Book, Known, Rate
 from variantgen.methods.expression import Value
-from variantgen.methods.group import Crossed, Dyad
+from variantgen.methods.group import Crossed, Dyad, Spanned
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
@@ -60,6 +60,21 @@ def solve_crossing(book: Book, group: Crossed) -> None:
         sizes = solved(book, sides[0], sides[1], turns)
         for body, pole, turn, size in zip(group.bodies, group.poles, turns, sizes, strict=True):
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
+
+
+def solve_spanned(book: Book, group: Spanned) -> None:
+    """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
+    point, pole, body = group.point, group.pole, group.body
+    at_point, at_pole = vector(book, point), vector(book, pole)
+    if not is_rate_wanted(book.task, book.order, body, {point, pole}):
+        return
+    with book.step(f"pole.spanned_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
+        start = len(book.items)
+        turning, turn = about_pole(book, point, pole, body)
+        right = (*at_pole, *turning, turn)
+        write(book, at_point, right, start)
+        size = solved(book, at_point, right, [turn])[0]
+        enter_rate(book, body, turn, size, book.geometry.length(point, pole))
 
 
 def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Term]:

@@ -7,12 +7,28 @@ from typing import Any, Protocol
 
 from variantgen.methods import acceleration_centre, given, projections, velocity_centre
 from variantgen.methods.book import Book
-from variantgen.methods.group import Composed, Crossed, Dyad, Group, Rolled, Slid, Turned
+from variantgen.methods.contact_motion import solve_joined
+from variantgen.methods.coupled import solve_coupled
+from variantgen.methods.cylinder import solve_extended
+from variantgen.methods.group import (
+    Composed,
+    Coupled,
+    Crossed,
+    Dyad,
+    Extended,
+    Group,
+    Joined,
+    Rested,
+    Rolled,
+    Slid,
+    Spanned,
+    Turned,
+)
 from variantgen.methods.points import vector
-from variantgen.methods.pole import solve_crossing, solve_dyad
+from variantgen.methods.pole import solve_crossing, solve_dyad, solve_spanned
 from variantgen.methods.relative_motion import solve_slid
 from variantgen.methods.route import Route
-from variantgen.methods.turning import solve_composed, solve_rolled, solve_turned
+from variantgen.methods.turning import solve_composed, solve_rested, solve_rolled, solve_turned
 
 Handler = Callable[[Book, Any], None]
 
@@ -34,6 +50,11 @@ HANDLERS: dict[type, Handler] = {
     Crossed: solve_crossing,
     Slid: solve_slid,
     Composed: solve_composed,
+    Joined: solve_joined,
+    Extended: solve_extended,
+    Rested: solve_rested,
+    Spanned: solve_spanned,
+    Coupled: solve_coupled,
 }
 
 _OF_DYADS: dict[str, DyadMethod] = {"velocity_centre": velocity_centre, "projections": projections}

@@ -88,7 +88,7 @@ class Symbols:
         noun = self.phrases.bodies[kind][case or "name"]
         called = self.form.symbols.get(name, name)
         if not called:
-            return (noun,)
+            return (self.phrases.words["the"] + noun,)
         return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
 
     def _kind(self, name: str) -> str:
