@@ -13,7 +13,7 @@ class Name(NamedTuple):
     body or the first point of a segment; ``about`` the pole (v_BA) or the second point; ``part``: words from
     ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity
     (P) or acceleration centre (Q) of the body ``body``. An ``angle`` has its vertex at ``of`` and the points ``about``
-    on its sides (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second of them, ``vertex`` the vertex.
+    on its sides (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second of them, ``vertex`` the corner.
     ``mu`` is the angle between accelerations of a body and the rays to Q.
     """
 
