@@ -48,7 +48,7 @@ class _Latex(Markup):
     def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
         scripts = (("_", symbol.index), ("^", symbol.upper))
         joined = [(sign, r"\,".join(map(_index, parts))) for sign, parts in scripts if parts]
-        wide = mark is Mark.ARROW and symbol.base not in GREEK and len(symbol.base) > 1
+        wide = mark is Mark.ARROW and symbol.is_name
         pattern = _WIDE_ARROW if wide else _MARKS[mark]
         letter = pattern.format(_base(symbol.base)) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
         return letter if exponent is None else self.power(letter, exponent)

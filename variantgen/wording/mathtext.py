@@ -12,6 +12,7 @@ from variantgen.wording.formula.tree import GREEK, Formula, Index, Symbol, UnitT
 _VARIANTS = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _ABOUT = {"modulus": "|{}|", "angle": r"\angle({},\,x)", "sense": r"\mathrm{{sgn}}\,{}"}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
+_WIDE_ARROW = r"\overrightarrow{{{}}}"
 # What has a meaning in the markup, as what prints it.
 _SPECIAL = {
     "\\": "\N{SET MINUS}",
@@ -28,6 +29,8 @@ _SPECIAL = {
     " ": r"\;",
     "\N{NO-BREAK SPACE}": r"\;",
 }
+# In groups: a comma alone would be set with a space after it, a minus as if something were before it.
+_NUMERAL = {**_SPECIAL, ",": "{,}", "\N{MINUS SIGN}": "{\N{MINUS SIGN}}"}
 
 
 def to_mathtext(formula: Formula) -> str:
@@ -40,24 +43,25 @@ class _Mathtext(Markup):
 
     flat = False
     signs = Signs(
-        minus="-",
+        minus="{-}",  # in a group, or else it is taken for a sign between terms after any but a few characters
         terms={1: "+", -1: "-"},
         factors={Between.DOT: r"\cdot{}", Between.THIN: r"\,", Between.OPERATOR: r"\,"},
         cross=r"\times{}",
         equals="=",
         relations={"=": "=", "≈": r"\approx{}", "→": r"\to{}", "∥": r"\parallel{}", "⟂": r"\perp{}"},
         comma=r",\,",
-        semicolon=r";\,",
+        semicolon=";",
         before_unit=r"\,",
     )
 
     def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
-        letter = _MARKS[mark].format(_base(symbol.base)) + _script("_", symbol.index) + _script("^", symbol.upper)
+        wide = mark is Mark.ARROW and symbol.is_name
+        pattern = _WIDE_ARROW if wide else _MARKS[mark]
+        letter = pattern.format(_base(symbol.base)) + _script("_", symbol.index) + _script("^", symbol.upper)
         return letter if exponent is None else self.power(letter, exponent)
 
     def number(self, text: str) -> str:
-        # A comma alone would be set with a space after it, as between two numbers.
-        return "".join("{,}" if letter == "," else _SPECIAL.get(letter, letter) for letter in text)
+        return "".join(_NUMERAL.get(letter, letter) for letter in text)
 
     def unit(self, unit: UnitText) -> str:
         return r"\,".join(_upright(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in unit.parts)
