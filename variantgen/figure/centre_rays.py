@@ -6,12 +6,12 @@ from collections.abc import Collection
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.figure.instant import Instant
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
-from variantgen.figure.vector_names import centre_letters
 from variantgen.mechanism.scene import fixed_points
+from variantgen.methods.instant import Instant
 from variantgen.wording.formula import Symbol
+from variantgen.wording.vector_names import centre_letters
 
 _REACH = 1.15  # distance of a centre that is shown from the middle of the mechanism, in sizes of the mechanism
 _RAY = 16.0  # length of the ray to a centre beyond the paper, u

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit, unit
-from variantgen.figure.chain import Chain, chain_of
-from variantgen.figure.instant import Instant, instant
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
+from variantgen.methods.chain import Chain, chain_of
+from variantgen.methods.instant import Instant, instant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 

@@ -47,6 +47,10 @@ class Language:
         parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
         return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
 
+    def letter(self, kind: str) -> str:
+        """The letter of a kind of quantity."""
+        return kind
+
     def symbol(self, name: str, bodies: Mapping[str, str]) -> Symbol:
         """The symbol of a parameter, point, body or quantity name; ``bodies`` replaces index words (see [symbols])."""
         kind, _, rest = name.partition("_")

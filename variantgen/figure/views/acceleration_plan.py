@@ -11,12 +11,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Chain, Slip, Turn, taken_apart
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.instant import Instant
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan
 from variantgen.figure.solved import solved
-from variantgen.figure.vector_names import (
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
+from variantgen.methods.instant import Instant
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Symbol
+from variantgen.wording.language import Language
+from variantgen.wording.vector_names import (
     NORMAL,
     TANGENTIAL,
     about,
@@ -25,10 +29,6 @@ from variantgen.figure.vector_names import (
     image,
     transport_image,
 )
-from variantgen.mechanism.motion import Motion
-from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Symbol
-from variantgen.wording.language import Language
 
 ORDER = 2
 

@@ -11,16 +11,16 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Slip, Turn, taken_apart
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
-from variantgen.figure.instant import Instant
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
-from variantgen.figure.vector_names import NORMAL, TANGENTIAL, about, absolute, compound
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.chain import Slip, Turn, taken_apart
+from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
+from variantgen.wording.vector_names import NORMAL, TANGENTIAL, about, absolute, compound
 
 ORDER = 2
 _NOTHING = 1e-9  # of the largest rate

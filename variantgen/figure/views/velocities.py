@@ -14,11 +14,11 @@ from variantgen.figure.centre_rays import draw_centres
 from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.motion_board import LEAST, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
-from variantgen.figure.vector_names import absolute, compound
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
+from variantgen.wording.vector_names import absolute, compound
 
 ORDER = 1
 _NOTHING = 1e-9  # of the largest rate

@@ -11,15 +11,15 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.chain import Chain, Slip, Turn
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.instant import Instant
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan
 from variantgen.figure.solved import solved
-from variantgen.figure.vector_names import about, absolute, compound, image, pole_letter, transport_image
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.chain import Chain, Slip, Turn
+from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
+from variantgen.wording.vector_names import about, absolute, compound, image, pole_letter, transport_image
 
 ORDER = 1
 _AT_REST = 1e-9  # of the largest velocity

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
-from variantgen.figure.instant import Instant
-from variantgen.figure.needed import Needed
 from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
+from variantgen.methods.instant import Instant
+from variantgen.methods.needed import Needed
 
 _STRAIGHT = 1e-9
 

@@ -1,0 +1,32 @@
+"""Names of the quantities of a solution, apart from how a language or a markup writes them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Name(NamedTuple):
+    """What a number or vector of a solution is.
+
+    ``kind``: ``v a omega epsilon``, ``x y`` (coordinates), ``length`` (of a segment), ``angle`` (a corner of a
+    triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point, the
+    body or the first point of a segment; ``about`` the pole (v_BA) or the second point; ``part``: words from
+    ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity
+    centre of the body ``body``.
+    """
+
+    kind: str
+    of: str
+    about: str = ""
+    part: str = ""
+    body: str = ""
+
+    @property
+    def whole(self) -> Name:
+        """The vector of which this is a component: ``a_B`` of ``a^n_B``."""
+        left = " ".join(word for word in self.part.split() if word not in ("n", "tau", "x", "y"))
+        return self._replace(part=left)
+
+    def component(self, word: str) -> Name:
+        """A component of this vector: ``n``, ``tau``, ``x`` or ``y``."""
+        return self._replace(part=f"{self.part} {word}".strip())

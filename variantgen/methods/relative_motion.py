@@ -1,0 +1,224 @@
+"""Relative motion: a point slides on a moving body (sleeve, slot, groove).
+
+``v = v_tr + v_rel`` and, by the theorem of Coriolis, ``a = a_tr + a_rel + a_cor`` with ``a_cor = 2 omega v_rel``, the
+relative velocity turned by a right angle in the sense of the transport rotation (rule of Zhukovsky). The transport
+vector is that of the point of the body below the sliding one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
+from variantgen.methods.book import Book, Known
+from variantgen.methods.expression import Constant, Value
+from variantgen.methods.geometry import Geometry
+from variantgen.methods.given import amount
+from variantgen.methods.group import Slid
+from variantgen.methods.name import Name
+from variantgen.methods.points import (
+    RIGHT,
+    across,
+    components,
+    is_translating,
+    modulus,
+    rotation,
+    vector,
+)
+from variantgen.methods.pole import about_pole, enter_rate
+from variantgen.methods.step import Body, Fact, Point, Segment, Term, VectorOf, Word
+from variantgen.methods.tracks import on_track, settled
+from variantgen.methods.vector_equation import solved, write
+from variantgen.methods.wanted import is_rate_wanted
+
+
+@dataclass
+class _Sides:
+    """Both sides of the equation, and its unknown vectors by what they are for."""
+
+    left: list[Term]
+    right: list[Term]
+    turn: Term | None = None
+    own: Term | None = None
+    path: Term | None = None
+    carried: Term | None = None
+    relative: Term | None = None
+
+
+def solve_slid(book: Book, group: Slid) -> None:
+    """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
+    point, carrier = group.path.point, group.carrier
+    needed = [name for name in (group.pole, group.own_pole) if name]
+    needed += [point] if group.track is None and not group.body and not group.driven else []
+    for name in needed:
+        vector(book, name)
+    view = "velocities" if book.order == 1 else "accelerations"
+    facts: dict[str, Fact] = {"point": Point(point), "carrier": Body(carrier)}
+    with book.step(f"relative.{book.measure}", view, **facts):
+        book.say("relative.compound", **facts)
+        start = len(book.items)
+        sides = _sides(book, group)
+        write(book, sides.left, sides.right, start)
+        _solve(book, group, sides)
+
+
+def _sides(book: Book, group: Slid) -> _Sides:
+    """The absolute vector on the left, transport, Coriolis and relative vectors on the right."""
+    point = group.path.point
+    sides = _Sides([], [])
+    if group.track is not None:
+        known, sides.path = on_track(book, group.track)
+        sides.left = [*known, sides.path]
+    elif group.body:
+        known, sides.own = about_pole(book, point, group.own_pole, group.body)
+        sides.left = [*book.vectors[group.own_pole], *known, sides.own]
+    elif group.driven:
+        name = Name(book.letter, point)
+        sides.path = book.term(name, None, RIGHT, "unknown")
+        sides.left = [sides.path]
+    else:
+        sides.left = list(book.vectors[point])
+    _add_transport(book, group, sides)
+    coriolis = _coriolis(book, group)
+    if book.order == 2:
+        book.coriolis[point, group.carrier] = coriolis
+    sides.right += coriolis
+    known, sides.relative = _relative(book, group)
+    sides.right += [*known, *([sides.relative] if sides.relative else [])]
+    return sides
+
+
+def _add_transport(book: Book, group: Slid, sides: _Sides) -> None:
+    """The vector of the carrier's point: of its pole and of the rotation about it."""
+    point, carrier, pole = group.path.point, group.carrier, group.pole
+    if group.carried is not None:
+        known, sides.carried = on_track(book, group.carried)
+        sides.right = [*known, sides.carried]
+        return
+    fixed = pole in book.task.fixed
+    sides.right = [] if fixed else list(book.vectors[pole])
+    if is_translating(book, carrier):
+        return
+    if group.turning:
+        known, sides.turn = about_pole(book, point, pole, carrier)
+        if fixed:
+            known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
+        sides.right += [*known, sides.turn]
+    else:
+        name = Name(book.letter, point, part="tr") if fixed else Name(book.letter, point, pole)
+        sides.right += rotation(book, point, pole, carrier, name)
+
+
+def _transport(term: Term) -> Term:
+    """A vector of the rotation about a fixed point under the name of transport motion."""
+    part = f"tr {term.name.part}".strip()
+    name = term.name._replace(part=part)
+    if term.size is not None:
+        term.size.name = name
+    return Term(name, term.size, term.angle, term.way)
+
+
+def _coriolis(book: Book, group: Slid) -> Known:
+    """The Coriolis acceleration, known once the velocities are."""
+    point, carrier = group.path.point, group.carrier
+    if book.order == 1:
+        return ()
+    rate = book.omega.get(carrier)
+    slip = book.relative[point, carrier]
+    if rate is None or not rate.sense or not slip:
+        return ()
+    name = Name("a", point, part="cor")
+    assert slip[0].size is not None
+    size = book.derive(name, "acceleration", Constant(2) * rate.size * slip[0].size)
+    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(slip[0].name), sense=Word(rate.word))
+    angle = Geometry.turned(slip[0].angle, 90.0 * rate.sense)
+    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(slip[0].name)),)
+
+
+def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
+    """The relative vector: what is known of it and the rest along the path, assumed towards its second point."""
+    path, point = group.path, group.path.point
+    name = Name(book.letter, point, part="rel")
+    known: Known = ()
+    if path.line is None and book.order == 2:
+        slip = book.relative[point, group.carrier]
+        if slip:
+            assert slip[0].size is not None
+            own = name.component("n")
+            size = book.derive(own, "acceleration", slip[0].size ** 2 / book.geometry.length(point, path.centre))
+            angle = book.geometry.direction(point, path.centre)
+            known = (book.term(own, size, angle, "towards", start=Point(point), end=Point(path.centre)),)
+        name = name.component("tau")
+    if group.driven:
+        return (*known, *_given(book, group, name)), None
+    if path.line is None:
+        return known, across(book, name, None, (point, path.centre), 1)
+    angle = book.geometry.direction(*path.line)
+    return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
+
+
+def _given(book: Book, group: Slid, name: Name) -> Known:
+    """The given relative vector along the path."""
+    path, point = group.path, group.path.point
+    for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
+        if not isinstance(driver, RelativeTravel | Circling) or driver.point != point:
+            continue
+        rate = float(driver.rates(book.order)[0])
+        if rate == 0:
+            return ()
+        size = amount(book, template, book.letter, book.measure)
+        sign = 1 if rate > 0 else -1
+        if path.line is None:
+            turn = sign * round(float(book.task.scene.frame.sense))
+            return (across(book, name, size, (point, path.centre), turn),)
+        angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
+        return (book.term(name, size, angle, "given", point=Point(point)),)
+    return ()
+
+
+def _solve(book: Book, group: Slid, sides: _Sides) -> None:
+    """Solve the equation for what is unknown and enter it."""
+    point, carrier = group.path.point, group.carrier
+    if group.driven:
+        name = Name(book.letter, point)
+        slips = book.relative if book.order == 1 else book.relative_acceleration
+        slips[point, carrier] = tuple(t for t in sides.right if t.name.part.startswith("rel"))
+        book.vectors[point] = components(book, name, sides.right)
+        modulus(book, name, book.vectors[point])
+        return
+    wanted = [term for term in _wanted(book, group, sides) if term is not None]
+    sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
+    _enter(book, group, sides, sizes)
+
+
+def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
+    """The unknown vectors that are needed: the relative one also for the Coriolis acceleration."""
+    point, task = group.path.point, book.task
+    kinds = ("v_rel",) if book.order == 1 else ("a_rel",)
+    asked = any(q.target == point and q.kind in kinds for q in task.asked)
+    relative = sides.relative if asked or book.order < task.order else None
+    turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
+    # The vector of the point itself follows from the rate of its body.
+    sought = any(q.target == point and q.kind == book.letter for q in task.asked)
+    known = {group.own_pole} if sought else {point, group.own_pole}
+    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
+    return [sides.carried, sides.path, turn, own, relative]
+
+
+def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> None:
+    """Note what was found, and the rates that follow."""
+    point, carrier = group.path.point, group.carrier
+    slips = book.relative if book.order == 1 else book.relative_acceleration
+    known = tuple(t for t in sides.right if t.size is not None and t.name.part.startswith("rel"))
+    term = sides.relative
+    slips[point, carrier] = (*known, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
+    if sides.carried is not None and group.carried is not None:
+        known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
+        book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
+    if sides.path is not None:
+        known = tuple(t for t in sides.left if t.size is not None)
+        book.vectors[point] = (*known, *settled(sides.path, sizes[sides.path.name]))
+    for term, body, pole in ((sides.turn, carrier, group.pole), (sides.own, group.body, group.own_pole)):
+        if term is not None and term.name in sizes:
+            enter_rate(book, body, term, sizes[term.name], book.geometry.length(point, pole))

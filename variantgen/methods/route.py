@@ -1,0 +1,213 @@
+"""The order of a solution: which group of links comes next, judged by what is known already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.extension import Extension
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.rows import ScalarRow, Sliding
+from variantgen.methods.book import Book
+from variantgen.methods.group import Composed, Crossed, Dyad, Extended, Group, Rolled, Slid, Track, Turned
+
+
+class Route:
+    """Looks for the next group of a book whose velocities are being worked out."""
+
+    def __init__(self, book: Book) -> None:
+        self.book = book
+        self.task = book.task
+        self.scene = book.task.scene
+
+    @cached_property
+    def translating(self) -> frozenset[str]:
+        """Bodies that are kept from turning."""
+        return frozenset(
+            body
+            for joint in self.scene.joints
+            for s in joint.shapes()
+            if not s.points and len(s.bodies) == 1
+            for body in s.bodies
+        )
+
+    def is_known(self, point: str) -> bool:
+        """Whether the velocity of a point is known or can be had from a body whose motion is known."""
+        return point in self.book.velocity or any(self.is_moved(body) for body in self.owners(point))
+
+    def owners(self, point: str) -> list[str]:
+        """Bodies of a point."""
+        return [body for body, members in self.scene.bodies.items() if point in members]
+
+    def is_moved(self, body: str) -> bool:
+        """Whether the motion of a body is known: its rate and one of its points."""
+        turning = body in self.book.omega or body in self.translating
+        return turning and any(point in self.book.velocity for point in self.scene.bodies[body])
+
+    def known_point(self, body: str) -> str | None:
+        """A point of a body that is known: a fixed one, one whose vector is written already, or one that can be had."""
+        members = self.scene.bodies[body]
+        written = [p for p in members if p in self.task.fixed] + [p for p in members if p in self.book.velocity]
+        return next(iter(written), None) or next((p for p in members if self.is_known(p)), None)
+
+    def next(self) -> Group | None:
+        """The next group that adds something that is needed, or None when nothing does."""
+        searches = (
+            self._composed,
+            self._turned,
+            self._rolled,
+            self._dyads,
+            self._crossed,
+            self._slid,
+            self._joined,
+            self._extended,
+        )
+        return next((group for search in searches for group in search()), None)
+
+    @property
+    def open_bodies(self) -> list[str]:
+        """Needed bodies whose rate is not known."""
+        return [
+            body
+            for body in self.scene.bodies
+            if body in self.task.needed.bodies and body not in self.book.omega and body not in self.translating
+        ]
+
+    def _composed(self) -> Iterator[Group]:
+        for number, driver in enumerate(self.scene.drivers):
+            if (
+                isinstance(driver, Rotation)
+                and driver.relative_to in self.book.omega
+                and driver.body not in self.book.omega
+            ):
+                yield Composed(driver.body, driver.relative_to, number)
+
+    def _turned(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            members = self.scene.bodies[body]
+            pivot = next((p for p in members if p in self.task.fixed), None)
+            known = [p for p in members if p != pivot and p in self.book.velocity]
+            if pivot is not None and known:
+                yield Turned(body, pivot, known[0])
+
+    def _rolled(self) -> Iterator[Group]:
+        for number, joint in enumerate(self.scene.joints):
+            if isinstance(joint, Rolling) and joint.on is None:
+                group = Rolled(joint.body, joint.centre, number, joint.contact)
+            elif isinstance(joint, RollingOnCircle) and joint.on is None:
+                group = Rolled(joint.body, joint.centre, number, "", joint.around)
+            else:
+                continue
+            if (group.centre in self.book.velocity) != (group.body in self.book.omega):
+                yield group
+
+    def track(self, point: str, but: str = "") -> Track | None:
+        """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
+        for joint in self.scene.joints:
+            shapes = joint.shapes()
+            for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
+                if shape.points != (point,) or shape.bodies or shape.lead is not None:
+                    continue
+                if joint.landmarks():
+                    return Track(point, centre=joint.landmarks()[0])
+                assert isinstance(row, ScalarRow)
+                normal = complex(row.points[point])
+                return Track(point, line=-1j * normal / abs(normal))
+            if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
+                arm = self.task.now.z[point] - self.task.now.z[joint.contact]
+                return Track(point, line=1j * arm / abs(arm))
+            if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
+                return Track(point, centre=joint.around)
+        for body in self.owners(point):
+            members = self.scene.bodies[body]
+            pivot = next((p for p in members if p in self.task.fixed), None)
+            if body != but and pivot is not None:
+                return Track(point, centre=pivot, body=body)
+            if body != but and body in self.translating:
+                guided = next((t for p in members if p != point and (t := self._guided(p))), None)
+                if guided is not None:
+                    return Track(point, line=guided)
+        return None
+
+    def _guided(self, point: str) -> complex:
+        """The direction of the straight guide of a point, or 0."""
+        for joint in self.scene.joints:
+            for shape, row in zip(joint.shapes(), joint.rows(self.task.at), strict=True):
+                if shape.points == (point,) and not shape.bodies and shape.lead is None and not joint.landmarks():
+                    assert isinstance(row, ScalarRow)
+                    normal = complex(row.points[point])
+                    return -1j * normal / abs(normal)
+        return 0j
+
+    def _dyads(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            pole = self.known_point(body)
+            if pole is None or pole in self.task.fixed:
+                continue
+            for point in self.scene.bodies[body]:
+                if point != pole and not self.is_known(point) and (track := self.track(point, body)):
+                    yield Dyad(body, pole, track)
+
+    def _crossed(self) -> Iterator[Group]:
+        for first in self.open_bodies:
+            for second in self.open_bodies:
+                members = self.scene.bodies[first]
+                shared = [p for p in members if p in self.scene.bodies[second] and not self.is_known(p)]
+                poles = self.known_point(first), self.known_point(second)
+                if first < second and shared and poles[0] and poles[1]:
+                    yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
+
+    def _slid(self) -> Iterator[Group]:
+        for joint in self.scene.joints:
+            path = joint.sliding()
+            if path is not None and (path.point, path.body) not in self.book.relative:
+                group = self._sliding(path)
+                if group is not None:
+                    yield group
+
+    def _sliding(self, path: Sliding) -> Group | None:
+        """What the sliding of a point on a body tells, if one of the two is known well enough."""
+        point, carrier = path.point, path.body
+        moved = self.is_moved(carrier) or (carrier in self.book.omega and self.known_point(carrier) is not None)
+        if moved:
+            pole = self.known_point(carrier) or ""
+            if self._is_driven(path):
+                return Slid(path, carrier, pole, False, driven=True)
+            if self.is_known(point):
+                return Slid(path, carrier, pole, False)
+            if track := self.track(point, carrier):
+                return Slid(path, carrier, pole, False, track=track)
+            for body in self.owners(point):
+                if body in self.open_bodies and (own := self.known_point(body)):
+                    return Slid(path, carrier, pole, False, body, own)
+            return None
+        if not self.is_known(point):
+            return None
+        if carrier in self.translating:
+            ends = ((p, self._guided(p)) for p in self.scene.bodies[carrier])
+            track = next((Track(p, line=way) for p, way in ends if way), None)
+            return None if track is None else Slid(path, carrier, "", False, carried=track)
+        known = self.known_point(carrier)
+        return None if known is None else Slid(path, carrier, known, True)
+
+    def _is_driven(self, path: Sliding) -> bool:
+        """Whether the relative motion of a point is given."""
+        return any(
+            isinstance(driver, RelativeTravel | Circling) and (driver.point, driver.body) == (path.point, path.body)
+            for driver in self.scene.drivers
+        )
+
+    def _joined(self) -> Iterator[Group]:
+        return iter(())
+
+    def _extended(self) -> Iterator[Group]:
+        for number, driver in enumerate(self.scene.drivers):
+            if isinstance(driver, Extension):
+                for body in self.owners(driver.end):
+                    pivot = next((p for p in self.scene.bodies[body] if p in self.task.fixed), None)
+                    if pivot is not None and body not in self.book.omega:
+                        yield Extended(number, body, pivot, driver.end, driver.start)

@@ -1,0 +1,130 @@
+"""The printed numbers of a solution: as few digits as lead a reader with a calculator to the answers of the key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from variantgen.methods.expression import (
+    Applied,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+    rounded,
+)
+from variantgen.methods.name import Name
+from variantgen.methods.step import (
+    Derived,
+    Fact,
+    Item,
+    LinearSystem,
+    Listing,
+    Projection,
+    Sentence,
+    Shown,
+    Statement,
+    TermTable,
+    VectorLine,
+)
+
+FEWEST, MOST = 5, 9  # significant digits of intermediate results
+ANSWER_DIGITS = 4  # significant digits of an answer
+
+
+def settle(items: Iterable[Item], answers: Sequence[Value]) -> int:
+    """Give every value its printed number; returns the digits of intermediate results.
+
+    All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
+    the key, which is computed in full precision.
+    """
+    values = in_order([*items_values(items), *answers])
+    for digits in range(FEWEST, MOST + 1):
+        for value in values:
+            value.settle(digits)
+        if all(_agrees(answer) for answer in answers):
+            return digits
+    return MOST
+
+
+def _agrees(answer: Value) -> bool:
+    return rounded(answer.shown, ANSWER_DIGITS) == rounded(answer.exact, ANSWER_DIGITS)
+
+
+def in_order(values: Iterable[Value]) -> list[Value]:
+    """The values and all that they are computed from, each after those that it needs."""
+    found: dict[int, Value] = {}
+
+    def visit(value: Value) -> None:
+        if id(value) in found:
+            return
+        if value.expression is not None:
+            for part in parts(value.expression):
+                visit(part)
+        found[id(value)] = value
+
+    for value in values:
+        visit(value)
+    return list(found.values())
+
+
+def parts(item: Expression) -> list[Value]:
+    """The values in an expression."""
+    match item:
+        case Value():
+            return [item]
+        case Total(terms):
+            return [value for _, term in terms for value in parts(term)]
+        case Times(factors):
+            return [value for factor in factors for value in parts(factor)]
+        case Ratio(above, below):
+            return [*parts(above), *parts(below)]
+        case Raised(inner, _) | SquareRoot(inner) | Magnitude(inner) | Applied(_, inner):
+            return parts(inner)
+    return []
+
+
+def items_values(items: Iterable[Item]) -> list[Value]:
+    """The values that items show."""
+    found: list[Value] = []
+    for item in items:
+        match item:
+            case Sentence():
+                found += _facts(item)
+            case Derived(value):
+                found.append(value)
+            case VectorLine():
+                pass
+            case TermTable(terms):
+                for term in terms:
+                    found += [term.angle, *([term.size] if term.size is not None else []), *_facts(term.way)]
+            case Projection(axis, left, right):
+                found += _facts(axis)
+                found += [share.angle for share in (*left, *right) if share.angle is not None]
+            case LinearSystem(unknowns, rows, right_side):
+                found += [*unknowns, *(value for row in rows for value in row), *right_side]
+            case Statement(first, second):
+                found += [*parts(first), *parts(second)]
+            case Listing(_, results):
+                found += results
+    return found
+
+
+def _facts(sentence: Sentence) -> list[Value]:
+    """Values among the facts of a sentence."""
+    found: list[Value] = []
+    waiting: list[Fact] = list(sentence.facts.values())
+    while waiting:
+        fact = waiting.pop()
+        if isinstance(fact, Value):
+            found.append(fact)
+        elif isinstance(fact, Shown):
+            found.append(fact.value)
+        elif isinstance(fact, Sentence):
+            waiting += fact.facts.values()
+        elif isinstance(fact, tuple) and not isinstance(fact, Name):
+            waiting += fact
+    return found

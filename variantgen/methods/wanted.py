@@ -1,0 +1,37 @@
+"""Whether the rotation of a body is worth finding: it is asked, or something that is needed depends on it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from variantgen.methods.task import Task
+
+_FROM_RATE = {1: ("omega", "P"), 2: ("epsilon", "Q", "mu")}
+
+
+def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) -> bool:
+    """Whether the rate of a body is needed, when the vectors of its points in ``known`` are found without it.
+
+    ``order`` 1 is the angular velocity, 2 the angular acceleration. For accelerations every angular velocity is needed,
+    because of the normal components.
+    """
+    if order < task.order:
+        return True
+    if any(q.target == body and q.kind in _FROM_RATE[order] for q in task.asked):
+        return True
+    members = task.scene.bodies[body]
+    if any(p in task.needed.points and p not in known and p not in task.fixed for p in members):
+        return True
+    first_driver = len(task.scene.joints)
+    for number, constraint in enumerate(task.scene.constraints):
+        for shape in constraint.shapes():
+            alone = number >= first_driver and not shape.points and shape.bodies == (body,)
+            if body in shape.bodies and not alone and _leads_on(task, body, shape.bodies, shape.points):
+                return True
+    return False
+
+
+def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection[str]) -> bool:
+    """Whether a joint of a body couples something that is needed."""
+    others = [other for other in bodies if other != body]
+    return any(other in task.needed.bodies for other in others) or any(p in task.needed.points for p in points)

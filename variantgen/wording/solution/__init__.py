@@ -1,0 +1,1 @@
+"""Solutions in a language: steps become headings, sentences with formulas in them, and lines of formulas."""

@@ -1,0 +1,77 @@
+"""A solution as a document without a look: sections with paragraphs, lines of formulas, tables of vectors, programs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from variantgen.wording.formula import Formula
+from variantgen.wording.statement import Text
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """Text with formulas in it."""
+
+    text: Text
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A formula in pieces between which it may be broken: ``v_A``, ``= omega OA``, ``= 3 * 40``, ``= 120 cm/s``."""
+
+    pieces: tuple[tuple[str, Formula], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """Formulas one after the other."""
+
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class VectorRow:
+    """A vector of an equation: itself, its direction in words, its magnitude (None: unknown)."""
+
+    vector: Formula
+    direction: Text
+    magnitude: Formula | None
+
+
+@dataclass(frozen=True, slots=True)
+class VectorTable:
+    """The vectors of an equation with what is known of them."""
+
+    heads: tuple[str, str, str]
+    unknown: str
+    rows: tuple[VectorRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A listing and what it prints."""
+
+    code: str
+
+
+Block: TypeAlias = Paragraph | Lines | VectorTable | Program
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A numbered step with its heading; ``views`` are the kinds of figures that go with it."""
+
+    heading: Text
+    blocks: tuple[Block, ...]
+    views: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SolutionText:
+    """A whole solution in a language."""
+
+    plan: Text
+    sections: tuple[Section, ...]
+    answer: Text
+    check: tuple[Block, ...] = ()
