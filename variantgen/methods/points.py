@@ -77,6 +77,19 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
     raise LookupError(f"the motion of {point} is not known")
 
 
+def known_point(book: Book, body: str) -> str:
+    """A point of a body whose vector is written; the first that can be is written down where none is.
+
+    Raises LookupError where none can.
+    """
+    members = book.task.scene.bodies[body]
+    written = next((p for p in members if p in book.vectors), None)
+    if written is None:
+        written = next((p for p in members if _is_carried(book, p, body)), members[0])
+        vector(book, written)
+    return written
+
+
 def _is_carried(book: Book, point: str, but: str) -> bool:
     """Whether a point belongs to another body whose motion is known."""
     return any(
