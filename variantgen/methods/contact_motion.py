@@ -247,7 +247,13 @@ def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, a
     book.say(f"contact.{key}_{book.letter}", False, **facts)
     size = signed_sum(difference, 1 if exact * gap > 0 else -1) if sense else None
     enter_rate(book, group.body, size, sense, _span(book, sides, arms))
-    enter_centre(book, group, sides[0], _centre(book, group, sides, arms, parts, moving))
+    found = _centre(book, group, sides, arms, parts, moving)
+    way = sum(sign * part.number(True) for sign, part in found)
+    enter_centre(book, group, sides[0], found)
+    leading = next((i for i, part in enumerate(parts) if part[0] * way > 0), None)
+    if leading is not None:
+        own = VectorOf(Name(book.letter, group.point))
+        book.say(f"contact.way_{book.letter}", True, vector=own, other=names[leading])
 
 
 def _span(book: Book, sides: Sequence[Side], arms: Sequence[float]) -> Value:

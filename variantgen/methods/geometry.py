@@ -35,6 +35,7 @@ from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.timed import timed_direction
 
 _DISTANCES = ("distance", "first_distance", "second_distance", "length")
+_PARALLEL = 1e-9  # degrees
 _LEVEL = 1e-9  # of the size: a coordinate difference below it is none
 
 
@@ -167,7 +168,7 @@ class Geometry:
         name = Name("direction", start, end)
         if self.is_read_off(start, end):
             return Value(name, "angle", exact)
-        if timed := timed_direction(self, start, end, exact):
+        if (timed := timed_direction(self, start, end, exact)) or (timed := self._on_one_ray(start, end, exact)):
             return timed
         right, up = self._shift(start, end)
         if abs(right.number(True)) < _LEVEL * self.task.size or abs(up.number(True)) < _LEVEL * self.task.size:
@@ -179,6 +180,17 @@ class Geometry:
         value = Value(name, "angle", exact, slope)
         self.items.append(Derived(value))
         return value
+
+    def _on_one_ray(self, start: str, end: str, exact: float) -> Value | None:
+        """The direction of a segment on a line through the common origin of its ends, which were placed from there."""
+        ends = [self.task.form.points[name] for name in (start, end)]
+        if any(t.component is not Polar for t in ends) or ends[0].fields["origin"] != ends[1].fields["origin"]:
+            return None
+        origin = ends[0].fields["origin"]
+        for by in (0.0, 180.0):
+            if between(degrees(self.vector(origin, end)) + by, exact) < _PARALLEL:
+                return self.turned(self.direction(origin, end), by, Name("direction", start, end))
+        return None
 
     def is_read_off(self, start: str, end: str) -> bool:
         """Whether the direction of a segment follows from given angles alone."""

@@ -61,10 +61,8 @@ def _turned(geometry: Geometry, name: str) -> Value | None:
     law = geometry.task.expressed(geometry.task.form.derived[name])
     if law is None:
         return None
-    law = _unsigned(law)
-    value = Value(Name("parameter", name), "angle", 0.0, Ratio(simplified(Constant(180.0) * law), Pi()))
-    assert value.expression is not None
-    value.exact = value.shown = value.expression.number(True)
+    whole = Ratio(_unsigned(simplified(Constant(180.0) * law)), Pi())
+    value = Value(Name("parameter", name), "angle", whole.number(True), whole)
     geometry.items.append(Derived(value))
     return value
 
