@@ -22,8 +22,8 @@ class Name(NamedTuple):
     the carrier below it.
 
     Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned),
-    ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing`` (direction of a
-    piece of rope or of a line of centres); ``dots`` counts derivatives by time.
+    ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing``
+    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time.
     """
 
     kind: str
