@@ -7,9 +7,9 @@ from variantgen.families.family import Template
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
+from variantgen.methods.angles import degrees
 from variantgen.methods.book import Book, Rate
 from variantgen.methods.expression import Constant, Expression, Total, Value
-from variantgen.methods.geometry import degrees
 from variantgen.methods.name import Name
 from variantgen.methods.step import Point
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.methods.angles import degrees
 from variantgen.methods.book import Book, Known
 from variantgen.methods.expression import Value
-from variantgen.methods.geometry import Geometry, degrees
+from variantgen.methods.geometry import Geometry
 from variantgen.methods.group import Track
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, positive

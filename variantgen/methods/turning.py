@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from variantgen.methods.angles import degrees
 from variantgen.methods.book import Book, Known, Rate
 from variantgen.methods.expression import Total, Value
-from variantgen.methods.geometry import Geometry, degrees
+from variantgen.methods.geometry import Geometry
 from variantgen.methods.given import amount
 from variantgen.methods.group import Composed, Rolled, Turned
 from variantgen.methods.name import Name

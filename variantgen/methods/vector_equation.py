@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.methods.angles import normal_angle
 from variantgen.methods.book import Book
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
-from variantgen.methods.geometry import Geometry, normal_angle
+from variantgen.methods.geometry import Geometry
 from variantgen.methods.step import Derived, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
