@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.faults import inspect_labels
+from variantgen.figure.faults import count_label_faults
 
 
 def first_clean(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
@@ -13,8 +13,7 @@ def first_clean(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
     best: tuple[int, Drawing] | None = None
     for make in makers:
         drawing = make()
-        seen = inspect_labels(drawing)
-        faults = len(seen.overlaps) + len(seen.crossed) + len(seen.outside)
+        faults = count_label_faults(drawing)
         if not faults:
             return drawing
         if best is None or faults < best[0]:

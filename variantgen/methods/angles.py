@@ -14,9 +14,12 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.methods.expression import Value
+from variantgen.methods.name import Name
 from variantgen.methods.task import Task
+from variantgen.methods.timed import angle_law
 
-# A parameter by its name, or the direction of the ray from one point to another.
+# A given angle or a law of time by its name, or the direction of the ray from one point to another.
 Atom: TypeAlias = "str | tuple[str, str]"
 
 _SAME = 1e-9  # degrees
@@ -66,6 +69,7 @@ class Angles:
 
     def __init__(self, task: Task) -> None:
         self._task = task
+        self._laws: dict[str, Value] = {}
         frame = task.scene.frame
         self.sense = round(float(frame.sense))
         self._turn = degrees(complex(frame.turn))
@@ -75,26 +79,35 @@ class Angles:
         if expression is None:
             return AngleForm()
         value = math.degrees(self._task.read(expression))
-        names = sorted(name for name in expression.names if self._is_printed_angle(name))
-        if not names or expression.names & self._task.form.derived.keys():
+        signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
+        if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
             return AngleForm((), tidy(value))
-        start = dict(self._task.si) | dict.fromkeys(names, 0.0)
+        start = dict(self._task.si) | dict.fromkeys(signs, 0.0)
         base = float(expression.value(start))
-        slopes = {name: float(expression.value(start | {name: 1.0})) - base for name in names}
+        slopes = {name: float(expression.value(start | {name: 1.0})) - base for name in signs}
         slopes = {name: tidy(slope) for name, slope in slopes.items()}
         total = math.degrees(base) + sum(slope * math.degrees(self._task.si[name]) for name, slope in slopes.items())
         if abs(total - value) > _SAME:
             return AngleForm((), tidy(value))
-        return form_of(slopes.items(), tidy(math.degrees(base)))
+        return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
 
-    def _is_printed_angle(self, name: str) -> bool:
+    def _sign(self, name: str) -> int:
+        """1 for a printed angle, the sign of a law of time, 0 for other quantities."""
         parameter = self._task.form.parameters.get(name)
-        return (
-            parameter is not None
-            and parameter.given
-            and parameter.unit is not None
-            and parameter.unit.measures == "angle"
-        )
+        if parameter is None or parameter.unit is None:
+            law = angle_law(self._task, name)
+            return law[0] if law else 0
+        return int(parameter.given and parameter.unit.measures == "angle")
+
+    def value(self, name: str) -> Value:
+        """A given angle, or the one that a law of time gives at the instant of the problem."""
+        if name in self._task.given:
+            return self._task.given[name]
+        if name not in self._laws:
+            law = angle_law(self._task, name)
+            assert law is not None, "a name among angles is a given one or a law"
+            self._laws[name] = Value(Name("parameter", name), "angle", law[1].number(True), law[1])
+        return self._laws[name]
 
     def relative(self, form: AngleForm) -> AngleForm:
         """An angle between two rays of the scene, on paper: a reflection changes its sense."""

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence, Step, Term
+from variantgen.methods.style import Style
 from variantgen.methods.task import Task
+
+if TYPE_CHECKING:
+    from variantgen.methods.centre import Centre
 
 Known = tuple[Term, ...]
 
@@ -32,7 +39,10 @@ class Rate:
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
-    A point at rest has no terms. ``order`` says what is being worked out: 1 velocities, 2 accelerations.
+    A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
+    velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
+    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
@@ -43,7 +53,13 @@ class Book:
     omega: dict[str, Rate] = field(default_factory=dict)
     epsilon: dict[str, Rate] = field(default_factory=dict)
     relative: dict[tuple[str, str], Known] = field(default_factory=dict)
+    relative_acceleration: dict[tuple[str, str], Known] = field(default_factory=dict)
+    coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
+    values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
+    style: Style = field(default_factory=Style)
+    centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
+    carry: Callable[[Book, str, str, str], None] | None = None
 
     def __post_init__(self) -> None:
         self.geometry = Geometry(self.task)
@@ -115,6 +131,7 @@ class Book:
         """A new value by an expression, with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))
         self.items.append(Derived(value, detail=detail))
+        self.values[name] = value
         return value
 
     def size_of(self, measure: str) -> float:
@@ -139,9 +156,6 @@ def along(start: str, end: str) -> dict[str, Fact]:
 
 def resultant(terms: Sequence[Term]) -> complex:
     """The exact sum of known vectors as a complex number."""
-    import cmath
-    import math
-
     return sum(
         (cmath.rect(term.size.exact, math.radians(term.angle.exact)) for term in terms if term.size is not None), 0j
     )

@@ -35,6 +35,8 @@ class Expression:
         return Total(((1, self), (-1, other)))
 
     def __neg__(self) -> Expression:
+        if isinstance(self, Total):
+            return Total(tuple((-sign, term) for sign, term in self.terms))
         return Total(((-1, self),))
 
     def __mul__(self, other: Expression) -> Expression:
@@ -104,7 +106,7 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
 
 @dataclass(frozen=True, slots=True)
 class Constant(Expression):
-    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` where it has a unit (180 deg)."""
+    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` "angle" for degrees."""
 
     value: float
     measure: str = ""

@@ -11,15 +11,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from variantgen.methods import trigonometry
-from variantgen.methods.angles import AngleForm, Atom, normal_angle
+from variantgen.methods.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.layout import Layout
 from variantgen.methods.name import Name
 from variantgen.methods.placed import ORIGIN, Pair, placed
 from variantgen.methods.step import Derived, Fact, Item, Sentence
 from variantgen.methods.sums import Leg, Signed, collected, summed
-from variantgen.methods.task import Task
+from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.ways import Ways
+
+__all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
 _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
@@ -73,6 +75,23 @@ class Geometry(Layout):
         place = self.places[high]
         own = place.length(low) if low in place.neighbours() else None
         return own if own is not None else trigonometry.length_of(self, self._triangle(low, high))
+
+    def defined(self, start: str, end: str, expression: Expression) -> Value:
+        """A distance that is made of others, as that of two points of contact on a diameter."""
+        key = frozenset((start, end))
+        if key not in self._lengths:
+            self._lengths[key] = self._entered(Name("length", start, end), "length", expression)
+        return self._lengths[key]
+
+    def radius(self, centre: str, exact: float, body: str) -> Value:
+        """The radius of a circle about a point, by the disc of the figure that has it."""
+        key = frozenset((centre, f"{exact:.9g}"))
+        if key not in self._lengths:
+            discs = (disc for disc in self.task.form.figure.discs if disc.centre == centre)
+            found = (self.read_length(disc.radius) for disc in discs)
+            near = (item for item in found if abs(item.number(True) - exact) < CLOSE * exact)
+            self._lengths[key] = self._entered(Name("radius", body), "length", next(near, Constant(exact)))
+        return self._lengths[key]
 
     # Directions.
 
@@ -136,7 +155,7 @@ class Geometry(Layout):
 
     def atom(self, atom: Atom) -> Value:
         """A given angle or the direction of a ray."""
-        return self._taken(self.task.given[atom]) if isinstance(atom, str) else self.direction(*atom)
+        return self._taken(self.angles.value(atom)) if isinstance(atom, str) else self.direction(*atom)
 
     def trigonometric(self, function: str, form: AngleForm) -> tuple[int, Expression | None]:
         """A cosine or sine: its sign and its expression, None for one; sign 0 for zero."""

@@ -7,33 +7,59 @@ from variantgen.families.family import Template
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
-from variantgen.methods.angles import degrees
-from variantgen.methods.book import Book, Rate
+from variantgen.methods.book import Book, Known, Rate, resultant
 from variantgen.methods.expression import Constant, Expression, Total, Value
+from variantgen.methods.geometry import Geometry, degrees, normal_angle
+from variantgen.methods.monomial import simplified
 from variantgen.methods.name import Name
-from variantgen.methods.step import Point
+from variantgen.methods.route import Route
+from variantgen.methods.step import Body, Fact, Point, Statement
+from variantgen.methods.timed import law_behind
+from variantgen.methods.tracks import on_track
+
+_REST = 1e-12  # of the natural scale: a vector below it is none
 
 
 def take(book: Book) -> None:
-    """Enter what the drivers give at the order that is being worked out."""
-    for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
-        if isinstance(driver, Rotation) and driver.relative_to is None:
-            value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)
-            book.rates[driver.body] = Rate(value, _sign(book.exact_rate(driver.body)))
-        elif isinstance(driver, Travel | VectorMotion):
-            _take_vector(book, template, driver.point, book.letter)
+    """Enter what the drivers give at the order that is being worked out; what has to be worked out is a step."""
+    with book.step(f"given.{book.measure}") as made:
+        for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
+            if isinstance(driver, Rotation) and driver.relative_to is None:
+                value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)
+                book.rates[driver.body] = Rate(value, _sign(book.exact_rate(driver.body)))
+            elif isinstance(driver, VectorMotion):
+                book.vectors[driver.point] = _straight(book, template, driver.point)
+            elif isinstance(driver, Travel):
+                _take_travel(book, template, driver.point)
+    if not made.items:
+        book.steps.remove(made)
 
 
-def _take_vector(book: Book, template: Template, point: str, key: str) -> None:
+def _take_travel(book: Book, template: Template, point: str) -> None:
+    """A given vector along a path; on a circle the given acceleration is the tangential one, the normal one follows."""
+    track = Route(book).track(point)
+    if book.order == 1 or track is None or track.straight:
+        book.vectors[point] = _straight(book, template, point)
+        return
+    normal, path = on_track(book, track)
+    rest = book.exact(point) - resultant(normal)
+    if abs(rest) < _REST * book.scale:
+        book.vectors[point] = normal
+        return
+    size = amount(book, template, book.letter, book.measure)
+    ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
+    angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
+    book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))
+
+
+def _straight(book: Book, template: Template, point: str) -> Known:
     """A given vector of a point: its magnitude by the data, its direction as the figure shows it."""
     vector = book.exact(point)
-    if vector == 0 or abs(vector) < 1e-12 * book.scale:
-        book.vectors[point] = ()
-        return
-    size = amount(book, template, key, book.measure)
+    if abs(vector) <= _REST * book.scale:
+        return ()
+    size = amount(book, template, book.letter, book.measure)
     angle = Value(None, "angle", degrees(vector))
-    term = book.term(Name(book.letter, point), size, angle, "given", point=Point(point))
-    book.vectors[point] = (term,)
+    return (book.term(Name(book.letter, point), size, angle, "given", point=Point(point)),)
 
 
 def amount(book: Book, template: Template, key: str, measure: str) -> Value:
@@ -49,7 +75,24 @@ def amount(book: Book, template: Template, key: str, measure: str) -> Value:
         number /= book.task.length_unit
     if number == 0 or expression is None or isinstance(expression, Constant):
         return Value(None, measure, number)
+    if book.order == 1:
+        _say_law(book, template, source)
+    expression = simplified(expression)
     return book.derive(_name_of(book, template, key), measure, expression)
+
+
+def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
+    """The law of time of which a given rate is the derivative, if it is one."""
+    law = law_behind(book.task, source)
+    if law is None:
+        return
+    point = template.fields.get("point")
+    name, measure = ("s", "length") if isinstance(point, str) else ("phi", "number")
+    facts: dict[str, Fact] = (
+        {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
+    )
+    book.say(f"given.law_{name}", False, **facts)
+    book.items.append(Statement(Value(Name("parameter", name), measure, law.number(True), law), law))
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:

@@ -104,19 +104,25 @@ class Composed:
 
 @dataclass(frozen=True, slots=True)
 class Joined:
-    """A joint of the scene (its number) that gives the rate of ``body`` or the motion of ``point`` by a law of its own.
+    """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
 
-    Gears, threads, racks: see :mod:`variantgen.methods.laws`.
+    Gears, threads, racks: see :mod:`variantgen.methods.laws`. With a ``second`` contact of the same body (number of its
+    joint, or -1) both are found at once. ``track`` is the path of the point.
     """
 
     joint: int
     body: str = ""
     point: str = ""
+    second: int = -1
+    track: Track | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Extended:
-    """The distance of two points grows as given (driver number): the rate of ``body``, which turns about ``pivot``."""
+    """The distance from ``base``, which is known, to ``point`` grows as given (driver number).
+
+    This gives the rate of ``body``, which turns about ``pivot`` and has the point.
+    """
 
     driver: int
     body: str
@@ -126,14 +132,43 @@ class Extended:
 
 
 @dataclass(frozen=True, slots=True)
-class Coupled:
-    """Bodies that can only be treated together: hinges with their two ways to be reached, as equations.
+class Rested:
+    """The contact of a wheel with something at rest, taken as its pole: ``v_P = 0``, ``a_P`` towards the centre."""
 
-    ``dyads`` are bodies and tracks whose equations hold at once; ``bodies`` all whose rates are unknown.
+    body: str
+    centre: str
+    contact: str
+
+
+@dataclass(frozen=True, slots=True)
+class Spanned:
+    """Two points of ``body`` are known; its rate follows from their relative motion."""
+
+    body: str
+    pole: str
+    point: str
+
+
+@dataclass(frozen=True, slots=True)
+class Support:
+    """What holds a point of a body: its ``track``, or the body ``rod`` with the known point ``far``."""
+
+    point: str
+    track: Track | None = None
+    rod: str = ""
+    far: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Coupled:
+    """``body`` has no known point but three supports, so that they can only be treated together.
+
+    ``track`` is the path of one of its points, which is the pole; ``supports`` are the two others.
     """
 
-    bodies: tuple[str, ...]
-    points: tuple[str, ...]
+    body: str
+    track: Track
+    supports: tuple[Support, Support]
 
 
-Group = Turned | Rolled | Dyad | Crossed | Slid | Composed | Joined | Extended | Coupled
+Group = Turned | Rolled | Dyad | Crossed | Slid | Composed | Joined | Extended | Rested | Spanned | Coupled

@@ -89,7 +89,7 @@ class Layout:
         return form.constant + sum(c * self._degrees(atom) for atom, c in form.parts)
 
     def _degrees(self, atom: Atom) -> float:
-        return self.task.given[atom].exact if isinstance(atom, str) else self.bearing(*atom)
+        return self.angles.value(atom).exact if isinstance(atom, str) else self.bearing(*atom)
 
     def is_nothing(self, length: Expression) -> bool:
         """Whether a length is zero but for rounding."""

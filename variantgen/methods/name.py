@@ -12,7 +12,9 @@ class Name(NamedTuple):
     triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point, the
     body or the first point of a segment; ``about`` the pole (v_BA) or the second point; ``part``: words from
     ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity
-    centre of the body ``body``.
+    (P) or acceleration centre (Q) of the body ``body``. An ``angle`` has its vertex at ``of`` and the points ``about``
+    on its sides (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second of them, ``vertex`` it.
+    ``mu`` is the angle between accelerations of a body and the rays to Q.
     """
 
     kind: str

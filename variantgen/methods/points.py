@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods.book import Book, Known, Rate, along
-from variantgen.methods.expression import Expression, Value, cos, hypotenuse
+from variantgen.methods.expression import Constant, Expression, Total, Value, cos, hypotenuse
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
-from variantgen.methods.step import Body, Derived, Point, Share, Term, VectorOf
+from variantgen.methods.step import Body, Point, Share, Term, VectorOf
+from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import shares, write
 
 RIGHT = Value(None, "angle", 0.0)
@@ -67,7 +68,19 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
             return body, fixed[0]
     for body in owners:
         return body, next(p for p in bodies[body] if p in book.vectors)
+    for body, members in bodies.items():
+        if point in members and body in book.rates:
+            reachable = (p for p in members if p != point and _is_carried(book, p, body))
+            if pole := next(reachable, None):
+                return body, pole
     raise LookupError(f"the motion of {point} is not known")
+
+
+def _is_carried(book: Book, point: str, but: str) -> bool:
+    """Whether a point belongs to another body whose motion is known."""
+    return any(
+        point in members and body != but and is_moved(book, body) for body, members in book.task.scene.bodies.items()
+    )
 
 
 def is_moved(book: Book, body: str) -> bool:
@@ -78,7 +91,12 @@ def is_moved(book: Book, body: str) -> bool:
 
 def is_translating(book: Book, body: str) -> bool:
     """Whether joints keep a body from turning."""
-    return any(not s.points and s.bodies == (body,) for joint in book.task.scene.joints for s in joint.shapes())
+    return is_kept_from_turning(book.task, body)
+
+
+def is_kept_from_turning(task: Task, body: str) -> bool:
+    """Whether a joint of the scene keeps a body from turning."""
+    return any(not s.points and s.bodies == (body,) for joint in task.scene.joints for s in joint.shapes())
 
 
 def _carry(book: Book, point: str, body: str, pole: str) -> None:
@@ -93,6 +111,8 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
             book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
             _sum_up(book, point)
+    elif book.carry is not None:
+        book.carry(book, point, body, pole)
     else:
         with book.step(f"points.by_pole_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
             by_pole(book, point, body, pole)
@@ -113,15 +133,24 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     """The pole formula: vectors of the pole and of the rotation about it, summed on the axes."""
     name, about = Name(book.letter, point), Name(book.letter, point, pole)
     known = vector(book, pole)
+    key = "wheel" if book.order == 2 and _is_rolling(book, body) else book.letter
+    book.say(f"points.sum_{key}", body=Body(body), pole=Point(pole), point=Point(point), vector=VectorOf(name))
+    start = len(book.items)
     turning = rotation(book, point, pole, body, about)
-    sought = Term(name, None, RIGHT, book.term(name, None, RIGHT, "unknown").way)
-    write(book, (sought,), (*known, *turning))
+    sought = book.term(name, None, RIGHT, "unknown")
+    write(book, (sought,), (*known, *turning), start)
     book.vectors[point] = components(book, name, (*known, *turning))
     _sum_up(book, point)
 
 
+def _is_rolling(book: Book, body: str) -> bool:
+    """Whether a body touches something without slip, so that its rates are known before the equation is written."""
+    at = book.task.at
+    return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
+
+
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors by its projections on the axes x and y."""
+    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
@@ -129,15 +158,12 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
         size = book.derive(own, book.measure, sum_of(parts))
         if size.exact == 0:
             continue
-        angle = axis if size.exact > 0 else Geometry.turned(axis, 180.0)
-        found.append(Term(own, positive(size), angle, book.term(own, None, axis, f"axis_{word}").way))
+        found.append(book.term(own, size, axis, f"axis_{word}"))
     return tuple(found)
 
 
 def sum_of(parts: Sequence[Share]) -> Expression:
     """The sum of projections of known vectors."""
-    from variantgen.methods.expression import Constant, Total
-
     if not parts:
         return Constant(0.0)
     terms: list[tuple[int, Expression]] = []
@@ -169,9 +195,8 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
     sizes = [term.size for term in terms if term.size is not None]
     if len(terms) == 1 and sizes[0].name == name:
         return sizes[0]
-    for line in book.items:
-        if isinstance(line, Derived) and line.value.name == name:
-            return line.value
+    if name in book.values:
+        return book.values[name]
     if not terms:
         return Value(name, book.measure, 0.0)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):

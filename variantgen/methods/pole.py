@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from variantgen.methods.book import Book, Known, Rate
 from variantgen.methods.expression import Value
-from variantgen.methods.group import Crossed, Dyad
+from variantgen.methods.group import Crossed, Dyad, Spanned
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
@@ -27,9 +27,10 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         book.say(
             f"pole.choose_{book.letter}", pole=Point(pole), body=Body(body), vector=VectorOf(Name(book.letter, point))
         )
+        start = len(book.items)
         at_path, path = on_track(book, group.track)
         turning, turn = about_pole(book, point, pole, body)
-        _equate(book, ((*at_path, path), (*known, *turning, turn)))
+        _equate(book, ((*at_path, path), (*known, *turning, turn)), start)
         wanted = [path, turn] if is_rate_wanted(book.task, book.order, body, {point, pole}) else [path]
         sizes = solved(book, (*at_path, path), (*known, *turning, turn), wanted)
         book.vectors[point] = (*at_path, *settled(path, sizes[0]))
@@ -48,16 +49,32 @@ def solve_crossing(book: Book, group: Crossed) -> None:
     facts: dict[str, Fact] = {"first": Body(first), "second": Body(second), "point": Point(point)}
     with book.step(f"pole.crossing_{book.letter}", view, **facts):
         book.say("pole.two_poles", pole=Point(group.poles[0]), other=Point(group.poles[1]), **facts)
+        start = len(book.items)
         sides: list[tuple[Term, ...]] = []
         turns: list[Term] = []
         for body, pole, known in zip(group.bodies, group.poles, knowns, strict=True):
             turning, turn = about_pole(book, point, pole, body)
             sides.append((*known, *turning, turn))
             turns.append(turn)
-        _equate(book, (sides[0], sides[1]))
+        _equate(book, (sides[0], sides[1]), start)
         sizes = solved(book, sides[0], sides[1], turns)
         for body, pole, turn, size in zip(group.bodies, group.poles, turns, sizes, strict=True):
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
+
+
+def solve_spanned(book: Book, group: Spanned) -> None:
+    """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
+    point, pole, body = group.point, group.pole, group.body
+    at_point, at_pole = vector(book, point), vector(book, pole)
+    if not is_rate_wanted(book.task, book.order, body, {point, pole}):
+        return
+    with book.step(f"pole.spanned_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
+        start = len(book.items)
+        turning, turn = about_pole(book, point, pole, body)
+        right = (*at_pole, *turning, turn)
+        write(book, at_point, right, start)
+        size = solved(book, at_point, right, [turn])[0]
+        enter_rate(book, body, turn, size, book.geometry.length(point, pole))
 
 
 def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Term]:
@@ -89,6 +106,7 @@ def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assum
     book.say(f"rates.{kind}_{rate.word}", body=Body(body), vector=VectorOf(turn.name))
 
 
-def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]]) -> None:
-    write(book, *sides)
-    book.say("pole.two_unknowns", True)
+def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]], start: int) -> None:
+    """Write the equation whose known magnitudes begin at the item ``start``, and how it is solved."""
+    write(book, *sides, start)
+    book.say(f"pole.two_unknowns_{book.letter}")

@@ -57,8 +57,9 @@ def solve_slid(book: Book, group: Slid) -> None:
     facts: dict[str, Fact] = {"point": Point(point), "carrier": Body(carrier)}
     with book.step(f"relative.{book.measure}", view, **facts):
         book.say("relative.compound", **facts)
+        start = len(book.items)
         sides = _sides(book, group)
-        write(book, sides.left, sides.right)
+        write(book, sides.left, sides.right, start)
         _solve(book, group, sides)
 
 
@@ -79,7 +80,10 @@ def _sides(book: Book, group: Slid) -> _Sides:
     else:
         sides.left = list(book.vectors[point])
     _add_transport(book, group, sides)
-    sides.right += _coriolis(book, group)
+    coriolis = _coriolis(book, group)
+    if book.order == 2:
+        book.coriolis[point, group.carrier] = coriolis
+    sides.right += coriolis
     known, sides.relative = _relative(book, group)
     sides.right += [*known, *([sides.relative] if sides.relative else [])]
     return sides
@@ -178,8 +182,8 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
     point, carrier = group.path.point, group.carrier
     if group.driven:
         name = Name(book.letter, point)
-        if book.order == 1:
-            book.relative[point, carrier] = tuple(t for t in sides.right if t.name.part == "rel")
+        slips = book.relative if book.order == 1 else book.relative_acceleration
+        slips[point, carrier] = tuple(t for t in sides.right if t.name.part.startswith("rel"))
         book.vectors[point] = components(book, name, sides.right)
         modulus(book, name, book.vectors[point])
         return
@@ -195,18 +199,20 @@ def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
     asked = any(q.target == point and q.kind in kinds for q in task.asked)
     relative = sides.relative if asked or book.order < task.order else None
     turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
-    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, {point, group.own_pole}) else None
+    # The vector of the point itself follows from the rate of its body.
+    sought = any(q.target == point and q.kind == book.letter for q in task.asked)
+    known = {group.own_pole} if sought else {point, group.own_pole}
+    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
     return [sides.carried, sides.path, turn, own, relative]
 
 
 def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> None:
     """Note what was found, and the rates that follow."""
     point, carrier = group.path.point, group.carrier
-    if book.order == 1:
-        found = sides.relative is not None and sides.relative.name in sizes
-        book.relative[point, carrier] = (
-            settled(sides.relative, sizes[sides.relative.name]) if found and sides.relative else ()
-        )
+    slips = book.relative if book.order == 1 else book.relative_acceleration
+    known = tuple(t for t in sides.right if t.size is not None and t.name.part.startswith("rel"))
+    term = sides.relative
+    slips[point, carrier] = (*known, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
     if sides.carried is not None and group.carried is not None:
         known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
         book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))

@@ -13,7 +13,22 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow, Sliding
 from variantgen.methods.book import Book
-from variantgen.methods.group import Composed, Crossed, Dyad, Extended, Group, Rolled, Slid, Track, Turned
+from variantgen.methods.group import (
+    Composed,
+    Coupled,
+    Crossed,
+    Dyad,
+    Extended,
+    Group,
+    Rested,
+    Rolled,
+    Slid,
+    Spanned,
+    Support,
+    Track,
+    Turned,
+)
+from variantgen.methods.joined import joined
 
 
 class Route:
@@ -65,6 +80,10 @@ class Route:
             self._slid,
             self._joined,
             self._extended,
+            self._turned_at_last,
+            self._spanned,
+            self._coupled,
+            self._rested,
         )
         return next((group for search in searches for group in search()), None)
 
@@ -155,7 +174,8 @@ class Route:
     def _crossed(self) -> Iterator[Group]:
         for first in self.open_bodies:
             for second in self.open_bodies:
-                shared = [p for p in self.scene.bodies[first] if p in self.scene.bodies[second]]
+                members = self.scene.bodies[first]
+                shared = [p for p in members if p in self.scene.bodies[second] and not self.is_known(p)]
                 poles = self.known_point(first), self.known_point(second)
                 if first < second and shared and poles[0] and poles[1]:
                     yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
@@ -201,12 +221,53 @@ class Route:
         )
 
     def _joined(self) -> Iterator[Group]:
-        return iter(())
+        yield from joined(self)
 
     def _extended(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
-            if isinstance(driver, Extension):
-                for body in self.owners(driver.end):
+            if not isinstance(driver, Extension):
+                continue
+            for point, base in ((driver.end, driver.start), (driver.start, driver.end)):
+                for body in self.owners(point):
                     pivot = next((p for p in self.scene.bodies[body] if p in self.task.fixed), None)
-                    if pivot is not None and body not in self.book.omega:
-                        yield Extended(number, body, pivot, driver.end, driver.start)
+                    if pivot is not None and self.is_known(base) and body in self.open_bodies:
+                        yield Extended(number, body, pivot, point, base)
+
+    def _turned_at_last(self) -> Iterator[Group]:
+        """Bodies about a fixed point of which another point can be had from a neighbour."""
+        for body in self.open_bodies:
+            members = self.scene.bodies[body]
+            pivot = next((p for p in members if p in self.task.fixed), None)
+            known = [p for p in members if p != pivot and self.is_known(p)]
+            if pivot is not None and known:
+                yield Turned(body, pivot, known[0])
+
+    def _spanned(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            known = [p for p in self.scene.bodies[body] if self.is_known(p)]
+            if len(known) > 1:
+                yield Spanned(body, known[0], known[1])
+
+    def _coupled(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            held = [support for point in self.scene.bodies[body] if (support := self._support(point, body))]
+            first = next((support for support in held if support.track is not None), None)
+            if first is not None and first.track is not None and len(held) > 2:
+                others = [support for support in held if support is not first]
+                yield Coupled(body, first.track, (others[0], others[1]))
+
+    def _support(self, point: str, body: str) -> Support | None:
+        """What holds a point of a body that has no known point."""
+        if track := self.track(point, body):
+            return Support(point, track)
+        for rod in self.owners(point):
+            if rod != body and rod in self.open_bodies and (far := self.known_point(rod)):
+                return Support(point, rod=rod, far=far)
+        return None
+
+    def _rested(self) -> Iterator[Group]:
+        for joint in self.scene.joints:
+            if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
+                continue
+            if joint.contact in self.scene.bodies[joint.body] and joint.contact not in self.book.velocity:
+                yield Rested(joint.body, joint.centre, joint.contact)

@@ -1,4 +1,4 @@
-"""The printed numbers of a solution: with as few digits as lead a reader with a calculator to the answers of the key."""
+"""The printed numbers of a solution: as few digits as lead a reader with a calculator to the answers of the key."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ from variantgen.methods.expression import (
     Value,
     rounded,
 )
+from variantgen.methods.name import Name
 from variantgen.methods.step import (
     Derived,
+    Fact,
     Item,
     LinearSystem,
     Listing,
@@ -114,7 +116,7 @@ def items_values(items: Iterable[Item]) -> list[Value]:
 def _facts(sentence: Sentence) -> list[Value]:
     """Values among the facts of a sentence."""
     found: list[Value] = []
-    waiting = list(sentence.facts.values())
+    waiting: list[Fact] = list(sentence.facts.values())
     while waiting:
         fact = waiting.pop()
         if isinstance(fact, Value):
@@ -123,6 +125,6 @@ def _facts(sentence: Sentence) -> list[Value]:
             found.append(fact.value)
         elif isinstance(fact, Sentence):
             waiting += fact.facts.values()
-        elif type(fact) is tuple:
+        elif isinstance(fact, tuple) and not isinstance(fact, Name):
             waiting += fact
     return found

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.angles import degrees
 from variantgen.methods.book import Book, Known
-from variantgen.methods.expression import Value
-from variantgen.methods.geometry import Geometry
+from variantgen.methods.expression import Constant, Value
+from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.group import Track
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, positive
 from variantgen.methods.step import Point, Term
+
+_DATA_DIGITS = 3  # decimals of an angle that the statement gives (degrees)
+_ROUNDING = 1e-9
 
 
 def on_track(book: Book, track: Track) -> tuple[Known, Term]:
@@ -21,12 +23,26 @@ def on_track(book: Book, track: Track) -> tuple[Known, Term]:
     """
     name = Name(book.letter, track.point)
     if track.straight:
-        angle = Value(None, "angle", degrees(forward(track.line)))
-        return (), book.term(name, None, angle, "guide", point=Point(track.point))
+        return (), book.term(name, None, line_angle(book, track), "guide", point=Point(track.point))
     if book.order == 1:
         return (), across(book, name, None, (track.point, track.centre), 1)
     normal = _normal(book, track, name.component("n"))
     return normal, across(book, name.component("tau"), None, (track.point, track.centre), 1)
+
+
+def line_angle(book: Book, track: Track) -> Value:
+    """The angle of a straight path with the x axis: one of the data, or that of a side of a body along the path."""
+    way = forward(track.line)
+    exact = degrees(way)
+    if abs(exact - round(exact, _DATA_DIGITS)) < _ROUNDING:
+        return Value(None, "angle", exact)
+    for members in book.task.scene.bodies.values():
+        for other in members if track.point in members else ():
+            side = book.geometry.vector(track.point, other)
+            if other != track.point and abs((side.conjugate() * way).imag) < _ROUNDING * abs(side):
+                angle = book.geometry.direction(track.point, other)
+                return angle if (side.conjugate() * way).real > 0 else Geometry.turned(angle, 180.0)
+    return Value(None, "angle", exact, Constant(exact))
 
 
 def forward(line: complex) -> complex:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from variantgen.methods.angles import degrees
 from variantgen.methods.book import Book, Known, Rate
 from variantgen.methods.expression import Total, Value
-from variantgen.methods.geometry import Geometry
+from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.given import amount
-from variantgen.methods.group import Composed, Rolled, Turned
+from variantgen.methods.group import Composed, Rested, Rolled, Turned
 from variantgen.methods.name import Name
-from variantgen.methods.points import across, modulus, vector
-from variantgen.methods.step import Body, Point, VectorOf
+from variantgen.methods.points import across, modulus, sum_of, vector
+from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.vector_equation import shares
 
 
 def solve_turned(book: Book, group: Turned) -> None:
@@ -24,7 +24,19 @@ def solve_turned(book: Book, group: Turned) -> None:
         found = next((term for term in terms if term.name == name), None)
         if found is None and book.order == 1 and terms:
             found = across(book, name, modulus(book, name, terms), (point, pivot), _sense(book, body))
+        if found is None and book.order == 2 and terms:
+            found = _tangential(book, name, terms, (point, pivot), _sense(book, body))
         _enter(book, body, found.size if found else None, arm, kind, name)
+
+
+def _tangential(book: Book, name: Name, terms: Known, ends: tuple[str, str], sense: int) -> Term | None:
+    """The tangential component of a vector that is known by other components, in the sense of the rotation."""
+    if sense == 0:
+        return None
+    sought = across(book, name, None, ends, sense)
+    book.say("turning.tangential", vector=VectorOf(name))
+    size = book.derive(name, book.measure, sum_of(shares(terms, sought.angle)))
+    return Term(name, size, sought.angle, sought.way)
 
 
 def _sense(book: Book, body: str) -> int:
@@ -59,6 +71,23 @@ def solve_rolled(book: Book, group: Rolled) -> None:
             _enter(book, body, size, radius, kind, name)
         else:
             book.vectors[centre] = _centre(book, group, radius, name)
+
+
+def solve_rested(book: Book, group: Rested) -> None:
+    """The contact of a rolling wheel as its pole: at rest now, with the acceleration ``omega^2 r`` to the centre."""
+    contact, centre = group.contact, group.centre
+    name = Name(book.letter, contact)
+    facts: dict[str, Fact] = {"body": Body(group.body), "point": Point(contact), "centre": Point(centre)}
+    with book.step(f"rolling.contact_{book.letter}", **facts):
+        book.say(f"rolling.pole_{book.letter}", False, vector=VectorOf(name), **facts)
+        rate = book.omega.get(group.body)
+        if book.order == 1 or rate is None or not rate.sense:
+            book.vectors[contact] = ()
+            return
+        size = book.derive(name, book.measure, rate.size**2 * book.geometry.length(centre, contact))
+        angle = book.geometry.direction(contact, centre)
+        term = book.term(name, size, angle, "towards", start=Point(contact), end=Point(centre))
+        book.vectors[contact] = (term,)
 
 
 def radius_of(book: Book, group: Rolled) -> Value:

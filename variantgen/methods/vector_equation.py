@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.angles import normal_angle
 from variantgen.methods.book import Book
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
-from variantgen.methods.geometry import Geometry
+from variantgen.methods.geometry import Geometry, normal_angle
 from variantgen.methods.step import Derived, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
@@ -19,9 +18,12 @@ def unknowns(terms: Sequence[Term]) -> list[Term]:
     return [term for term in terms if term.size is None]
 
 
-def write(book: Book, left: Sequence[Term], right: Sequence[Term]) -> None:
-    """The equation and the table of its vectors: what is known of each."""
-    book.items.append(VectorLine(tuple(left), tuple(right)))
+def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
+    """The equation and the table of its vectors: what is known of each.
+
+    The equation comes before the lines of its known magnitudes, which begin at the item ``start`` of the step.
+    """
+    book.items.insert(start, VectorLine(tuple(left), tuple(right)))
     book.items.append(TermTable((*left, *right)))
 
 

@@ -3,18 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Protocol
 
-from variantgen.methods import given
+from variantgen.methods import acceleration_centre, given, projections, velocity_centre
 from variantgen.methods.book import Book
-from variantgen.methods.group import Composed, Crossed, Dyad, Group, Rolled, Slid, Turned
+from variantgen.methods.contact_motion import solve_joined
+from variantgen.methods.coupled import solve_coupled
+from variantgen.methods.cylinder import solve_extended
+from variantgen.methods.group import (
+    Composed,
+    Coupled,
+    Crossed,
+    Dyad,
+    Extended,
+    Group,
+    Joined,
+    Rested,
+    Rolled,
+    Slid,
+    Spanned,
+    Turned,
+)
 from variantgen.methods.points import vector
-from variantgen.methods.pole import solve_crossing, solve_dyad
+from variantgen.methods.pole import solve_crossing, solve_dyad, solve_spanned
 from variantgen.methods.relative_motion import solve_slid
 from variantgen.methods.route import Route
-from variantgen.methods.turning import solve_composed, solve_rolled, solve_turned
+from variantgen.methods.turning import solve_composed, solve_rested, solve_rolled, solve_turned
 
 Handler = Callable[[Book, Any], None]
+
+
+class DyadMethod(Protocol):
+    """A method for the velocities of dyads: a module with these functions."""
+
+    def applies(self, book: Book, group: Dyad) -> bool:
+        """Whether it can solve the group."""
+
+    def solve_dyad(self, book: Book, group: Dyad) -> None:
+        """Solve it."""
+
 
 HANDLERS: dict[type, Handler] = {
     Turned: solve_turned,
@@ -23,16 +50,24 @@ HANDLERS: dict[type, Handler] = {
     Crossed: solve_crossing,
     Slid: solve_slid,
     Composed: solve_composed,
+    Joined: solve_joined,
+    Extended: solve_extended,
+    Rested: solve_rested,
+    Spanned: solve_spanned,
+    Coupled: solve_coupled,
 }
+
+_OF_DYADS: dict[str, DyadMethod] = {"velocity_centre": velocity_centre, "projections": projections}
 
 
 def velocities(book: Book) -> list[Group]:
     """Work out the velocities that are needed; returns the groups in their order."""
     book.order = 1
+    book.carry = None if book.style.velocities == "pole" else velocity_centre.carry
     given.take(book)
     route, groups = Route(book), []
     while group := route.next():
-        HANDLERS[type(group)](book, group)
+        _solve(book, group)
         groups.append(group)
     for point in _asked_points(book, 1):
         vector(book, point)
@@ -42,11 +77,21 @@ def velocities(book: Book) -> list[Group]:
 def accelerations(book: Book, groups: list[Group]) -> None:
     """Work out the accelerations, group by group in the same order."""
     book.order = 2
+    book.carry = acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None
     given.take(book)
     for group in groups:
-        HANDLERS[type(group)](book, group)
+        _solve(book, group)
     for point in _asked_points(book, 2):
         vector(book, point)
+
+
+def _solve(book: Book, group: Group) -> None:
+    """Solve a group, a dyad by the method of the book's style if that applies and else by the vector equation."""
+    method = _OF_DYADS.get(book.style.velocities)
+    if book.order == 1 and isinstance(group, Dyad) and method is not None and method.applies(book, group):
+        method.solve_dyad(book, group)
+    else:
+        HANDLERS[type(group)](book, group)
 
 
 def _asked_points(book: Book, order: int) -> list[str]:

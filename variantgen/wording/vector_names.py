@@ -7,8 +7,14 @@ from collections.abc import Collection, Mapping
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 
-NORMAL, TANGENTIAL = (Index("n"),), (Index("tau"),)
+COMPONENTS = ("n", "tau")  # of an acceleration: towards the centre, along the path
 _PRIME = (Index("prime"),)
+
+
+def component_marks(language: Language) -> tuple[tuple[Index, ...], tuple[Index, ...]]:
+    """What stands above the index of the normal and of the tangential component of an acceleration."""
+    normal, tangential = COMPONENTS
+    return (language.component(normal),), (language.component(tangential),)
 
 
 def absolute(kind: str, point: str, upper: tuple[Index, ...] = ()) -> Symbol:

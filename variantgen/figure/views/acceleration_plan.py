@@ -18,13 +18,12 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
 from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Symbol
+from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import (
-    NORMAL,
-    TANGENTIAL,
     about,
     absolute,
+    component_marks,
     compound,
     image,
     transport_image,
@@ -47,7 +46,7 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
         plan.vectors.append(Vector(0j, now.a[point], absolute("a", point), whole=True))
     shown = taken_apart(chain)
     for turn in chain.turns:
-        _add_turn(plan, chain, now, turn, (turn.body, turn.point) in shown)
+        _add_turn(plan, chain, now, turn, component_marks(language) if (turn.body, turn.point) in shown else ())
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language, (slip.body, slip.point) in shown)
     for point, way in chain.guides.items():
@@ -56,14 +55,12 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
     return plan
 
 
-def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, apart: bool) -> None:
-    """Normal and tangential component (if ``apart``) from the end of the pole's acceleration."""
+def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, marks: Sequence[tuple[Index, ...]]) -> None:
+    """Normal and tangential component (if there are ``marks`` for them) from the end of the pole's acceleration."""
     fixed = turn.pole in chain.resting
     start, normal = now.a[turn.pole], now.normal(turn.point, turn.pole)
-    parts = [
-        (absolute("a", turn.point, u) if fixed else about("a", turn.point, turn.pole, u)) for u in (NORMAL, TANGENTIAL)
-    ]
-    if apart:
+    parts = [absolute("a", turn.point, u) if fixed else about("a", turn.point, turn.pole, u) for u in marks]
+    if parts:
         _add_pair(plan, start, normal, now.tangential(turn.point, turn.pole), parts)
     if chain.is_found(turn.point):
         plan.lines.append((now.a[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
@@ -89,7 +86,7 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
         fixed = slip.pole in chain.resting
         names = [
             compound("a", "tr", point, language, upper) if fixed else about("a", point, slip.pole, upper)
-            for upper in (NORMAL, TANGENTIAL)
+            for upper in component_marks(language)
         ]
         if apart:
             _add_pair(plan, now.a[slip.pole], -(now.omega[body] ** 2) * arm, 1j * now.epsilon[body] * arm, names)
@@ -115,5 +112,5 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
         plan.vectors.append(Vector(start, start + relative, compound("a", "rel", point, language)))
         return start + relative
     normal = bend * speed**2
-    names = [compound("a", "rel", point, language, upper) for upper in (NORMAL, TANGENTIAL)]
+    names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
     return _add_pair(plan, start, normal, relative - normal, names)

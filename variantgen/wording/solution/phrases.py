@@ -1,7 +1,7 @@
 """The sentences of solutions in a language, read from ``templates/solution/<language>/*.toml``.
 
-A sentence is text with fields in braces, ``{vector}`` or ``{body.of}``; what follows the point is the grammatical case of
-a body. Sentences are cut into text and fields once and filled often.
+A sentence is text with fields in braces, ``{vector}`` or ``{body.of}``; what follows the point is the grammatical case
+of a body. Sentences are cut into text and fields once and filled often.
 """
 
 from __future__ import annotations

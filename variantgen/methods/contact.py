@@ -1,0 +1,92 @@
+"""Two material points with a common component of velocity: gears and wheels that touch, the ends of a thread.
+
+Where two bodies touch without slip, their points at the contact have the same velocity along the common tangent; the
+two ends of an inextensible thread have the same velocity along it. The components of the accelerations are equal too:
+the tangential ones, while the normal ones differ, because the points move on different paths (guide, section 4.1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from string import ascii_uppercase
+
+from variantgen.mechanism.rows import Placement
+from variantgen.methods.book import Book
+from variantgen.methods.expression import Value
+from variantgen.methods.geometry import Geometry, degrees, normal_angle
+from variantgen.methods.group import Track
+from variantgen.methods.task import Task
+
+_NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
+_LETTERS = "KLNSTUVWXYZQ" + ascii_uppercase
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """A material point at the contact, or the end of a thread: ``line.v_T = line.v_centre + radius lever omega_body``.
+
+    ``line`` is the unit vector on paper along which the component is taken, ``radius`` (printed unit of length) the
+    distance of the point from ``centre``, ``lever`` +1 or -1 by the sense of the arm, 0 where the point is the centre
+    itself. ``centre`` is empty for something at rest. ``name`` is the letter of the point. ``radial`` are the two
+    points to whose line the contact's tangent is perpendicular, if that is how it is known.
+    """
+
+    name: str
+    centre: str
+    line: complex
+    body: str = ""
+    radius: float = 0.0
+    lever: int = 0
+    radial: tuple[str, str] | None = None
+
+    @property
+    def is_rest(self) -> bool:
+        """Whether it belongs to something at rest."""
+        return not self.centre
+
+    def axis(self, book: Book) -> Value:
+        """The direction of the line as a value (degrees)."""
+        exact = degrees(self.line)
+        if self.radial is not None:
+            across = book.geometry.direction(*self.radial)
+            for by in (90.0, -90.0):
+                if abs(normal_angle(across.exact + by - exact)) < 1.0:
+                    return Geometry.turned(across, by)
+        return Value(None, "angle", exact)
+
+
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """The two sides of a contact or thread; ``kind`` is the file of its sentences.
+
+    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does.
+    """
+
+    kind: str
+    first: Side
+    second: Side
+    track: Track | None = None
+
+    @property
+    def ways(self) -> tuple[tuple[Side, Side], tuple[Side, Side]]:
+        """Both ways to go through it: from a side to the other."""
+        return (self.first, self.second), (self.second, self.first)
+
+
+def metres(task: Task) -> Placement:
+    """The configuration in SI, as joints with radii expect it."""
+    unit = task.length_unit
+    return Placement({name: z * unit for name, z in task.now.z.items()}, task.scene.frame)
+
+
+def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int) -> str:
+    """The name of the point of the bodies at a place (printed unit), or a letter that no point has.
+
+    ``number`` tells places without a name apart: the number of the joint, of which a thread has two.
+    """
+    for body in bodies:
+        for point in task.scene.bodies.get(body, ()):
+            if abs(task.now.z[point] - place) < _NEAR * task.size:
+                return point
+    free = [letter for letter in dict.fromkeys(_LETTERS) if letter not in task.scene.points]
+    return free[number % len(free)]

@@ -1,0 +1,31 @@
+"""A wheel on a straight line: a rack, belt or plank that translates, or something at rest (guide, section 4.1)."""
+
+from __future__ import annotations
+
+from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.methods.contact import Side, Touch
+from variantgen.methods.group import Track
+from variantgen.methods.points import is_kept_from_turning
+from variantgen.methods.task import Task
+
+_SIDEWAYS = 1e-9  # of a vector: what is smaller is rounding
+
+
+def touch(task: Task, number: int) -> Touch | None:
+    """The contact with the line; None where the line turns, because then it carries the contact along."""
+    joint = task.scene.joints[number]
+    assert isinstance(joint, Rolling)
+    if joint.on is not None and not is_kept_from_turning(task, joint.on):
+        return None
+    arm = task.now.z[joint.contact] - task.now.z[joint.centre]
+    line = 1j * arm / abs(arm)
+    radial = (joint.centre, joint.contact)
+    wheel = Side(joint.contact, joint.centre, line, joint.body, abs(arm), 1, radial)
+    rail = Side(joint.contact, joint.on_point or "", line, radial=radial)
+    return Touch("rack", wheel, rail, Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None)
+
+
+def _is_along(task: Task, point: str, line: complex) -> bool:
+    """Whether a point moves along a line: its rail does not move sideways."""
+    vectors = [task.now.v[point], *([task.now.a[point]] if task.now.accelerated else [])]
+    return all(abs((vector * line.conjugate()).imag) <= _SIDEWAYS * abs(vector) for vector in vectors)

@@ -1,0 +1,233 @@
+"""The formula tree: written once, rendered to every markup.
+
+Names come from family files and are checked identifiers; numbers and units are text that is quoted on the way out.
+Nothing that comes from a roster or an exam file is ever part of a formula.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TypeAlias
+
+GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
+    "mu": "μ", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω", "tau": "τ", "sigma": "σ", "xi": "ξ", "eta": "η",
+    "nu": "ν", "kappa": "κ", "chi": "χ", "pi": "π",
+    "prime": "′",  # no letter, but a mark that the markups know by its name in the same way
+}  # fmt: skip
+_LETTERS = re.compile(r"([A-Za-z])(\d*)")
+
+
+@dataclass(frozen=True)
+class Index:
+    """A part of an index: letters of points (italic) or a word (upright)."""
+
+    text: str
+    upright: bool = False
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA.
+
+    ``upper`` is what stands above the index: the ``n`` or ``tau`` of a component of an acceleration.
+    """
+
+    base: str
+    index: tuple[Index, ...] = ()
+    upper: tuple[Index, ...] = ()
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number as it is printed in the language of the document."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class UnitText:
+    """A unit as it is printed: words with powers, ``(("см/с", 2),)``; ``tight`` if it follows without a space."""
+
+    parts: tuple[tuple[str, int], ...]
+    tight: bool = False
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A number with its unit."""
+
+    number: Number
+    unit: UnitText
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``left = right``."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True)
+class About:
+    """What is asked of a symbol: its ``modulus``, its ``angle`` with the x axis, its ``sense``."""
+
+    what: str
+    symbol: Symbol
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Formulas one after the other: points of a plan that coincide, the arguments of a function.
+
+    Commas stand between symbols; semicolons where a number could have a decimal comma.
+    """
+
+    items: tuple[Formula, ...]
+
+
+@dataclass(frozen=True)
+class Sum:
+    """``a − b + c``: terms with their signs, +1 or −1."""
+
+    terms: tuple[tuple[int, Formula], ...]
+
+
+@dataclass(frozen=True)
+class Product:
+    """``ω_OA · OA``, ``v_A cos 30°``, ``2 ω``: factors with a dot or a space, as :func:`precedence.between` says."""
+
+    factors: tuple[Formula, ...]
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """Numerator over denominator."""
+
+    numerator: Formula
+    denominator: Formula
+
+
+@dataclass(frozen=True)
+class Power:
+    """A base with a whole exponent."""
+
+    base: Formula
+    exponent: int
+
+
+@dataclass(frozen=True)
+class Root:
+    """A square root."""
+
+    radicand: Formula
+
+
+@dataclass(frozen=True)
+class Function:
+    """``cos φ``, ``arctg(y/x)``: the name is a word as the language prints it."""
+
+    name: str
+    argument: Formula
+
+
+@dataclass(frozen=True)
+class Group:
+    """Parentheses where the structure alone would not ask for them."""
+
+    content: Formula
+
+
+@dataclass(frozen=True)
+class Absolute:
+    """``|a|``: a modulus."""
+
+    content: Formula
+
+
+@dataclass(frozen=True)
+class Vector:
+    """A letter with an arrow above; its index stands without."""
+
+    symbol: Symbol
+
+
+@dataclass(frozen=True)
+class Dotted:
+    """A letter with ``count`` dots above, 1 or 2: derivatives with respect to time."""
+
+    symbol: Symbol
+    count: int
+
+    def __post_init__(self) -> None:
+        if self.count not in (1, 2):
+            raise ValueError(f"one or two dots, not {self.count}")
+
+
+@dataclass(frozen=True)
+class Cross:
+    """``ω × r``: a vector product."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True)
+class Place:
+    """``A(3; 4)``: a point with its coordinates."""
+
+    point: Symbol
+    x: Formula
+    y: Formula
+
+
+SIGNS = ("=", "≈", "→", "∥", "⟂")
+
+
+@dataclass(frozen=True)
+class Chain:
+    """``a = b = c ≈ d``: items with one of ``SIGNS`` between each two of them."""
+
+    items: tuple[Formula, ...]
+    signs: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        if len(self.signs) != len(self.items) - 1 or not set(self.signs) <= set(SIGNS):
+            raise ValueError(f"{len(self.items)} items cannot have the signs {self.signs} between them")
+
+
+@dataclass(frozen=True)
+class Surd:
+    """``numerator / denominator · √radicand``: ``40√3/3``, ``−√2``, ``4/3``; whole numbers, the last two positive."""
+
+    numerator: int
+    denominator: int
+    radicand: int
+
+    def __post_init__(self) -> None:
+        if self.denominator < 1 or self.radicand < 1:
+            raise ValueError(f"denominator {self.denominator} and radicand {self.radicand} have to be positive")
+
+
+@dataclass(frozen=True)
+class Graph:
+    """A chain of links in the notation of graphs: a start, then legs (number of the link, its angle, next point).
+
+    Each leg is an arrow with the number above and the angle below: ``O —1→(φ) A —2→(−π/2) B``.
+    """
+
+    start: Symbol
+    legs: tuple[tuple[Formula, Formula, Symbol], ...]
+
+
+Formula: TypeAlias = (
+    Symbol | Number | UnitText | Measured | Equation | About | Listing | Sum | Product | Fraction | Power | Root
+    | Function | Group | Absolute | Vector | Dotted | Cross | Place | Chain | Surd | Graph
+)  # fmt: skip
+
+
+def letters(text: str) -> list[tuple[str, str]]:
+    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``."""
+    return [(match[1], match[2]) for match in _LETTERS.finditer(text)]

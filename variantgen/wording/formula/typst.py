@@ -1,0 +1,111 @@
+"""Formulas as Typst math, without the dollar signs."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from variantgen.wording.formula.markup import Markup, Signs
+from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tree import GREEK, Formula, Index, Number, Symbol, UnitText, letters
+
+_ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
+
+
+@lru_cache(maxsize=10_000)
+def to_typst(formula: Formula) -> str:
+    """Typst math markup, without the dollar signs."""
+    return _TYPST.write(formula)
+
+
+class _Typst(Markup):
+    """Markup that is evaluated in the math mode of the engine: every word and number in it is a quoted string."""
+
+    flat = False
+    signs = Signs(
+        minus="-",
+        terms={1: " + ", -1: " - "},
+        factors={Between.DOT: " dot.op ", Between.THIN: " thin ", Between.OPERATOR: " thin "},
+        cross=" times ",
+        equals=" = ",
+        relations={"=": " = ", "≈": " approx ", "→": " arrow.r ", "∥": " parallel ", "⟂": " perp "},
+        comma="\\, ",
+        semicolon="\\; ",
+        before_unit=" thin ",
+        marks={"vector": "arrow({})", "dot": "dot({})", "dots": "dot.double({})"},
+    )
+
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: str = "{}") -> str:
+        scripts = (("_", symbol.index), ("^", symbol.upper))
+        return (
+            mark.format(_base(symbol.base))
+            + "".join(f"{sign}({' '.join(map(_index, parts))})" for sign, parts in scripts if parts)
+            + _exponent(exponent)
+        )
+
+    def number(self, text: str) -> str:
+        return _quoted(text)
+
+    def unit(self, unit: UnitText) -> str:
+        return " ".join(
+            _quoted(word) + (f"^({_quoted(_signed(power))})" if power != 1 else "") for word, power in unit.parts
+        )
+
+    def tight(self, number: Number, unit: UnitText) -> str:
+        return _quoted(number.text + "".join(word for word, _ in unit.parts))
+
+    def about(self, what: str, symbol: str) -> str:
+        return _ABOUT[what].format(symbol)
+
+    def fraction(self, numerator: str, denominator: str) -> str:
+        return f"frac({numerator}, {denominator})"
+
+    def power(self, base: str, exponent: int) -> str:
+        return base + _exponent(exponent)
+
+    def root(self, radicand: str) -> str:
+        return f"sqrt({radicand})"
+
+    def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
+        return f"op({_quoted(name)}){_exponent(exponent)} {argument}"
+
+    def parentheses(self, content: str) -> str:
+        return f"({content})"
+
+    def bars(self, content: str) -> str:
+        return f"abs({content})"
+
+    def coefficient(self, number: str, root: str) -> str:
+        return f"{number} {root}"
+
+    def place(self, point: str, coordinates: str) -> str:
+        return f"{point} {coordinates}"
+
+    def arrow(self, above: str, below: str) -> str:
+        return f" limits(stretch(arrow.r, size: #2em))^({above})_({below}) "
+
+
+_TYPST = _Typst()
+
+
+def _base(base: str) -> str:
+    if base in GREEK or base.isdecimal():
+        return base
+    return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))
+
+
+def _index(index: Index) -> str:
+    return _quoted(index.text) if index.upright else _base(index.text)
+
+
+def _exponent(exponent: int | None) -> str:
+    if exponent is None:
+        return ""
+    return f"^{exponent}" if 0 <= exponent <= 9 else f"^({exponent})"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def _signed(power: int) -> str:
+    return str(power).replace("-", "\N{MINUS SIGN}")

@@ -1,0 +1,97 @@
+"""The solution of one variant in a language: from the solved motion to headings, text and formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.errors import VariantgenError
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.compose import solution
+from variantgen.methods.step import Solution
+from variantgen.methods.task import Task, task_of
+from variantgen.methods.wish import Wish
+from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Equation, Formula, Measured, Symbol
+from variantgen.wording.language import Language
+from variantgen.wording.solution.document import SolutionText
+from variantgen.wording.solution.formulas import Formulas
+from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.writer import Writer
+from variantgen.wording.statement import Text
+from variantgen.wording.vector_names import centre_letters
+
+WHOLE = Wish()
+
+
+class UnexplainedError(VariantgenError):
+    """The methods do not lead to what is asked: there is an answer, but no worked solution."""
+
+
+def explain(
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, wish: Wish = WHOLE
+) -> SolutionText:
+    """The solution of one variant of a solved batch, in a language, as it is wished.
+
+    Raises UnexplainedError where the methods do not lead to what is asked.
+    """
+    if wish.depth == "answers":
+        return answers_only(variant, motion, index, asked, language)
+    task = task_of(variant, motion, index, asked)
+    try:
+        found = solution(task)
+    except LookupError as error:
+        raise UnexplainedError(f"no method leads to what is asked of {variant.family.name}: {error}") from error
+    return written(task, found, language, wish.depth == "short")
+
+
+def answers_only(
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language
+) -> SolutionText:
+    """The answers as the solver has them, without a way to them."""
+    values = [(q, q.unit(variant.family.length_unit).from_si(float(q.value(motion)[index]))) for q in asked]
+    return SolutionText((), (), _answer(variant, values, language))
+
+
+def written(task: Task, found: Solution, language: Language, short: bool = False) -> SolutionText:
+    """A solution in a language."""
+    phrases = load_phrases(language.name)
+    symbols = Symbols(task.form, language, phrases, _centres(task))
+    writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short)
+    answers = [(q, value.exact) for q, (_, value) in zip(task.asked, found.answers, strict=True)]
+    sections = tuple(writer.section(step) for step in found.steps)
+    return SolutionText(
+        _plan([writer.text(step.heading) for step in found.steps]),
+        sections,
+        _answer(task.variant, answers, language),
+        writer.blocks(found.check),
+    )
+
+
+def _centres(task: Task) -> dict[str, Symbol]:
+    """Letters of velocity centres; they must not be those of points that the figure shows elsewhere."""
+    form = task.form
+    names = {body: form.symbols.get(body, body) for body in form.bodies}
+    plane = {body: name for body, name in names.items() if not task.fixed & set(form.bodies[body])}
+    letters = centre_letters(plane, shown_points(task.variant, task.asked))
+    return {**{body: Symbol("P") for body in names}, **letters}
+
+
+def _plan(headings: Sequence[Text]) -> Text:
+    """The headings as a numbered list in one paragraph."""
+    parts: list[str | Formula] = []
+    for number, heading in enumerate(headings, start=1):
+        parts += [f"{'; ' if number > 1 else ''}{number})\N{NO-BREAK SPACE}", *heading]
+    return (*parts, ".")
+
+
+def _answer(variant: Variant, values: Sequence[tuple[Quantity, float]], language: Language) -> Text:
+    """The asked quantities with their values as in the key."""
+    parts: list[str | Formula] = []
+    for quantity, value in values:
+        unit = language.unit(quantity.unit(variant.family.length_unit))
+        symbol = language.quantity(quantity, variant.form.symbols)
+        parts += ["; " if parts else "", Equation(symbol, Measured(language.rounded(value), unit))]
+    return (*parts, ".")

@@ -1,0 +1,115 @@
+"""Expressions of a solution as formulas: in symbols, and with the printed numbers in their place."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from variantgen.families.units import unit
+from variantgen.methods.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Pi,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+)
+from variantgen.wording.formula import (
+    Absolute,
+    Formula,
+    Fraction,
+    Function,
+    Measured,
+    Number,
+    Power,
+    Product,
+    Root,
+    Sum,
+    Symbol,
+    UnitText,
+)
+from variantgen.wording.language import Language
+from variantgen.wording.solution.symbols import Symbols
+
+
+class Formulas:
+    """Writes the expressions of one variant in a language; ``units`` gives the name of the unit of a measure."""
+
+    def __init__(self, symbols: Symbols, length_unit: str) -> None:
+        self.symbols = symbols
+        self.language: Language = symbols.language
+        self._units = {
+            "length": length_unit,
+            "velocity": f"{length_unit}/s",
+            "acceleration": f"{length_unit}/s^2",
+            "angle": "deg",
+            "angular velocity": "rad/s",
+            "angular acceleration": "rad/s^2",
+            "time": "s",
+            "drawing length": "mm",
+        }
+
+    def number(self, value: float) -> Number:
+        """A printed number, with the decimal mark of the language."""
+        return self.language.decimal(Decimal(repr(value)))
+
+    def unit(self, value: Value) -> UnitText:
+        """The unit of a value; none for a bare number."""
+        name = value.unit or self._units.get(value.measure, "1")
+        return self.language.unit(unit(name))
+
+    def measured(self, value: Value) -> Formula:
+        """A value as number and unit."""
+        return Measured(self.number(value.shown), self.unit(value))
+
+    def symbol(self, value: Value) -> Formula:
+        """The symbol of a value; one without a name is its number."""
+        return self.measured(value) if value.name is None else self.symbols.of(value.name)
+
+    def symbolic(self, item: Expression) -> Formula:
+        """An expression in symbols."""
+        return self._written(item, numbers=False)
+
+    def numeric(self, item: Expression) -> Formula:
+        """An expression with the printed numbers."""
+        return self._written(item, numbers=True)
+
+    def _written(self, item: Expression, numbers: bool) -> Formula:
+        match item:
+            case Value():
+                return self._value(item) if numbers else self.symbol(item)
+            case Constant(value, measure):
+                return Measured(self.number(value), self.language.unit(unit("deg"))) if measure else self.number(value)
+            case Pi():
+                return Symbol("pi")
+            case Total(terms):
+                signed = tuple(self._signed(sign, term, numbers) for sign, term in terms)
+                return signed[0][1] if len(signed) == 1 and signed[0][0] > 0 else Sum(signed)
+            case Times(factors):
+                return Product(tuple(self._written(factor, numbers) for factor in factors))
+            case Ratio(above, below):
+                return Fraction(self._written(above, numbers), self._written(below, numbers))
+            case Raised(base, exponent):
+                return Power(self._written(base, numbers), exponent)
+            case SquareRoot(inner):
+                return Root(self._written(inner, numbers))
+            case Magnitude(inner):
+                return Absolute(self._written(inner, numbers))
+            case Applied(function, argument):
+                return Function(self.symbols.phrases.functions[function], self._written(argument, numbers))
+        raise TypeError(f"no formula for {item!r}")
+
+    def _value(self, value: Value) -> Formula:
+        """The printed number of a value; only an angle keeps its unit inside a formula."""
+        return self.measured(value) if value.measure == "angle" else self.number(value.shown)
+
+    def _signed(self, sign: int, term: Expression, numbers: bool) -> tuple[int, Formula]:
+        """A term of a sum; the sign of a negative number is taken out of it."""
+        if numbers and isinstance(term, Value) and term.shown < 0:
+            value = Value(None, term.measure, -term.shown)
+            return -sign, self._value(value)
+        return sign, self._written(term, numbers)

@@ -1,0 +1,97 @@
+"""Names of quantities as symbols, bodies and centres as they are called in a language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from variantgen.families.family import Form
+from variantgen.methods.name import Name
+from variantgen.wording.formula import Index, Symbol
+from variantgen.wording.language import Language
+from variantgen.wording.solution.phrases import Phrases
+from variantgen.wording.vector_names import COMPONENTS
+
+_COMPOUND = ("rel", "tr", "cor")
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """How the names of one variant are written. ``centres`` are the letters of velocity centres by body."""
+
+    form: Form
+    language: Language
+    phrases: Phrases
+    centres: Mapping[str, Symbol]
+
+    def of(self, name: Name) -> Symbol:
+        """The symbol of a name."""
+        match name.kind:
+            case "parameter":
+                return self.language.symbol(name.of, self.form.symbols)
+            case "x" | "y":
+                return Symbol(name.kind, (Index(name.of),))
+            case "angle":
+                return self._corner(name)
+            case "mu":
+                return Symbol("mu", self._body_index(name.of))
+            case "length" | "direction":
+                return self._of_points(name)
+            case "radius":
+                return Symbol("r", self._body_index(name.of))
+            case "projection":
+                vector = self._vector(name._replace(kind=name.body, body=""))
+                return Symbol("pr", vector.index, vector.upper)
+            case "heading":
+                return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
+            case "omega" | "epsilon":
+                return Symbol(self.language.letter(name.kind), self._body_index(name.of))
+        return self._vector(name)
+
+    def _of_points(self, name: Name) -> Symbol:
+        """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
+        end = self.centre(name.about, name.body) if name.part == "centre" else Symbol(name.about)
+        if name.kind == "direction":
+            return Symbol("phi", (Index(name.of + end.base),))
+        return Symbol(name.of + end.base, end.index)
+
+    def _corner(self, name: Name) -> Symbol:
+        """A corner of a triangle by its three points, ``BAP``; one at a centre by this alone."""
+        start, end = name.about.split()
+        if name.part == "vertex":
+            centre = self.centre(name.of, name.body)
+            return Symbol(f"\N{ANGLE}{centre.base}", centre.index)
+        last = self.centre(end, name.body) if name.part == "centre" else Symbol(end)
+        return Symbol(f"\N{ANGLE}{start}{name.of}{last.base}", last.index)
+
+    def centre(self, letter: str, body: str) -> Symbol:
+        """The letter of a velocity centre (P) or an acceleration centre (Q), with the index that tells bodies apart."""
+        found = self.centres[body]
+        return found if letter == found.base else Symbol(letter, found.index)
+
+    def _body_index(self, body: str) -> tuple[Index, ...]:
+        text = self.form.symbols.get(body, body)
+        return (Index(text),) if text else ()
+
+    def _vector(self, name: Name) -> Symbol:
+        """A vector or its component: ``v_BA``, ``a^n_BA``, ``v_rel D``, ``v_Bx``."""
+        words = name.part.split()
+        index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
+        index.append(Index(name.of + name.about))
+        index += [Index(w) for w in words if w in ("x", "y")]
+        upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
+        return Symbol(self.language.letter(name.kind), tuple(index), upper)
+
+    def body(self, name: str, case: str) -> tuple[str | Symbol, ...]:
+        """A body in a case, ``link AB``, ``disc 2``; one without a name is called by its kind alone."""
+        kind = self._kind(name)
+        noun = self.phrases.bodies[kind][case or "name"]
+        called = self.form.symbols.get(name, name)
+        if not called:
+            return (self.phrases.words["the"] + noun,)
+        return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
+
+    def _kind(self, name: str) -> str:
+        if any(disc.body == name for disc in self.form.figure.discs):
+            return "disc"
+        return "plate" if name in self.form.figure.plates else "link"

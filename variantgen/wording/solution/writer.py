@@ -1,0 +1,223 @@
+"""Writes a solution in a language: fills the sentences with their facts, and sets the lines of formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from variantgen.methods.expression import Constant, Expression, Value
+from variantgen.methods.name import Name
+from variantgen.methods.step import (
+    Body,
+    CentreOf,
+    Derived,
+    Fact,
+    Item,
+    LinearSystem,
+    Listing,
+    Point,
+    Projection,
+    Segment,
+    Sentence,
+    Share,
+    Shown,
+    Statement,
+    Step,
+    Term,
+    TermTable,
+    VectorLine,
+    VectorOf,
+    Word,
+)
+from variantgen.wording.formula import Formula, Function, Measured, Number, Product, Sum, Symbol, Vector, to_plain
+from variantgen.wording.solution.document import (
+    Block,
+    Line,
+    Lines,
+    Paragraph,
+    Program,
+    Section,
+    VectorRow,
+    VectorTable,
+)
+from variantgen.wording.solution.formulas import Formulas
+from variantgen.wording.solution.phrases import Field
+from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.statement import Text
+
+_NOTHING = Number("0")
+_EQUALS = "="
+
+
+class Writer:
+    """Writes the steps of one variant. A ``short`` text leaves out the sentences that only explain, and the tables."""
+
+    def __init__(self, symbols: Symbols, formulas: Formulas, short: bool = False) -> None:
+        self.symbols = symbols
+        self.formulas = formulas
+        self.phrases = symbols.phrases
+        self.short = short
+
+    def section(self, step: Step) -> Section:
+        """A step with its heading; formulas that follow each other are set together."""
+        return Section(self.text(step.heading, capital=True), self.blocks(step.items), step.views)
+
+    def blocks(self, items: Iterable[Item]) -> tuple[Block, ...]:
+        """The blocks of a run of items."""
+        found: list[Block] = []
+        for item in items:
+            if self.short and (isinstance(item, TermTable) or getattr(item, "detail", False)):
+                continue
+            if isinstance(item, Projection):
+                _append(found, Paragraph(self.text(item.axis, capital=True)))
+            _append(found, self._block(item))
+        return tuple(found)
+
+    def _block(self, item: Item) -> Block:
+        match item:
+            case Sentence():
+                return Paragraph(self.text(item, capital=True))
+            case Derived():
+                return Lines((self._derived(item),))
+            case VectorLine(left, right):
+                sides = [self._sum([(1, self.vector(term.name)) for term in side]) for side in (left, right)]
+                return Lines((Line((("", sides[0]), (_EQUALS, sides[1]))),))
+            case TermTable(terms):
+                return self._table(terms)
+            case Projection():
+                return self._projection(item)
+            case LinearSystem():
+                return Lines(tuple(self._equation(item, i) for i in range(len(item.rows))))
+            case Statement(left, right, numeric):
+                write = self.formulas.numeric if numeric else self.formulas.symbolic
+                return Lines((Line((("", write(left)), (_EQUALS, write(right)))),))
+            case Listing(code, _):
+                return Program(code)
+
+    # Sentences.
+
+    def text(self, sentence: Sentence, capital: bool = False) -> Text:
+        """A sentence filled with its facts."""
+        parts: list[str | Formula] = []
+        for part in self.phrases.sentence(sentence.key):
+            if isinstance(part, Field):
+                parts += self._fact(sentence.facts[part.name], part.case)
+            else:
+                parts.append(part)
+        if capital and parts and isinstance(parts[0], str):
+            parts[0] = parts[0][:1].upper() + parts[0][1:]
+        return tuple(parts)
+
+    def _fact(self, fact: Fact, case: str) -> Sequence[str | Formula]:
+        match fact:
+            case Body(name):
+                return self.symbols.body(name, case)
+            case Point(name):
+                return (Symbol(name),)
+            case Segment(start, end, centre_of):
+                part, body = ("centre", centre_of) if centre_of else ("", "")
+                return (self.symbols.of(Name("length", start, end, part, body)),)
+            case Word(key):
+                return (self.phrases.words[key],)
+            case VectorOf(name):
+                return (self.vector(name),)
+            case CentreOf(body, kind):
+                return (self.symbols.centre(kind, body),)
+            case Shown(value):
+                return (self.formulas.measured(value),)
+            case Value():
+                return (self.formulas.symbol(fact),)
+            case Name():
+                return (self.symbols.of(fact),)
+            case Sentence():
+                return self.text(fact)
+        return self._list(fact, case)
+
+    def _list(self, facts: tuple[Fact, ...], case: str) -> Sequence[str | Formula]:
+        """Facts with commas, and a word before the last."""
+        parts: list[str | Formula] = []
+        for number, fact in enumerate(facts):
+            if number:
+                parts.append(f" {self.phrases.words['and']} " if number == len(facts) - 1 else ", ")
+            parts += self._fact(fact, case)
+        return parts
+
+    # Formulas.
+
+    def vector(self, name: Name) -> Formula:
+        """A vector with its arrow."""
+        return Vector(self.symbols.of(name))
+
+    def _derived(self, item: Derived) -> Line:
+        """``name = symbols = numbers = result``; what says the same twice is said once."""
+        value, pieces = item.value, []
+        assert value.name is not None
+        result = self.formulas.measured(value)
+        expression = value.expression
+        if expression is not None and not _is_plain(expression):
+            writes: list[tuple[bool, Callable[[Expression], Formula]]] = [
+                (item.symbolic, self.formulas.symbolic),
+                (item.numeric, self.formulas.numeric),
+            ]
+            pieces = [write(expression) for wanted, write in writes if wanted]
+        elif isinstance(expression, Value) and item.symbolic and expression.name is not None:
+            pieces = [self.formulas.symbolic(expression)]
+        kept: list[Formula] = []
+        for piece in pieces:
+            if piece not in kept and not _is_number_of(piece, result):
+                kept.append(piece)
+        return Line((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in (*kept, result))))
+
+    def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
+        if not terms:
+            return _NOTHING
+        return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Sum(tuple(terms))
+
+    def _projection(self, item: Projection) -> Lines:
+        sides = [self._sum([(share.sign, self._share(share)) for share in side]) for side in (item.left, item.right)]
+        return Lines((Line((("", sides[0]), (_EQUALS, sides[1]))),))
+
+    def _share(self, share: Share) -> Formula:
+        size = self.symbols.of(share.term.name)
+        if share.angle is None:
+            return size
+        return Product((size, Function(self.phrases.functions["cos"], self.formulas.measured(share.angle))))
+
+    def _equation(self, system: LinearSystem, row: int) -> Line:
+        """A row of a linear system with its numbers: ``9.63 omega_2 - 37.91 omega_3 = -84.85``."""
+        terms: list[tuple[int, Formula]] = []
+        for unknown, coefficient in zip(system.unknowns, system.rows[row], strict=True):
+            if coefficient.shown == 0:
+                continue
+            size = self.formulas.number(abs(coefficient.shown))
+            terms.append((1 if coefficient.shown > 0 else -1, Product((size, self.formulas.symbol(unknown)))))
+        right = self.formulas.number(system.right[row].shown)
+        return Line((("", self._sum(terms)), (_EQUALS, right)))
+
+    def _table(self, terms: Sequence[Term]) -> VectorTable:
+        words = self.phrases.words
+        rows = []
+        for term in terms:
+            magnitude = None if term.size is None else self.formulas.measured(term.size)
+            rows.append(VectorRow(self.vector(term.name), self.text(term.way), magnitude))
+        return VectorTable((words["vector"], words["direction"], words["magnitude"]), words["unknown"], tuple(rows))
+
+
+def _append(blocks: list[Block], block: Block) -> None:
+    """Add a block; formulas join formulas, and sentences sentences."""
+    last = blocks[-1] if blocks else None
+    if isinstance(block, Lines) and isinstance(last, Lines):
+        blocks[-1] = Lines(last.lines + block.lines)
+    elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
+        blocks[-1] = Paragraph((*last.text, " ", *block.text))
+    else:
+        blocks.append(block)
+
+
+def _is_plain(expression: Expression) -> bool:
+    """Whether an expression is a number or another value, so that it has no arithmetic to show."""
+    return isinstance(expression, Constant | Value)
+
+
+def _is_number_of(piece: Formula, result: Formula) -> bool:
+    """Whether a formula is the number of a result, without its unit."""
+    return isinstance(result, Measured) and to_plain(piece) in (to_plain(result), to_plain(result.number))
