@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.methods import walk
+from variantgen.methods import graphical, walk
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
 from variantgen.methods.check import equal_projections
@@ -20,6 +20,16 @@ def solution(task: Task) -> Solution:
     steps = _with_position(book)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution((), tuple(steps), tuple(found.items()), check)
+
+
+def graphical_solution(task: Task) -> Solution:
+    """The solution of a task by velocity and acceleration plans, with the numbers that a ruler gives."""
+    book = Book(task)
+    graphical.prepare(book)
+    found = work_out(book)
+    steps = _with_position(book)
+    settle((item for step in steps for item in step.items), list(found.values()), (graphical.DIGITS,))
+    return Solution((), tuple(steps), tuple(found.items()), approximate=graphical.ANSWER_DIGITS)
 
 
 def work_out(book: Book) -> dict[str, Value]:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from variantgen.methods.name import Name
 
 _ANGLE = "angle"
+DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 _WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
@@ -96,9 +97,13 @@ class Value(Expression):
 
 
 def rounded(number: float, digits: int, measure: str = "") -> float:
-    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much."""
+    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much,
+    a length on a drawing to 0.1 mm.
+    """
     if number == 0 or not math.isfinite(number):
         return 0.0 if number == 0 else number
+    if measure == DRAWING_LENGTH:
+        return round(number, 1) + 0.0
     if measure == _ANGLE:
         return round(number, digits - _WHOLE_DEGREES) + 0.0
     return float(f"{number:.{digits - 1}e}")

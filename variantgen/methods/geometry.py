@@ -69,8 +69,13 @@ class Geometry(Layout):
 
     def _length(self, start: str, end: str) -> Expression:
         stated = self.stated(start, end)
-        if stated is not None:
-            return stated
+        if stated is None:
+            low, high = self.ordered(start, end)
+            stated = self.places[high].share(low)
+        return self._worked_length(start, end) if stated is None else stated
+
+    def _worked_length(self, start: str, end: str) -> Expression:
+        """A length that is not given: of its construction, or of a triangle."""
         low, high = self.ordered(start, end)
         place = self.places[high]
         own = place.length(low) if low in place.neighbours() else None

@@ -66,6 +66,10 @@ class Placed:
         """The direction of the ray from a neighbour here (degrees), where it has to be worked out."""
         return None
 
+    def share(self, other: str) -> Expression | None:
+        """The distance from a neighbour as a part of a given segment."""
+        return None
+
     def length(self, other: str) -> Expression | None:
         """The distance from a neighbour, where it has to be worked out."""
         return None

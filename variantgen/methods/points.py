@@ -139,7 +139,7 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     turning = rotation(book, point, pole, body, about)
     sought = book.term(name, None, RIGHT, "unknown")
     write(book, (sought,), (*known, *turning), start)
-    book.vectors[point] = components(book, name, (*known, *turning))
+    book.vectors[point] = summed(book, name, (*known, *turning))
     _sum_up(book, point)
 
 
@@ -149,13 +149,19 @@ def _is_rolling(book: Book, body: str) -> bool:
     return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
 
 
+def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
+    """The sum of known vectors: by a drawing, or by its projections on the axes x and y."""
+    return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
+
+
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
         own = name.component(word)
-        size = book.derive(own, book.measure, sum_of(parts))
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, name, terms, word == "y")
+        size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue
         found.append(book.term(own, size, axis, f"axis_{word}"))
@@ -199,6 +205,8 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
         return book.values[name]
     if not terms:
         return Value(name, book.measure, 0.0)
+    if book.graphics is not None:
+        return book.graphics.size(book, name, terms)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
         terms = components(book, name, terms)
         sizes = [term.size for term in terms if term.size is not None]

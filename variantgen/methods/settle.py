@@ -35,19 +35,19 @@ FEWEST, MOST = 5, 9  # significant digits of intermediate results
 ANSWER_DIGITS = 4  # significant digits of an answer
 
 
-def settle(items: Iterable[Item], answers: Sequence[Value]) -> int:
+def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = range(FEWEST, MOST + 1)) -> int:
     """Give every value its printed number; returns the digits of intermediate results.
 
     All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
-    the key, which is computed in full precision.
+    the key, which is computed in full precision, but at most the last of the numbers of digits that are ``tried``.
     """
     values = in_order([*items_values(items), *answers])
-    for digits in range(FEWEST, MOST + 1):
+    for digits in tried:
         for value in values:
             value.settle(digits)
         if all(_agrees(answer) for answer in answers):
             return digits
-    return MOST
+    return tried[-1]
 
 
 def _agrees(answer: Value) -> bool:

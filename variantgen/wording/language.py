@@ -40,6 +40,10 @@ class Language:
         text = f"{value.normalize():f}"
         return Number(text.replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
 
+    def fixed(self, value: float, places: int) -> Number:
+        """A reading with so many decimals, zeros kept: ``48,0``."""
+        return Number(f"{value:.{places}f}".replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+
     def rounded(self, value: float, digits: int = ANSWER_DIGITS) -> Number:
         """A computed value with the given number of significant digits, never in exponent form."""
         return Number(round_text(value, digits).replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))

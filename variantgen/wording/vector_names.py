@@ -42,11 +42,6 @@ def transport_image(point: str, primed: bool, language: Language) -> Symbol:
     return Symbol(point.lower(), (Index(language.words("index")["tr"], True),), _PRIME if primed else ())
 
 
-def pole_letter(moving: Collection[str]) -> Symbol:
-    """The letter of the pole of a velocity plan: o, or another one where a moving point is called so."""
-    return Symbol(next(letter for letter in "opqw" if letter.upper() not in moving or letter == "w"))
-
-
 def centre_letters(bodies: Mapping[str, str], taken: Collection[str]) -> dict[str, Symbol]:
     """The letters of velocity centres by body; ``bodies`` gives the index of each, ``taken`` are names of points."""
     if len(bodies) == 1 and "P" not in taken:

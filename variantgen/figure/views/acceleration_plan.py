@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import Vector, VectorPlan, draw_plan
+from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
@@ -35,7 +35,8 @@ ORDER = 2
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The plan of one variant. Raises InputError where accelerations are not asked or there are none."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_plan(acceleration_plan(found.chain, found.now, language), found.unit, language)
+    scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)
+    return draw_plan(acceleration_plan(found.chain, found.now, language), scale, language)
 
 
 def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:

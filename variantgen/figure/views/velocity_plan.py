@@ -12,14 +12,16 @@ from itertools import combinations
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import Vector, VectorPlan, draw_plan
+from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.chain import Chain, Slip, Turn
 from variantgen.methods.instant import Instant
+from variantgen.methods.plan_scale import pole_letter
 from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
-from variantgen.wording.vector_names import about, absolute, compound, image, pole_letter, transport_image
+from variantgen.wording.vector_names import about, absolute, compound, image, transport_image
 
 ORDER = 1
 _AT_REST = 1e-9  # of the largest velocity
@@ -28,14 +30,15 @@ _AT_REST = 1e-9  # of the largest velocity
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The plan of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_plan(velocity_plan(found.chain, found.now, language), found.unit, language)
+    scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)
+    return draw_plan(velocity_plan(found.chain, found.now, language), scale, language)
 
 
 def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
     """What the plan shows, in m/s."""
     largest = max(abs(now.v[point]) for point in chain.points)
     moving = [point for point in chain.points if abs(now.v[point]) > _AT_REST * largest]
-    plan = VectorPlan(pole_letter(moving))
+    plan = VectorPlan(Symbol(pole_letter(moving)))
     for point in chain.points:
         plan.ends.append((image(point, primed=False), now.v[point]))
         plan.vectors.append(Vector(0j, now.v[point], absolute("v", point), whole=True))

@@ -32,9 +32,11 @@ class Construction(Placed):
         self.geometry.show(pair)
         return pair
 
-    def length(self, other: str) -> Expression:
+    def share(self, other: str) -> Expression | None:
         """Its share of the segment."""
         start, end = self.neighbours()
+        if other not in (start, end):
+            return None
         whole = self.geometry.length(start, end)
         if float(self.item.part) == 0.5:
             return Ratio(whole, Constant(2.0))

@@ -8,7 +8,7 @@ from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
-from variantgen.methods.step import Solution
+from variantgen.methods.step import Sentence, Solution
 from variantgen.methods.task import Task, task_of
 from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
@@ -60,12 +60,15 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
     phrases = load_phrases(language.name)
     symbols = Symbols(task.form, language, phrases, _centres(task))
     writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short)
-    answers = [(q, value.exact) for q, (_, value) in zip(task.asked, found.answers, strict=True)]
+    answers = [
+        (q, value.shown if found.approximate else value.exact)
+        for q, (_, value) in zip(task.asked, found.answers, strict=True)
+    ]
     sections = tuple(writer.section(step) for step in found.steps)
     return SolutionText(
         _plan([writer.text(step.heading) for step in found.steps]),
         sections,
-        _answer(task.variant, answers, language),
+        _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
     )
 
@@ -87,11 +90,19 @@ def _plan(headings: Sequence[Text]) -> Text:
     return (*parts, ".")
 
 
-def _answer(variant: Variant, values: Sequence[tuple[Quantity, float]], language: Language) -> Text:
-    """The asked quantities with their values as in the key."""
-    parts: list[str | Formula] = []
-    for quantity, value in values:
+def _preface(found: Solution, writer: Writer) -> Text:
+    """What is said before answers that were measured."""
+    return writer.text(Sentence("graphical.answer")) if found.approximate else ()
+
+
+def _answer(
+    variant: Variant, values: Sequence[tuple[Quantity, float]], language: Language, preface: Text = (), digits: int = 0
+) -> Text:
+    """The asked quantities with their values as in the key; measured ones with the ``digits`` that they are worth."""
+    parts: list[str | Formula] = list(preface)
+    for position, (quantity, value) in enumerate(values):
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
-        parts += ["; " if parts else "", Equation(symbol, Measured(language.rounded(value), unit))]
+        number = language.rounded(value, digits) if digits else language.rounded(value)
+        parts += ["; " if position else "", Equation(symbol, Measured(number, unit))]
     return (*parts, ".")

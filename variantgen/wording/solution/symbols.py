@@ -10,7 +10,7 @@ from variantgen.methods.name import Name
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
-from variantgen.wording.vector_names import COMPONENTS
+from variantgen.wording.vector_names import COMPONENTS, image, transport_image
 
 _COMPOUND = ("rel", "tr", "cor")
 
@@ -46,7 +46,23 @@ class Symbols:
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
                 return Symbol(self.language.letter(name.kind), self._body_index(name.of))
+            case "drawn":
+                return self._drawn(name)
+            case "scale":
+                return Symbol("mu", (Index(name.of),))
+            case "pole":
+                return Symbol(name.of)
+            case "image":
+                primed = name.body == "a"
+                return transport_image(name.of, primed, self.language) if name.part else image(name.of, primed)
         return self._vector(name)
+
+    def _drawn(self, name: Name) -> Symbol:
+        """The length on paper of a segment, ``l_AB``, or of a vector: ``l`` with its index."""
+        if name.body == "l":
+            return Symbol("l", (Index(name.of + name.about),))
+        vector = self._vector(name)
+        return Symbol("l", vector.index, vector.upper)
 
     def _of_points(self, name: Name) -> Symbol:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
