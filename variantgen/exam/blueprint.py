@@ -22,12 +22,16 @@ DEFAULT_TOLERANCE = 0.01  # relative
 
 @dataclass(frozen=True)
 class Task:
-    """One problem of the exam: the families it is drawn from (one per student), asked quantities, points."""
+    """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
+
+    ``nice``: only hand-friendly variants.
+    """
 
     number: int
     families: tuple[Family, ...]
     ask: tuple[str, ...] | None
     points: int | None
+    nice: bool = False
 
 
 @dataclass(frozen=True)
@@ -99,6 +103,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     table.expect("ask", "families")
     ask = table.strings("ask") if "ask" in table.data else None
     unread = ask == () and table.data["ask"] != []
+    nice = table.take("nice", bool, False)
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
@@ -106,12 +111,12 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     families = []
     for name in names:
         with table.collecting(""):
-            family = restrict(load_family(name, folders), fixed, ranges, forms)
+            family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
             _check_ask(family, None if unread else ask)
             families.append(family)
     if len(table.problems) > before:
         return None
-    return Task(number, tuple(families), ask, points or None)
+    return Task(number, tuple(families), ask, points or None, nice)
 
 
 def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:

@@ -79,6 +79,7 @@ def _problem(item: Item) -> dict[str, Any]:
         "problem": item.task.number,
         "family": variant.family.name,
         "form": variant.form.name,
+        **({"nice": True} if item.task.nice else {}),
         "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
         "attempt": variant.attempt,
         "parameters": {

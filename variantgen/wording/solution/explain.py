@@ -19,6 +19,7 @@ from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.statement import Text
+from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.vector_names import centre_letters
 
 
@@ -67,5 +68,6 @@ def _answer(task: Task, found: Solution, language: Language) -> Text:
     for quantity, (_, value) in zip(task.asked, found.answers, strict=True):
         unit = language.unit(quantity.unit(task.variant.family.length_unit))
         symbol = language.quantity(quantity, task.form.symbols)
-        parts += ["; " if parts else "", Equation(symbol, Measured(language.rounded(value.exact), unit))]
+        equation = Equation(symbol, Measured(language.rounded(value.exact), unit))
+        parts += ["; " if parts else "", with_surd(equation, surd(value.exact))]
     return (*parts, ".")
