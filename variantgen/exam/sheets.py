@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import degrees
 
 from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.confirm import confirm
 from variantgen.exam.roster import Student
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
@@ -79,7 +80,10 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
             entries.append(Entry(drawing, key, digest("priority", *key)))
             owners.append((i, task))
     variants, again = draw_distinct(entries)
-    answers = answer_variants(variants, [task.ask for _, task in owners], exam.tolerance)
+    asked = [read_ask(variant.form, task.ask) for variant, (_, task) in zip(variants, owners, strict=True)]
+    solved = solve_all(variants, asked)
+    confirm(variants, asked, solved, [entry.key for entry in entries])
+    answers = _answers(variants, asked, solved, exam.tolerance)
     items: list[list[Item]] = [[] for _ in students]
     for (i, task), variant, found in zip(owners, variants, answers, strict=True):
         items[i].append(Item(task, variant, found))
@@ -132,9 +136,18 @@ def answer_variants(
 ) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
+    return _answers(variants, asked, solve_all(variants, asked), tolerance)
+
+
+def _answers(
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    tolerance: float,
+) -> list[tuple[Answer, ...]]:
     values: dict[tuple[int, Quantity], Field] = {}
     found = []
-    for variant, quantities, (motion, place) in zip(variants, asked, solve_all(variants, asked), strict=True):
+    for variant, quantities, (motion, place) in zip(variants, asked, solved, strict=True):
         answers = []
         for quantity in quantities:
             if (id(motion), quantity) not in values:

@@ -267,7 +267,7 @@ class Family:
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
     ``names`` are the names of points, bodies and printed parameters of all its forms, which its templates may use;
-    they stay when the family is narrowed to some forms.
+    they stay when the family is narrowed to some forms. ``solution`` are the methods natural to it, in order.
     """
 
     name: str
@@ -277,6 +277,7 @@ class Family:
     folder: Path | None = None
     source: str = ""
     names: frozenset[str] = frozenset()
+    solution: tuple[str, ...] = ()
 
     @property
     def nice_forms(self) -> list[str]:

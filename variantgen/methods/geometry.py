@@ -73,6 +73,10 @@ class Geometry:
             if part == 1 and isinstance(expression, Value):
                 return self._taken(expression)
             return self._derived(start, end, exact, _scaled(expression, part, found))
+        return self._worked_out(start, end, exact)
+
+    def _worked_out(self, start: str, end: str, exact: float) -> Value:
+        """A length that is not given, by coordinates."""
         step = self._shift(start, end)
         flat = [
             Magnitude(side) for side, other in (step, step[::-1]) if abs(other.number(True)) < _LEVEL * self.task.size

@@ -109,4 +109,5 @@ def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assum
 def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]], start: int) -> None:
     """Write the equation whose known magnitudes begin at the item ``start``, and how it is solved."""
     write(book, *sides, start)
-    book.say(f"pole.two_unknowns_{book.letter}")
+    if book.graphics is None:
+        book.say(f"pole.two_unknowns_{book.letter}")

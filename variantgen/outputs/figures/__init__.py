@@ -15,8 +15,7 @@ from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.figure.drawing import Drawing
-
-MILLIMETRES = 0.8  # of one figure unit, where the paper does not ask for less
+from variantgen.methods.plan_scale import MILLIMETRES
 
 
 def unit(drawing: Drawing, width_mm: float | None = None) -> float:
