@@ -21,7 +21,7 @@ from variantgen.methods import graphical
 from variantgen.methods.agreement import deviation
 from variantgen.methods.book import Book
 from variantgen.methods.chain import Chain
-from variantgen.methods.compose import graphical_solution
+from variantgen.methods.compose import solution
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
 from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, pole_letter
@@ -78,7 +78,7 @@ class TestProblem28:
 
     @cache  # noqa: B019 - one solution for all tests of the class
     def found(self) -> Solution:
-        return graphical_solution(task(*case_of("four_bar_with_sleeve", "K28")))
+        return solution(task(*case_of("four_bar_with_sleeve", "K28")), ["graphical"])
 
     def test_readings_are_those_of_a_ruler(self) -> None:
         scales = {"v": 2.5, "a": 15.0}  # 1 mm = 2.5 cm/s: the plan is 48 mm wide; 1 mm = 15 cm/s^2: 49 mm high
@@ -124,7 +124,7 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
         variants, motion, asked = variants_of(name, form, SEEDS)
         index = variants.index(item.variant)
         symbols = Symbols(item.form, EN, load_phrases("en"), {})
-        everything = readings(graphical_solution(item))
+        everything = readings(solution(item, ["graphical"]))
         for order, module, make in VIEWS[: item.order]:
             state = solved(item.variant, motion, index, asked, order)
             plan = make(state.chain, state.now, EN)
@@ -180,7 +180,7 @@ def test_a_calculator_follows_the_numbers(name: str, form: str) -> None:
     for item in tasks(name, form):
         writer = writer_of(item)
         checked = 0
-        for step in graphical_solution(item).steps:
+        for step in solution(item, ["graphical"]).steps:
             for block in writer.blocks([line for line in step.items if isinstance(line, Derived)]):
                 assert isinstance(block, Lines)
                 for line in block.lines:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.methods.expression import (
     Applied,
     Expression,
+    LinearSolution,
     Magnitude,
     Raised,
     Ratio,
@@ -32,10 +33,11 @@ from variantgen.methods.step import (
 )
 
 FEWEST, MOST = 5, 9  # significant digits of intermediate results
+DIGITS = range(FEWEST, MOST + 1)
 ANSWER_DIGITS = 4  # significant digits of an answer
 
 
-def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = range(FEWEST, MOST + 1)) -> int:
+def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
     """Give every value its printed number; returns the digits of intermediate results.
 
     All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
@@ -84,6 +86,8 @@ def parts(item: Expression) -> list[Value]:
             return [*parts(above), *parts(below)]
         case Raised(inner, _) | SquareRoot(inner) | Magnitude(inner) | Applied(_, inner):
             return parts(inner)
+        case LinearSolution(rows, right, _):
+            return [value for item in (*right, *(item for row in rows for item in row)) for value in parts(item)]
     return []
 
 
