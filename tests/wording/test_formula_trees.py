@@ -12,6 +12,7 @@ from matplotlib.mathtext import MathTextParser
 from tests.wording import exact_reader
 from tests.wording.exact_reader import PRIME, AmbiguousError, read
 from tests.wording.formulas import deg, num, sym
+from tests.wording.latex_reader import in_line
 from variantgen.outputs.motion_plot import STYLE
 from variantgen.outputs.typesetter import typesetter
 from variantgen.wording.formula import (
@@ -54,6 +55,7 @@ SYMBOLS = {
     sym("OA"): ("OA", 3000017),
     sym("a", "B", "n"): ("a^n_B", 4000037),
 }
+NAMES = dict(SYMBOLS.values())
 NUMBERS = ["0", "2", "3", "17", "0.5", "20.3", "-1", "-4", "-0.25"]
 DIGITS = st.sampled_from(NUMBERS)
 LEAVES: st.SearchStrategy[Formula] = st.one_of(
@@ -124,12 +126,13 @@ def value(formula: Formula) -> int:
 
 @settings(max_examples=1500)
 @given(st.recursive(LEAVES, arithmetic, max_leaves=10))
-def test_plain_text_has_the_value_of_the_tree(formula: Formula) -> None:
+def test_what_is_printed_has_the_value_of_the_tree(formula: Formula) -> None:
     try:
         wanted = value(formula) % PRIME
     except ZeroDivisionError:
         assume(False)
-    assert read(to_plain(formula), dict(SYMBOLS.values())) == wanted
+    assert read(to_plain(formula), NAMES) == wanted
+    assert read(in_line(to_latex(formula)), NAMES) == wanted
 
 
 @pytest.mark.parametrize(
@@ -138,6 +141,13 @@ def test_plain_text_has_the_value_of_the_tree(formula: Formula) -> None:
 def test_the_reader_refuses_what_is_read_in_two_ways(text: str) -> None:
     with pytest.raises(AmbiguousError):
         read(text, {"a": 2})
+
+
+def test_the_reader_of_latex_keeps_what_bars_and_roots_hold_together() -> None:
+    a = sym("a")
+    assert in_line(r"\frac{a - 1}{\sqrt{a \cdot \frac{2}{3}}}") == "((a − 1) / ((√(a · ((2) / (3))))))"
+    assert in_line(to_latex(Power(Function("cos", Sum(((1, a), (1, a)))), 2))) == "cos^2(a + a)"
+    assert in_line(r"\mathop{\text{cos}}\nolimits^{2} a \cdot 2\sqrt{3}") == "cos^2\xa0a · 2\xa0(√(3))"
 
 
 def test_the_reader_calculates() -> None:
