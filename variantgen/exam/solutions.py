@@ -29,6 +29,11 @@ class Solutions:
         """Whether there are any."""
         return self.depth != NONE
 
+    @property
+    def for_students(self) -> bool:
+        """Whether every student gets a file."""
+        return self.wanted and self.files == "students"
+
 
 def read_solutions(table: Table, language: str) -> Solutions:
     """The table ``[solutions]`` of an exam whose sheets are in ``language``; mistakes are noted in the table."""

@@ -34,10 +34,11 @@ from variantgen.methods.step import (
 )
 
 FEWEST, MOST = 5, 9  # significant digits of intermediate results
+DIGITS = range(FEWEST, MOST + 1)
 ANSWER_DIGITS = 4  # significant digits of an answer
 
 
-def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = range(FEWEST, MOST + 1)) -> int:
+def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
     """Give every value its printed number; returns the digits of intermediate results.
 
     All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in

@@ -206,12 +206,11 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """A whole solution: the methods used, the steps, the answers with their values, the check by another method.
+    """A whole solution: the steps, the answers with their values, the check by another method.
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed.
     """
 
-    methods: tuple[str, ...]
     steps: tuple[Step, ...]
     answers: tuple[tuple[str, Value], ...]
     check: tuple[Item, ...] = ()

@@ -88,6 +88,14 @@ def accelerations(book: Book, groups: list[Group]) -> None:
         vector(book, point)
 
 
+def through(book: Book) -> list[Group]:
+    """Velocities and, where any are asked, accelerations; returns the groups in their order."""
+    groups = velocities(book)
+    if book.task.order == 2:
+        accelerations(book, groups)
+    return groups
+
+
 def _solve(book: Book, group: Group) -> None:
     """Solve a group, a dyad by the method of the book's style if that applies and else by the vector equation."""
     style = book.style.velocities if book.order == 1 else book.style.accelerations

@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.sheets import Item, Sheet, solve_all
+from variantgen.exam.sheets import Sheet, solve_all
+from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.outputs.sheet_data import student_data, text_data
 from variantgen.outputs.solution_blocks import blocks_data
 from variantgen.outputs.solution_figures import Figures, view_order
 from variantgen.outputs.typesetter import equals_data
+from variantgen.variants.variant import Variant
 from variantgen.wording.formula import to_typst
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section, SolutionText
@@ -41,27 +43,34 @@ def solutions_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> d
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)
-            problems.append(solution_data(item, motion, place, text, language))
+            number = {"number": str(item.task.number)}
+            problems.append(number | problem_data(item.variant, item.asked, motion, place, text, language))
         students.append(student_data(sheet, problems, language, sheet is sheets[-1]))
-    words = {name: load_phrases(language.name).words[name] for name in _WORDS}
     return {
         "lang": language.name,
         "title": exam.title,
         "course": exam.course,
         "duplex": exam.duplex,
-        "words": {**language.words("sheet"), **words},
+        "words": solution_words(language),
         "students": students,
         "unexplained": unexplained,
     }
 
 
-def solution_data(item: Item, motion: Motion, place: int, text: SolutionText, language: Language) -> dict[str, Any]:
-    """One problem with its solution."""
-    said = statement(item.variant, item.asked, language)
-    figures = Figures(item, motion, place, language, view_order(text))
+def solution_words(language: Language) -> dict[str, str]:
+    """The fixed words of a document with solutions."""
+    words = load_phrases(language.name).words
+    return {**language.words("sheet"), **{name: words[name] for name in _WORDS}}
+
+
+def problem_data(
+    variant: Variant, asked: Sequence[Quantity], motion: Motion, place: int, text: SolutionText, language: Language
+) -> dict[str, Any]:
+    """One problem with its solution; ``place`` is that of the variant in the batch ``motion``."""
+    said = statement(variant, asked, language)
+    figures = Figures(variant, asked, motion, place, language, view_order(text))
     return {
-        "number": str(item.task.number),
-        "title": item.variant.family.title(language.name),
+        "title": variant.family.title(language.name),
         "text": text_data(said.text),
         "given": [equals_data(equation) for equation in said.given],
         "asked": [to_typst(symbol) for symbol in said.asked],

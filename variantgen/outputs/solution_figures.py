@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from variantgen.errors import InputError
-from variantgen.exam.sheets import Item
+from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.outputs.typesetter import figure_data
+from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import load_phrases
@@ -30,12 +31,20 @@ def view_order(text: SolutionText) -> list[str]:
 class Figures:
     """The figures of one problem; ``numbers`` are those of the kinds that could be drawn, from 1 on."""
 
-    def __init__(self, item: Item, motion: Motion, place: int, language: Language, names: Sequence[str]) -> None:
+    def __init__(
+        self,
+        variant: Variant,
+        asked: Sequence[Quantity],
+        motion: Motion,
+        place: int,
+        language: Language,
+        names: Sequence[str],
+    ) -> None:
         self._language = language
         self._drawn: list[tuple[str, Drawing]] = []
         for name in names:
             try:
-                drawing = view(name).draw(item.variant, motion, place, item.asked, language)
+                drawing = view(name).draw(variant, motion, place, asked, language)
             except InputError:
                 if name == STATEMENT:
                     raise

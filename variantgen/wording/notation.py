@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 
 from variantgen.errors import InputError, Problem, nearest
@@ -36,3 +36,15 @@ class Notation:
 
 
 USUAL = Notation()
+
+
+def notation_of(words: Iterable[str]) -> Notation:
+    """The notation that words like ``alpha`` and ``rotational`` choose. Raises InputError for an unknown word."""
+    chosen: dict[str, str] = {}
+    for word in words:
+        names = [name for name, known in CHOICES.items() if word in known]
+        if not names:
+            remedy = nearest(word, [word for known in CHOICES.values() for word in known])
+            raise InputError(Problem("unknown notation", key="--notation", value=word, remedy=remedy))
+        chosen[names[0]] = word
+    return Notation(**chosen)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
-from variantgen.cli.options import add_choice, settings
+from variantgen.cli.options import add_choice, add_explaining, explained, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "solve one variant"
@@ -16,10 +16,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
+    parser.add_argument("--lang", default="en", help="language of the solution: en or ru (default: en)")
+    add_explaining(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print parameters and answers, or the whole solution as JSON."""
+    """Print parameters and answers, the solution in words, or all numbers as JSON."""
+    if arguments.json and arguments.explain:
+        raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
     from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import one_variant, solution_document
@@ -39,6 +43,10 @@ def run(arguments: argparse.Namespace) -> int:
         for name, item in document["parameters"].items():
             print(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
         print()
+        solution = explained(arguments, variant)
+        if solution is not None:
+            print(solution)
+            return 0
         for answer in document["answers"]:
             value = (
                 "infinite" if answer["value"] is None else f"{answer['value']:.6g} {answer['unit']}".removesuffix(" 1")

@@ -35,13 +35,13 @@ def explain(
 ) -> SolutionText:
     """The solution of one variant of a solved batch, in a language, as it is wished.
 
-    Raises UnexplainedError where the methods do not lead to what is asked.
+    Raises InputError for a method that does not apply, UnexplainedError where the methods do not lead to what is asked.
     """
     if wish.depth == "answers":
         return answers_only(variant, motion, index, asked, language)
     task = task_of(variant, motion, index, asked)
     try:
-        found = solution(task)
+        found = solution(task, wish.methods)
     except LookupError as error:
         raise UnexplainedError(f"no method leads to what is asked of {variant.family.name}: {error}") from error
     return written(task, found, language, wish.depth == "short")
