@@ -20,7 +20,7 @@ EXAMPLES: list[tuple[Formula, str]] = [
     (Symbol("phi"), r"$\varphi$"),
     (Symbol("a", (Index("B"),), (Index("n"),)), r"$a_{B}^{n}$"),
     (Symbol("v", (Index("отн", True), Index("C"))), r"$v_{\mathrm{отн}\,C}$"),
-    (Number("−0,25"), "$−0{,}25$"),
+    (Number("−0,25"), "${−}0{,}25$"),
     (UnitText((("см/с", 2),)), r"$\mathrm{см/с}^{2}$"),
     (Measured(Number("30"), UnitText((("°", 1),), True)), r"$30\mathrm{°}$"),
     (Equation(Symbol("r"), Measured(Number("5"), UnitText((("cm", 1),)))), r"$r=5\,\mathrm{cm}$"),

@@ -13,7 +13,7 @@ from variantgen.methods.book import Book
 from variantgen.methods.centre import Centre, Ray, named_place, reach, turned_by
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio, Value, root
 from variantgen.methods.name import Name
-from variantgen.methods.points import is_translating, renamed, vector
+from variantgen.methods.points import is_translating, known_point, renamed, vector
 from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.whole_vector import whole
 
@@ -21,6 +21,7 @@ from variantgen.methods.whole_vector import whole
 def carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the acceleration of a further point of a body whose motion is known: ``a_B = BQ sqrt(...)``."""
     name = Name("a", point)
+    vector(book, pole)
     with book.step("acceleration_centre.point", "accelerations", body=Body(body), point=Point(point)):
         centre = centre_of(book, body, pole)
         facts: dict[str, Fact] = {"point": Point(point), "centre": centre.fact, "vector": VectorOf(name)}
@@ -68,7 +69,7 @@ def centre_of(book: Book, body: str, pole: str) -> Centre:
 def _found(book: Book, body: str, pole: str) -> Centre:
     """Turn the acceleration of the pole by mu in the sense of epsilon, and lay off AQ."""
     centre = Centre(body, "Q")
-    known = vector(book, pole)
+    known = book.acceleration[pole]
     facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "pole": Point(pole)}
     if is_translating(book, body) or not (book.omega[body].sense or book.epsilon[body].sense):
         book.say("acceleration_centre.infinite", False, **facts)
@@ -124,9 +125,8 @@ def _intensity(book: Book, body: str) -> Expression:
 
 def distance(book: Book, body: str, point: str) -> Value:
     """The asked distance of a point from the acceleration centre; infinite where there is none."""
+    pole = known_point(book, body)
     with book.step("acceleration_centre.distance", "accelerations", body=Body(body), point=Point(point)):
-        members = book.task.scene.bodies[body]
-        pole = next(p for p in members if p in book.acceleration)
         centre = centre_of(book, body, pole)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)

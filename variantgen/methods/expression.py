@@ -12,6 +12,8 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from variantgen.methods.name import Name
 
 _ANGLE = "angle"
@@ -197,6 +199,21 @@ class Magnitude(Expression):
     def number(self, exact: bool) -> float:
         """The absolute value."""
         return abs(self.inner.number(exact))
+
+
+@dataclass(frozen=True, slots=True)
+class LinearSolution(Expression):
+    """One unknown of a system of linear equations: ``rows`` of coefficients, right-hand sides, its number."""
+
+    rows: tuple[tuple[Expression, ...], ...]
+    right: tuple[Expression, ...]
+    index: int
+
+    def number(self, exact: bool) -> float:
+        """The unknown. Raises numpy.linalg.LinAlgError for a singular system."""
+        matrix = np.array([[item.number(exact) for item in row] for row in self.rows])
+        right = np.array([item.number(exact) for item in self.right])
+        return float(np.linalg.solve(matrix, right)[self.index])
 
 
 _FUNCTIONS: dict[str, Callable[[float], float]] = {

@@ -21,6 +21,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.plan_drawing import PlanDrawing
 from variantgen.methods.plan_scale import per_millimetre, places_of, pole_letter
 from variantgen.methods.step import Sentence, Shown, Step, Term
+from variantgen.methods.style import Style
 from variantgen.methods.task import Task
 from variantgen.variants.needed import shown_points
 
@@ -56,6 +57,7 @@ def prepare(book: Book) -> Plans:
     plans = Plans(book.task)
     book.geometry = DrawnGeometry(book.task)
     book.graphics = plans
+    book.style = Style("pole", "pole")
     return plans
 
 

@@ -20,6 +20,10 @@ class Name(NamedTuple):
     a segment (``l``), ``scale`` the scale of a plan (``of``: ``v``, ``a``, ``l``), ``pole`` its pole (``of`` is the
     letter), ``image`` the end of the vector of a point in the plan ``body``, with ``part`` ``tr`` that of the point of
     the carrier below it.
+
+    Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned), ``slide``
+    (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing`` (direction of a
+    piece of rope or of a line of centres); ``dots`` counts derivatives by time.
     """
 
     kind: str
@@ -27,6 +31,7 @@ class Name(NamedTuple):
     about: str = ""
     part: str = ""
     body: str = ""
+    dots: int = 0
 
     @property
     def whole(self) -> Name:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from decimal import Decimal
+from itertools import accumulate
 
 from variantgen.methods.chain import Chain, taken_apart
 from variantgen.methods.instant import Instant
@@ -35,6 +36,7 @@ def places_of(chain: Chain, now: Instant, order: int) -> list[complex]:
 def _velocities(chain: Chain, now: Instant) -> list[complex]:
     poles = [turn.pole for turn in chain.turns] + [slip.pole for slip in chain.slips if slip.pole is not None]
     ends = [now.v[point] for point in (*chain.points, *poles)]
+    ends += [now.v[reach.base] + now.growth(reach.point, reach.base)[0] for reach in chain.reaches]
     return ends + [now.transport_velocity(slip.point, slip.body) for slip in chain.slips]
 
 
@@ -46,6 +48,9 @@ def _accelerations(chain: Chain, now: Instant) -> list[complex]:
     for turn in chain.turns:
         if (turn.body, turn.point) in apart:
             ends.append(now.a[turn.pole] + now.normal(turn.point, turn.pole))
+    for reach in chain.reaches:
+        steps = now.growing_acceleration(reach.point, reach.base)
+        ends += accumulate(steps, initial=now.a[reach.base])
     for slip in chain.slips:
         transport, coriolis = (
             now.transport_acceleration(slip.point, slip.body),

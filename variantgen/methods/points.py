@@ -54,6 +54,7 @@ def vector(book: Book, point: str) -> Known:
     """
     if point not in book.vectors:
         body, pole = carrier_of(book, point)
+        vector(book, pole)
         _carry(book, point, body, pole)
     return book.vectors[point]
 
@@ -74,6 +75,19 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
             if pole := next(reachable, None):
                 return body, pole
     raise LookupError(f"the motion of {point} is not known")
+
+
+def known_point(book: Book, body: str) -> str:
+    """A point of a body whose vector is written; the first that can be is written down where none is.
+
+    Raises LookupError where none can.
+    """
+    members = book.task.scene.bodies[body]
+    written = next((p for p in members if p in book.vectors), None)
+    if written is None:
+        written = next((p for p in members if _is_carried(book, p, body)), members[0])
+        vector(book, written)
+    return written
 
 
 def _is_carried(book: Book, point: str, but: str) -> bool:

@@ -38,6 +38,7 @@ class Route:
         self.book = book
         self.task = book.task
         self.scene = book.task.scene
+        self.taken: list[Group] = []
 
     @cached_property
     def translating(self) -> frozenset[str]:
@@ -85,7 +86,10 @@ class Route:
             self._coupled,
             self._rested,
         )
-        return next((group for search in searches for group in search()), None)
+        found = next((group for search in searches for group in search() if group not in self.taken), None)
+        if found is not None:
+            self.taken.append(found)
+        return found
 
     @property
     def open_bodies(self) -> list[str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.methods.expression import (
     Applied,
     Expression,
+    LinearSolution,
     Magnitude,
     Raised,
     Ratio,
@@ -85,6 +86,8 @@ def parts(item: Expression) -> list[Value]:
             return [*parts(above), *parts(below)]
         case Raised(inner, _) | SquareRoot(inner) | Magnitude(inner) | Applied(_, inner):
             return parts(inner)
+        case LinearSolution(rows, right, _):
+            return [value for item in (*right, *(item for row in rows for item in row)) for value in parts(item)]
     return []
 
 

@@ -12,7 +12,7 @@ from variantgen.methods.group import Dyad
 from variantgen.methods.known_centre import centre_of, sense_about
 from variantgen.methods.name import Name
 from variantgen.methods.perpendiculars import meet
-from variantgen.methods.points import renamed, vector
+from variantgen.methods.points import known_point, renamed, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.tracks import on_track
 from variantgen.methods.whole_vector import whole
@@ -106,6 +106,7 @@ def _say_direction(book: Book, centre: Centre, rate: Rate, point: str) -> None:
 def carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the velocity of a further point of a body whose motion is known: ``v_C = omega CP``."""
     name = Name("v", point)
+    vector(book, pole)
     with book.step("velocity_centre.point", "velocities", body=Body(body), point=Point(point)):
         centre, rate = centre_of(book, body), book.omega[body]
         if centre.infinite:
@@ -138,9 +139,8 @@ def leads_on(book: Book, point: str, body: str) -> bool:
 
 def distance(book: Book, body: str, point: str) -> Value:
     """The asked distance of a point from the velocity centre; infinite where the body is in translation."""
+    known_point(book, body)
     with book.step("velocity_centre.distance", "velocities", body=Body(body), point=Point(point)):
-        known = next(p for p in book.task.scene.bodies[body] if p in book.velocity)
-        vector(book, known)
         centre = centre_of(book, body)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)

@@ -15,7 +15,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
+from variantgen.methods.chain import Chain, Reach, Slip, Turn, taken_apart
 from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Index, Symbol
@@ -50,6 +50,8 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
         _add_turn(plan, chain, now, turn, component_marks(language) if (turn.body, turn.point) in shown else ())
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language, (slip.body, slip.point) in shown)
+    for reach in chain.reaches:
+        _add_reach(plan, now, reach, language)
     for point, way in chain.guides.items():
         if any(turn.point == point for turn in chain.turns):
             plan.lines.append((now.a[point], way))
@@ -115,3 +117,13 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
     normal = bend * speed**2
     names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
     return _add_pair(plan, start, normal, relative - normal, names)
+
+
+def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+    """The acceleration along a line that grows, and those of its rotation, one after the other."""
+    place = now.a[reach.base]
+    words = (("rel", ()), ("tr", NORMAL), ("cor", ()), ("tr", TANGENTIAL))
+    for step, (word, upper) in zip(now.growing_acceleration(reach.point, reach.base), words, strict=True):
+        plan.vectors.append(Vector(place, place + step, compound("a", word, reach.point, language, upper)))
+        place += step
+    plan.lines.append((place, 1j * (now.z[reach.point] - now.z[reach.base])))

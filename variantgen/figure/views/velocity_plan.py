@@ -15,7 +15,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Chain, Slip, Turn
+from variantgen.methods.chain import Chain, Reach, Slip, Turn
 from variantgen.methods.instant import Instant
 from variantgen.methods.plan_scale import pole_letter
 from variantgen.variants.variant import Variant
@@ -47,6 +47,8 @@ def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
             _add_turn(plan, chain, now, turn)
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language)
+    for reach in chain.reaches:
+        _add_reach(plan, now, reach, language)
     for point, way in chain.guides.items():
         if chain.is_found(point):
             plan.lines.append((now.v[point], way))
@@ -78,6 +80,15 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
     plan.lines.append((end, slip.path.tangent(now.z)))
     if not slip.carried and slip.pole is not None:
         plan.lines.append((end, 1j * (now.z[slip.point] - now.z[slip.pole])))
+
+
+def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+    """The velocity along a line that grows, and across it."""
+    point, start = reach.point, now.v[reach.base]
+    along, across = now.growth(point, reach.base)
+    plan.vectors.append(Vector(start, start + along, compound("v", "rel", point, language)))
+    plan.vectors.append(Vector(start + along, start + along + across, compound("v", "tr", point, language)))
+    plan.lines.append((now.v[point], 1j * (now.z[point] - now.z[reach.base])))
 
 
 def _are_apart(now: Instant, body: str, first: str, second: str) -> bool:

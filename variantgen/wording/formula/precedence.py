@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from enum import Enum, IntEnum
 
 from variantgen.wording.formula.tree import (
-    GREEK,
     About,
     Chain,
     Cross,
@@ -233,4 +232,4 @@ def _is_letter(formula: Formula) -> bool:
 
 def _is_single_letter(formula: Formula) -> bool:
     letter = _letter(formula)
-    return letter is not None and (letter.base in GREEK or (len(letter.base) == 1 and letter.base.isalpha()))
+    return letter is not None and not letter.is_name and not letter.base.isdecimal()

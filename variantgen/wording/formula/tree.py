@@ -38,6 +38,11 @@ class Symbol:
     index: tuple[Index, ...] = ()
     upper: tuple[Index, ...] = ()
 
+    @property
+    def is_name(self) -> bool:
+        """Whether the base is more than one letter: a name of points like OA, or O1."""
+        return self.base not in GREEK and len(self.base) > 1
+
 
 @dataclass(frozen=True)
 class Number:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from variantgen.families.family import Form
 from variantgen.methods.name import Name
-from variantgen.wording.formula import Index, Symbol
+from variantgen.wording.formula import Dotted, Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
 from variantgen.wording.vector_names import COMPONENTS, image, transport_image
@@ -24,8 +24,12 @@ class Symbols:
     phrases: Phrases
     centres: Mapping[str, Symbol]
 
-    def of(self, name: Name) -> Symbol:
-        """The symbol of a name."""
+    def of(self, name: Name) -> Symbol | Dotted:
+        """The symbol of a name; a derivative by time has dots."""
+        return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
+
+    def letter(self, name: Name) -> Symbol:
+        """The symbol of a name without dots."""
         match name.kind:
             case "parameter":
                 return self.language.symbol(name.of, self.form.symbols)
@@ -37,6 +41,11 @@ class Symbols:
                 return Symbol("mu", self._body_index(name.of))
             case "length" | "direction":
                 return self._of_points(name)
+            case "rotation":
+                return Symbol("phi", self._body_index(name.of))
+            case "slide" | "arc" | "swing":
+                letters = {"slide": "s", "arc": "psi", "swing": "theta"}
+                return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))
             case "projection":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 
 from variantgen.methods.expression import Constant, Expression, Value
@@ -46,6 +47,7 @@ from variantgen.wording.statement import Text
 
 _NOTHING = Number("0")
 _EQUALS = "="
+_COMMENT = re.compile(r"#\{([\w.]+)\}")
 
 
 class Writer:
@@ -91,7 +93,11 @@ class Writer:
                 write = self.formulas.numeric if numeric else self.formulas.symbolic
                 return Lines((Line((("", write(left)), (_EQUALS, write(right)))),))
             case Listing(code, _):
-                return Program(code)
+                return Program(self._commented(code))
+
+    def _commented(self, code: str) -> str:
+        """A program with its comments in the language: ``#{listing.data}`` is the sentence of that key."""
+        return _COMMENT.sub(lambda match: "# " + "".join(map(str, self.phrases.sentence(match[1]))), code)
 
     # Sentences.
 
@@ -145,7 +151,7 @@ class Writer:
 
     def vector(self, name: Name) -> Formula:
         """A vector with its arrow."""
-        return Vector(self.symbols.of(name))
+        return Vector(self.symbols.letter(name))
 
     def _derived(self, item: Derived) -> Line:
         """``name = symbols = numbers = result``; what says the same twice is said once."""
@@ -188,8 +194,10 @@ class Writer:
         for unknown, coefficient in zip(system.unknowns, system.rows[row], strict=True):
             if coefficient.shown == 0:
                 continue
-            size = self.formulas.number(abs(coefficient.shown))
-            terms.append((1 if coefficient.shown > 0 else -1, Product((size, self.formulas.symbol(unknown)))))
+            symbol = self.formulas.symbol(unknown)
+            size = abs(coefficient.shown)
+            term = symbol if size == 1 else Product((self.formulas.number(size), symbol))
+            terms.append((1 if coefficient.shown > 0 else -1, term))
         right = self.formulas.number(system.right[row].shown)
         return Line((("", self._sum(terms)), (_EQUALS, right)))
 
