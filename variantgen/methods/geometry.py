@@ -21,16 +21,10 @@ from variantgen.methods.sums import Leg, Signed, collected, summed
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.ways import Ways
 
-<<<<<<< HEAD
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
 _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
-=======
-_DISTANCES = ("distance", "first_distance", "second_distance", "length")
-_PARALLEL = 1e-9  # degrees
-_LEVEL = 1e-9  # of the size: a coordinate difference below it is none
->>>>>>> laws
 
 
 class Geometry(Layout):
@@ -114,7 +108,6 @@ class Geometry(Layout):
 
     def _direction(self, start: str, end: str) -> Value:
         name = Name("direction", start, end)
-<<<<<<< HEAD
         if (end, start) in self._directions:
             return self.turned(self._directions[end, start], 180.0, name)
         form = self.form(start, end)
@@ -147,63 +140,6 @@ class Geometry(Layout):
         place = self.places[high]
         own = place.direction(low) if low in place.neighbours() and not self.has_coordinates(low, high) else None
         return own if own is not None else trigonometry.direction_of(self, self._triangle(low, high))
-=======
-        if self.is_read_off(start, end):
-            return Value(name, "angle", exact)
-        if (timed := timed_direction(self, start, end, exact)) or (timed := self._on_one_ray(start, end, exact)):
-            return timed
-        right, up = self._shift(start, end)
-        if abs(right.number(True)) < _LEVEL * self.task.size or abs(up.number(True)) < _LEVEL * self.task.size:
-            return Value(name, "angle", exact)
-        slope: Expression = Applied("arctan", Ratio(up, right))
-        turn = round((exact - slope.number(True)) / 180.0) * 180.0
-        if turn:
-            slope = Total(((1, slope), (1 if turn > 0 else -1, Constant(180.0, "angle"))))
-        value = Value(name, "angle", exact, slope)
-        self.items.append(Derived(value))
-        return value
-
-    def _on_one_ray(self, start: str, end: str, exact: float) -> Value | None:
-        """The direction of a segment on a line through the common origin of its ends, which were placed from there."""
-        ends = [self.task.form.points[name] for name in (start, end)]
-        if any(t.component is not Polar for t in ends) or ends[0].fields["origin"] != ends[1].fields["origin"]:
-            return None
-        origin = ends[0].fields["origin"]
-        for by in (0.0, 180.0):
-            if between(degrees(self.vector(origin, end)) + by, exact) < _PARALLEL:
-                return self.turned(self.direction(origin, end), by, Name("direction", start, end))
-        return None
-
-    def is_read_off(self, start: str, end: str) -> bool:
-        """Whether the direction of a segment follows from given angles alone."""
-        points = self.task.form.points
-        for one, other in ((start, end), (end, start)):
-            template = points[one]
-            fields = template.fields
-            if template.component is Polar and fields["origin"] == other:
-                return self._angle_given(fields)
-            if template.component is Fraction and {fields["start"], fields["end"]} >= {other}:
-                return self.is_read_off(fields["start"], fields["end"])
-        if all(points[name].component is Fraction for name in (start, end)):
-            first, second = points[start].fields, points[end].fields
-            same = {first["start"], first["end"]} == {second["start"], second["end"]}
-            return same and self.is_read_off(first["start"], first["end"])
-        both = all(points[name].component is Coordinates for name in (start, end))
-        return both and abs(_off_axis(self.vector(start, end))) < _LEVEL * self.task.size
-
-    def _angle_given(self, fields: Mapping[str, Any]) -> bool:
-        """Whether the angle of a polar construction is made of given angles, from the axis or a direction read off."""
-        angle = fields.get("angle")
-        if isinstance(angle, FamilyExpression):
-            units = [self.task.form.parameters[n].unit for n in angle.names if n in self.task.form.parameters]
-            if (
-                any(u is not None and u.measures != "angle" for u in units)
-                or angle.names & self.task.form.derived.keys()
-            ):
-                return False
-        towards = fields.get("towards")
-        return towards is None or self.is_read_off(fields["origin"], towards)
->>>>>>> laws
 
     @staticmethod
     def turned(angle: Value, by: float, name: Name | None = None) -> Value:

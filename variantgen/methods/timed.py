@@ -40,18 +40,7 @@ def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:
     law = task.expressed(task.form.derived[name])
     if law is None:
         return None
-<<<<<<< HEAD
     sign = 1
-=======
-    whole = Ratio(_unsigned(simplified(Constant(180.0) * law)), Pi())
-    value = Value(Name("parameter", name), "angle", whole.number(True), whole)
-    geometry.items.append(Derived(value))
-    return value
-
-
-def _unsigned(law: Expression) -> Expression:
-    """A law without a leading sign: the figure shows the sense."""
->>>>>>> laws
     while isinstance(law, Total) and len(law.terms) == 1:
         sign, law = sign * law.terms[0][0], law.terms[0][1]
     return sign, Ratio(simplified(Constant(180.0) * law), Pi())
