@@ -1,11 +1,13 @@
-"""The main job: exam file and roster to a folder with sheets, key and manifest."""
+"""The main job: exam file and roster to a folder with sheets, key, solutions and manifest."""
 
 from __future__ import annotations
 
 import multiprocessing
 import multiprocessing.connection
 import os
+import shutil
 import threading
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
@@ -22,6 +24,7 @@ from variantgen.outputs.join import join_pdfs
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.solution_data import solutions_data
 from variantgen.outputs.typesetter import Typesetter, typesetter
 
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
@@ -29,17 +32,30 @@ from variantgen.outputs.typesetter import Typesetter, typesetter
 # does not depend on the number of processes: the same parts give the same bytes.
 SHEETS_PER_PART = 8
 KEYS_PER_PART = 40
+SOLUTIONS_PER_PART = 3  # some six pages each
 
 Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)
 class Built:
-    """What a build made: the folder, how many students, and who had to draw again to be distinct."""
+    """What a build made: the folder, how many students, and who had to draw again to be distinct.
+
+    ``unexplained`` names the families of which some problems have an answer, but no worked solution.
+    """
 
     folder: Path
     students: int
     redrawn: tuple[str, ...]
+    unexplained: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Made:
+    """The PDF of a part, and the families of problems in it that have no worked solution."""
+
+    path: Path
+    unexplained: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -54,11 +70,12 @@ class _Part:
     sheets: tuple[Sheet, ...]
     first: bool
 
-    def make(self, folder: Path, engine: Typesetter) -> Path:
-        """Typeset the part; the path of its PDF."""
+    def make(self, folder: Path, engine: Typesetter) -> _Made:
+        """Typeset the part."""
         path = folder / f"{self.target}-{self.number:07}.pdf"
-        path.write_bytes(engine.compile(self.template, self.data(self.exam, self.sheets, self.first))[0])
-        return path
+        data = self.data(self.exam, self.sheets, self.first)
+        path.write_bytes(engine.compile(self.template, data)[0])
+        return _Made(path, tuple(data.get("unexplained", ())))
 
 
 def build(
@@ -72,36 +89,44 @@ def build(
 ) -> Built:
     """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
 
-    Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json``. The same input gives the same bytes, whatever
-    ``jobs`` is. Raises InputError for wrong input.
+    Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json`` and, if the exam wants solutions,
+    ``solutions.pdf`` (with one file for each student in ``solutions/``, if it wants that). The same input gives the
+    same bytes, whatever ``jobs`` is. Raises InputError for wrong input.
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     check_free(out, force)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))
     try:
-        made = assemble(exam, students, seed)
+        assembly = assemble(exam, students, seed)
     except InputError as error:
         raise error.located(str(exam.path)) from None
     with whole_folder(out, force) as folder:
         parts_folder = folder / ".parts"
         parts_folder.mkdir()
-        parts = _parts(exam, made.sheets)
-        paths: dict[str, list[Path]] = {"sheets": [], "key": []}
-        done = 0
+        parts = _parts(exam, assembly.sheets)
+        paths: dict[str, list[Path]] = {part.target: [] for part in parts}
+        done: Counter[str] = Counter()
+        unexplained: set[str] = set()
         with _makers(jobs) as run:
-            for part, path in run(parts, parts_folder):
-                paths[part.target].append(path)
-                done += len(part.sheets) if part.target == "sheets" else 0
-                progress("typesetting", done, len(students))
-        join_pdfs(paths["sheets"], folder / "sheets.pdf", exam.title, exam.language, exam.duplex)
-        join_pdfs(paths["key"], folder / "key.pdf", exam.title, exam.language, False)
+            for part, made in run(parts, parts_folder):
+                paths[part.target].append(made.path)
+                unexplained.update(made.unexplained)
+                done[part.target] += len(part.sheets)
+                if part.target != "key":
+                    progress(f"typesetting {part.target}", done[part.target], len(students))
+        for target, made_paths in paths.items():
+            language = exam.solutions.language if target == "solutions" else exam.language
+            even = exam.duplex and target != "key"
+            join_pdfs(made_paths, folder / f"{target}.pdf", exam.title, language, even)
+        if exam.solutions.for_students:
+            _hand_out(assembly.sheets, paths["solutions"], folder / "solutions")
         for path in parts_folder.iterdir():
             path.unlink()
         parts_folder.rmdir()
-        _write(folder / "key.csv", "\ufeff" + key_csv(made.sheets))
-        _write(folder / "manifest.json", manifest(exam, made.sheets, seed, made.redrawn))
-    return Built(out, len(students), made.redrawn)
+        _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
+        _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn))
+    return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
 
 
 def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
@@ -112,6 +137,9 @@ def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
         ("key", "key.typ", key_by_student, KEYS_PER_PART),
         ("key", "key.typ", key_by_problem, KEYS_PER_PART),
     ]
+    if exam.solutions.wanted:
+        size = 1 if exam.solutions.for_students else SOLUTIONS_PER_PART
+        wanted.append(("solutions", "solutions.typ", solutions_data, size))
     for target, template, data, size in wanted:
         for i in range(0, len(sheets), size):
             chunk = tuple(sheets[i : i + size])
@@ -119,7 +147,17 @@ def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
     return parts
 
 
-Runner = Callable[[Sequence[_Part], Path], Iterator[tuple[_Part, Path]]]
+def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path) -> None:
+    """One file for each student, named by the code of the sheet; where two have the same, a number follows."""
+    folder.mkdir()
+    used: Counter[str] = Counter()
+    for sheet, part in zip(sheets, parts, strict=True):
+        used[sheet.code] += 1
+        number = f"-{used[sheet.code]}" if used[sheet.code] > 1 else ""
+        shutil.copyfile(part, folder / f"{sheet.code}{number}.pdf")
+
+
+Runner = Callable[[Sequence[_Part], Path], Iterator[tuple[_Part, _Made]]]
 
 
 @contextmanager
@@ -131,7 +169,7 @@ def _makers(jobs: int) -> Iterator[Runner]:
             return
         with ProcessPoolExecutor(jobs, initializer=_leave_with_parent) as pool:
 
-            def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, Path]]:
+            def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, _Made]]:
                 made = pool.map(_make, parts, [folder] * len(parts), [engine] * len(parts))
                 return zip(parts, made, strict=True)
 
@@ -151,7 +189,7 @@ def _leave_with_parent() -> None:
         ).start()
 
 
-def _make(part: _Part, folder: Path, engine: Typesetter) -> Path:
+def _make(part: _Part, folder: Path, engine: Typesetter) -> _Made:
     return part.make(folder, engine)
 
 

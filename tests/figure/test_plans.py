@@ -19,6 +19,7 @@ from variantgen.figure.faults import inspect_labels
 from variantgen.figure.plans import COINCIDENT, Vector, round_length
 from variantgen.figure.solved import solved
 from variantgen.figure.views import acceleration_plan, velocity_plan
+from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.single import asked_quantities, one_variant
@@ -62,6 +63,10 @@ def test_every_ray_is_the_vector_of_a_point_or_of_the_carrier_below_it(name: str
             if path := joint.sliding():
                 pole, turn = bodies[path.body]
                 ends.append(complex(motion.v[pole][i]) + turn * complex(motion.z[path.point][i] - motion.z[pole][i]))
+        for driver in motion.scene.drivers:
+            if isinstance(driver, Extension):  # the velocity along a cylinder that is hinged to the ground
+                way = complex(motion.z[driver.end][i] - motion.z[driver.start][i])
+                ends.append(complex(np.ravel(driver.v)[i % np.size(driver.v)]) * way / abs(way))
         rays = [(a, b) for a, b in arrows(drawing, Layer.VECTOR) if abs(a - drawing.origin) < 1e-9]
         assert rays
         for start, tip in rays:

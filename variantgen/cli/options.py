@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError, Problem
+
+if TYPE_CHECKING:
+    from variantgen.outputs.explanation import Explanation
+    from variantgen.variants.variant import Variant
 
 
 def add_families(parser: argparse.ArgumentParser) -> None:
@@ -31,7 +36,48 @@ def add_choice(parser: argparse.ArgumentParser) -> None:
         "--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)"
     )
     parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
+    add_nice(parser)
     add_families(parser)
+
+
+def add_nice(parser: argparse.ArgumentParser) -> None:
+    """``--nice``: hand-friendly variants only."""
+    parser.add_argument(
+        "--nice", action="store_true", help="hand-friendly variants: angles of 30, 45, 60, 90 degrees, simple answers"
+    )
+
+
+def add_explaining(parser: argparse.ArgumentParser) -> None:
+    """``--explain`` and what is wished of the solution."""
+    parser.add_argument("--explain", action="store_true", help="with the worked solution")
+    parser.add_argument(
+        "--method",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="solve by this method: velocity_centre, acceleration_pole, graphical, ... (may be repeated)",
+    )
+    parser.add_argument("--depth", metavar="DEPTH", help="answers, short or full (default: full)")
+    parser.add_argument(
+        "--notation",
+        action="append",
+        default=[],
+        metavar="WORD",
+        help="letters of the solution: alpha (angular acceleration), rotational (components of accelerations)",
+    )
+
+
+def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | None:
+    """The solution that is asked for, None without ``--explain``. Raises InputError."""
+    if not arguments.explain:
+        for option, value in (("--method", arguments.method), ("--depth", arguments.depth)):
+            if value:
+                raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
+        return None
+    from variantgen.outputs.explanation import explanation
+
+    depth = arguments.depth or "full"
+    return explanation(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
 
 
 def settings(arguments: argparse.Namespace) -> dict[str, str]:

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from pathlib import Path
+from typing import cast
 
 from variantgen.errors import InputError, Problem
+from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
+from variantgen.families.solving import check_methods
+from variantgen.methods.wish import Depth, Wish
 from variantgen.resources import file_hash
 from variantgen.tables import Table, read_toml
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.notation import CHOICES, USUAL, Notation
 
 SCHEMA = 1
 DEFAULT_TOLERANCE = 0.01  # relative
@@ -22,12 +27,18 @@ DEFAULT_TOLERANCE = 0.01  # relative
 
 @dataclass(frozen=True)
 class Task:
-    """One problem of the exam: the families it is drawn from (one per student), asked quantities, points."""
+    """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
+
+    ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
+    variants.
+    """
 
     number: int
     families: tuple[Family, ...]
     ask: tuple[str, ...] | None
     points: int | None
+    methods: tuple[str, ...] = ()
+    nice: bool = False
 
 
 @dataclass(frozen=True)
@@ -46,6 +57,22 @@ class Exam:
     duplex: bool = True
     path: Path = Path()
     hash: str = ""
+    solutions: Solutions = Solutions()
+    notation: Notation = USUAL
+
+    def wish(self, task: Task) -> Wish:
+        """What is wished of the solution of a problem."""
+        return Wish(task.methods, cast(Depth, self.solutions.depth))
+
+    @property
+    def spoken(self) -> Language:
+        """The language of sheets and key, in the notation of the exam."""
+        return load_language(self.language, self.notation)
+
+    @property
+    def explained(self) -> Language:
+        """The language of the solutions, in the notation of the exam."""
+        return load_language(self.solutions.language, self.notation)
 
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
@@ -71,8 +98,10 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     page = top.table("page")
     duplex = page.take("duplex", bool, True)
     page.finish()
+    solutions = read_solutions(top.table("solutions"), language)
+    notation = _notation(top.table("notation"))
     tables = top.tables("problem")
-    tasks = [_task(table, number, folders) for number, table in enumerate(tables, start=1)]
+    found = [_task(table, number, folders) for number, table in enumerate(tables, start=1)]
     if not tables:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
@@ -81,7 +110,31 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
     digest = file_hash(path)
-    return Exam(title, course, language, tuple(t for t in tasks if t), str(seed), tolerance, duplex, path, digest)
+    tasks = tuple(t for t in found if t)
+    return Exam(
+        title,
+        course,
+        language,
+        tasks,
+        str(seed),
+        tolerance,
+        duplex,
+        path,
+        digest,
+        solutions=solutions,
+        notation=notation,
+    )
+
+
+def _notation(table: Table) -> Notation:
+    """The letters that the course is used to; mistakes are noted in the table."""
+    chosen = {name: table.take(name, str, known[0]) for name, known in CHOICES.items()}
+    table.finish()
+    try:
+        return Notation(**chosen)
+    except InputError as error:
+        table.problems += [replace(problem, key=table.key(problem.key)) for problem in error.problems]
+        return USUAL
 
 
 def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
@@ -99,19 +152,25 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     table.expect("ask", "families")
     ask = table.strings("ask") if "ask" in table.data else None
     unread = ask == () and table.data["ask"] != []
+    nice = table.take("nice", bool, False)
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
+    methods: tuple[str, ...] = ()
+    with table.collecting("method"):
+        methods = check_methods(
+            (table.take("method", str, ""),) if isinstance(table.data.get("method"), str) else table.strings("method")
+        )
     table.finish()
     families = []
     for name in names:
         with table.collecting(""):
-            family = restrict(load_family(name, folders), fixed, ranges, forms)
+            family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
             _check_ask(family, None if unread else ask)
             families.append(family)
     if len(table.problems) > before:
         return None
-    return Task(number, tuple(families), ask, points or None)
+    return Task(number, tuple(families), ask, points or None, methods, nice)
 
 
 def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:

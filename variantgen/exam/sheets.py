@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import degrees
 
 from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.confirm import confirm
 from variantgen.exam.roster import Student
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
@@ -15,6 +16,8 @@ from variantgen.mechanism.motion import Field, Motion
 from variantgen.variants.draw import Drawing, Entry, draw_distinct
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import Surd
+from variantgen.wording.surds import surd
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 _DIGITS = 8  # significant digits kept, so that a last-bit difference between machines changes no byte
@@ -22,12 +25,16 @@ _DIGITS = 8  # significant digits kept, so that a last-bit difference between ma
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer in its printed unit, with the absolute tolerance in the same unit."""
+    """An answer in its printed unit, with the absolute tolerance in the same unit.
+
+    ``surd`` is the same value in closed form, where it is a simple root or fraction.
+    """
 
     quantity: Quantity
     unit: Unit
     value: float
     tolerance: float
+    surd: Surd | None = None
 
 
 @dataclass(frozen=True)
@@ -73,7 +80,10 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
             entries.append(Entry(drawing, key, digest("priority", *key)))
             owners.append((i, task))
     variants, again = draw_distinct(entries)
-    answers = answer_variants(variants, [task.ask for _, task in owners], exam.tolerance)
+    asked = [read_ask(variant.form, task.ask) for variant, (_, task) in zip(variants, owners, strict=True)]
+    solved = solve_all(variants, asked)
+    confirm(variants, asked, solved, [entry.key for entry in entries])
+    answers = _answers(variants, asked, solved, exam.tolerance)
     items: list[list[Item]] = [[] for _ in students]
     for (i, task), variant, found in zip(owners, variants, answers, strict=True):
         items[i].append(Item(task, variant, found))
@@ -126,15 +136,25 @@ def answer_variants(
 ) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
+    return _answers(variants, asked, solve_all(variants, asked), tolerance)
+
+
+def _answers(
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    tolerance: float,
+) -> list[tuple[Answer, ...]]:
     values: dict[tuple[int, Quantity], Field] = {}
     found = []
-    for variant, quantities, (motion, place) in zip(variants, asked, solve_all(variants, asked), strict=True):
+    for variant, quantities, (motion, place) in zip(variants, asked, solved, strict=True):
         answers = []
         for quantity in quantities:
             if (id(motion), quantity) not in values:
                 values[id(motion), quantity] = quantity.value(motion)
             unit = quantity.unit(variant.family.length_unit)
-            value = float(f"{unit.from_si(float(values[id(motion), quantity][place])):.{_DIGITS - 1}e}")
-            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance)))
+            computed = unit.from_si(float(values[id(motion), quantity][place]))
+            value = float(f"{computed:.{_DIGITS - 1}e}")
+            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance), surd(computed)))
         found.append(tuple(answers))
     return found

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.expressions import Expression
+from variantgen.families.figure_hints import FigureHints
 from variantgen.families.quantities import quantity_names
 from variantgen.families.soundness import Demand, demands
 from variantgen.families.units import Unit
@@ -126,75 +127,38 @@ class Screens:
 
 
 @dataclass(frozen=True)
-class AngleMark:
-    """An angle to be drawn: at a point, from a ray to a ray; a ray leads to a point or in a direction."""
+class Ties:
+    """Values of some parameters that go together: one of the ``rows`` is drawn, each with a printed value per name."""
 
-    name: str
-    at: str
-    start: str
-    end: str
+    names: tuple[str, ...]
+    rows: tuple[tuple[Decimal, ...], ...]
 
+    def within(self, parameters: Mapping[str, Parameter]) -> Ties:
+        """The rows that lie on the grids of the parameters."""
+        grids = [parameters[name].printed for name in self.names]
+        return Ties(self.names, tuple(r for r in self.rows if all(v in g for v, g in zip(r, grids, strict=True))))
 
-@dataclass(frozen=True)
-class RightAngle:
-    """A right angle to be marked by a small square: at a point, between two rays (see :class:`AngleMark`)."""
-
-    at: str
-    start: str
-    end: str
-
-
-@dataclass(frozen=True)
-class LengthMark:
-    """A length to be drawn as a dimension line between two points."""
-
-    name: str
-    start: str
-    end: str
+    def places(self, parameters: Mapping[str, Parameter]) -> dict[str, NDArray[np.int64]]:
+        """Per name the places of the values of the rows on its grid, shape (R,)."""
+        return {
+            name: np.array([parameters[name].printed.index(row[k]) for row in self.rows], dtype=np.int64)
+            for k, name in enumerate(self.names)
+        }
 
 
 @dataclass(frozen=True)
-class DiscMark:
-    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value.
+class Nice:
+    """How hand-friendly variants are drawn: grids in place of those of the form, rows of values that go together.
 
-    ``label`` is written into it (a gear's number; by default the symbol of its body). ``arc``: the circle is drawn as
-    an arc by its joint, only the radius is marked here.
+    ``require``: further comparisons; ``possible``: whether there are such variants at all; ``answers``: whether the
+    answers, too, must be short decimals or simple roots.
     """
 
-    centre: str
-    radius: Expression
-    name: str = ""
-    body: str = ""
-    label: str = ""
-    arc: bool = False
-
-
-@dataclass(frozen=True)
-class FigureHints:
-    """What the drawing cannot know from the scene.
-
-    ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
-    ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
-    links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
-    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
-    on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
-    text speaks of.
-    """
-
-    angles: tuple[AngleMark, ...] = ()
-    lengths: tuple[LengthMark, ...] = ()
-    discs: tuple[DiscMark, ...] = ()
-    hidden: tuple[str, ...] = ()
-    plates: tuple[str, ...] = ()
-    plain: tuple[str, ...] = ()
-    slotted: tuple[str, ...] = ()
-    lines: tuple[tuple[str, ...], ...] = ()
-    thin: tuple[tuple[str, ...], ...] = ()
-    grooves: tuple[tuple[str, ...], ...] = ()
-    walls: tuple[tuple[str, ...], ...] = ()
-    bare: tuple[str, ...] = ()
-    stems: tuple[str, ...] = ()
-    right_angles: tuple[RightAngle, ...] = ()
+    parameters: Mapping[str, Parameter] = field(default_factory=dict)
+    ties: Ties | None = None
+    require: tuple[Comparison, ...] = ()
+    possible: bool = True
+    answers: bool = True
 
 
 @dataclass(frozen=True)
@@ -233,6 +197,9 @@ class Form:
     pose: Pose = Pose()
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
+    nice: Nice = field(default_factory=Nice)
+    ties: Ties | None = None
+    friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""
@@ -283,10 +250,16 @@ class Form:
     @property
     def grid_size(self) -> int:
         """Number of points of the parameter grid (poses and silent parameters not counted)."""
-        size = 1
-        for parameter in self.parameters.values():
-            size *= 1 if parameter.silent else len(parameter.printed)
+        size = len(self.ties.rows) if self.ties else 1
+        for name in self.free_names:
+            size *= len(self.parameters[name].printed)
         return size
+
+    @property
+    def free_names(self) -> list[str]:
+        """Parameters that are drawn each by itself, without the silent ones, in order of their names."""
+        tied = self.ties.names if self.ties else ()
+        return sorted(name for name, p in self.parameters.items() if not p.silent and name not in tied)
 
 
 @dataclass(frozen=True)
@@ -294,7 +267,7 @@ class Family:
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
     ``names`` are the names of points, bodies and printed parameters of all its forms, which its templates may use;
-    they stay when the family is narrowed to some forms.
+    they stay when the family is narrowed to some forms. ``solution`` are the methods natural to it, in order.
     """
 
     name: str
@@ -304,6 +277,12 @@ class Family:
     folder: Path | None = None
     source: str = ""
     names: frozenset[str] = frozenset()
+    solution: tuple[str, ...] = ()
+
+    @property
+    def nice_forms(self) -> list[str]:
+        """Names of the forms that have hand-friendly variants."""
+        return [name for name, form in self.forms.items() if form.nice.possible]
 
     def title(self, language: str) -> str:
         """The title in a language, or in English, or the name."""

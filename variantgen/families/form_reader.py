@@ -11,8 +11,10 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
 from variantgen.families.derivative import derivative, inlined
 from variantgen.families.expressions import Dimension, Expression, dimension_name, parse
-from variantgen.families.family import FigureHints, Form, Parameter, Template
+from variantgen.families.family import Form, Parameter, Template
+from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
+from variantgen.families.nice import read_nice
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
@@ -22,7 +24,7 @@ from variantgen.tables import Table
 
 SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
-    "symbols",
+    "symbols", "nice",
 )  # fmt: skip
 
 
@@ -65,6 +67,7 @@ class FormReader:
         pose = read_pose(self.top.table("pose"))
         figure = read_figure(self.top.table("figure"), set(points), bodies, self.expression)
         self._check_marks(figure)
+        nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
         symbols = {name: written.take(name, str, "") for name in written.data}
         self.top.finish()
@@ -86,6 +89,7 @@ class FormReader:
             pose,
             figure,
             symbols,
+            nice,
         )
         with self.top.collecting(""):
             _check_constants(form)

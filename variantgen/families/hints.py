@@ -10,16 +10,8 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import Expression
-from variantgen.families.family import (
-    AngleMark,
-    Comparison,
-    DiscMark,
-    FigureHints,
-    LengthMark,
-    Pose,
-    RightAngle,
-    Screens,
-)
+from variantgen.families.family import Comparison, Pose, Screens
+from variantgen.families.figure_hints import AngleMark, DiscMark, FigureHints, LengthMark, RightAngle
 from variantgen.tables import Table
 
 ExpressionReader = Callable[..., Expression]
@@ -46,12 +38,18 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
         else:
             first, second, third = (_known(table, f"inside[{i + 1}]", name, points) for name in item)
             inside.append((first, second, third))
-    require = []
+    require = read_require(table, expression)
+    table.finish()
+    return replace(screens, inside=tuple(inside), require=require, **numbers)
+
+
+def read_require(table: Table, expression: ExpressionReader) -> tuple[Comparison, ...]:
+    """The comparisons of the list ``require``."""
+    found = []
     for i, text in enumerate(table.strings("require")):
         with table.collecting(f"require[{i + 1}]"):
-            require.append(_comparison(text, expression))
-    table.finish()
-    return replace(screens, inside=tuple(inside), require=tuple(require), **numbers)
+            found.append(_comparison(text, expression))
+    return tuple(found)
 
 
 def _comparison(text: str, expression: ExpressionReader) -> Comparison:

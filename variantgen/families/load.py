@@ -11,6 +11,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.form_reader import SECTIONS, FormReader
+from variantgen.families.solving import check_methods
 from variantgen.families.units import unit
 from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
@@ -71,6 +72,9 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             raise InputError(Problem("expected a unit of length", value=length, remedy="m, cm or mm"))
     ask, may_ask = top.strings("ask"), top.strings("may_ask")
     source = top.take("source", str, "")
+    solution = top.strings("solution")
+    with top.collecting("solution"):
+        check_methods(solution, "solution")
     overlays = top.take("forms", dict, {}, "a table of forms")
     if len(overlays) > _MOST_FORMS:
         top.problem(f"more than {_MOST_FORMS} forms", "forms", len(overlays))
@@ -103,6 +107,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             for form in forms.values()
             for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
         ),
+        solution,
     )
 
 

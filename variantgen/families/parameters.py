@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from decimal import Decimal
 from typing import Any
@@ -58,6 +59,23 @@ def _choices(table: Table, name: str) -> Parameter:
         table.problem("expected a number for each word", "choices", choices)
         choices = {"": 0}
     return Parameter(name, None, tuple(Decimal(n) for n in choices.values()), tuple(choices), name)
+
+
+def choose_words(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
+    """A choice parameter with some of its words only. Raises InputError."""
+    if not words:
+        raise InputError(Problem("expected at least one word", key=key, remedy="of: " + ", ".join(parameter.words)))
+    for word in words:
+        if word not in parameter.words:
+            raise InputError(
+                Problem("unknown word", key=key, value=str(word), remedy=nearest(str(word), parameter.words))
+            )
+    kept = [i for i, word in enumerate(parameter.words) if word in words]
+    return replace(
+        parameter,
+        printed=tuple(parameter.printed[i] for i in kept),
+        words=tuple(parameter.words[i] for i in kept),
+    )
 
 
 def _grid(table: Table, name: str, symbol: str) -> Parameter:

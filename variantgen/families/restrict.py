@@ -9,6 +9,8 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form, Parameter
+from variantgen.families.nice import hand_friendly, no_nice_forms
+from variantgen.families.parameters import choose_words
 from variantgen.families.units import parse_value, sound
 
 
@@ -17,10 +19,12 @@ def restrict(
     fixed: Mapping[str, Any] | None = None,
     ranges: Mapping[str, Any] | None = None,
     forms: Sequence[str] = (),
+    nice: bool = False,
 ) -> Family:
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
-    Fixed values need not lie on the grid. Raises InputError naming the key, the value and what is possible.
+    Fixed values need not lie on the grid. ``nice``: only hand-friendly variants, of the forms that have any. Raises
+    InputError naming the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
     problems: list[Problem] = []
@@ -41,6 +45,8 @@ def restrict(
         )
     if problems:
         raise InputError(problems)
+    if nice:
+        chosen = _hand_friendly(family, chosen)
     narrowed: dict[str, Form] = {}
     for form_name, form in chosen.items():
         parameters = {}
@@ -52,20 +58,43 @@ def restrict(
         narrowed[form_name] = replace(form, parameters=parameters)
     if problems:
         raise InputError(dict.fromkeys(problems))
-    return replace(family, forms=narrowed)
+    return replace(family, forms=_with_rows(narrowed))
+
+
+def _hand_friendly(family: Family, forms: Mapping[str, Form]) -> dict[str, Form]:
+    """Those of the forms that have hand-friendly variants, drawing only these. Raises InputError if none has."""
+    found = {name: hand_friendly(forms[name]) for name in family.nice_forms if name in forms}
+    if not found:
+        raise InputError(no_nice_forms(replace(family, forms=forms)))
+    return found
+
+
+def _with_rows(forms: Mapping[str, Form]) -> dict[str, Form]:
+    """The forms with only the rows that lie on their grids, without forms that have none left. Raises InputError."""
+    found, problems = {}, []
+    for name, form in forms.items():
+        ties = form.ties.within(form.parameters) if form.ties else None
+        if ties is None or ties.rows:
+            found[name] = replace(form, ties=ties)
+        else:
+            remedy = f"leave nice out, or leave one of {', '.join(ties.names)} free"
+            problems.append(Problem("no hand-friendly variant has these values", key="nice", value=name, remedy=remedy))
+    if not found:
+        raise InputError(problems)
+    return found
 
 
 def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str, Any]) -> Parameter:
     name = parameter.name
     if name in fixed:
         if parameter.unit is None:
-            return _choose(parameter, [fixed[name]], f"set.{name}")
+            return choose_words(parameter, [fixed[name]], f"set.{name}")
         return replace(parameter, printed=(_value(parameter, fixed[name], f"set.{name}"),))
     if name not in ranges:
         return parameter
     key, limits = f"range.{name}", ranges[name]
     if parameter.unit is None:
-        return _choose(parameter, limits if isinstance(limits, list) else [limits], key)
+        return choose_words(parameter, limits if isinstance(limits, list) else [limits], key)
     if not isinstance(limits, list) or len(limits) != 2:
         raise InputError(Problem("expected [lowest, highest]", key=key, value=str(limits), remedy=_possible(parameter)))
     low, high = (_value(parameter, limit, key) for limit in limits)
@@ -80,22 +109,6 @@ def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str,
             )
         )
     return replace(parameter, printed=kept)
-
-
-def _choose(parameter: Parameter, words: Sequence[Any], key: str) -> Parameter:
-    if not words:
-        raise InputError(Problem("expected at least one word", key=key, remedy="of: " + ", ".join(parameter.words)))
-    for word in words:
-        if word not in parameter.words:
-            raise InputError(
-                Problem("unknown word", key=key, value=str(word), remedy=nearest(str(word), parameter.words))
-            )
-    kept = [i for i, word in enumerate(parameter.words) if word in words]
-    return replace(
-        parameter,
-        printed=tuple(parameter.printed[i] for i in kept),
-        words=tuple(parameter.words[i] for i in kept),
-    )
 
 
 def _value(parameter: Parameter, value: Any, key: str) -> Decimal:

@@ -54,7 +54,7 @@ class Lettering:
 
 @lru_cache(maxsize=10_000)
 def typeset(formula: Formula) -> Lettering:
-    """The lettering of a formula."""
+    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a sum."""
     run = _Run()
     _set(run, formula)
     bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
@@ -157,6 +157,8 @@ def _set(run: _Run, formula: Formula) -> None:
                 _set(run, item)
         case About(what, symbol):
             _set_about(run, what, symbol)
+        case _:
+            raise TypeError(f"figures have no letters for a formula of the kind {type(formula).__name__}")
 
 
 def _set_about(run: _Run, what: str, symbol: Symbol) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
+from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer

@@ -4,26 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import partial
 
 import numpy as np
 
 from variantgen.families.units import Unit
+from variantgen.families.units import unit as unit_of
 from variantgen.figure.clean import first_clean
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.requests import Request, along_line, around, label_size
+from variantgen.figure.requests import Places, Request, along_line, around, label_size
 from variantgen.figure.sketch import DOT, Sketch
+from variantgen.methods.chain import Chain
+from variantgen.methods.instant import Instant
+from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, places_of
 from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
 from variantgen.wording.language import Language
 
-_ROOM, _WIDE_ROOM = (64.0, 50.0), (80.0, 70.0)  # for a plan without its letters, few vectors or many, u
-_MANY = 8
-_SIZES = (1.0, 0.94, 1.05, 0.88)  # of a plan, tried until all letters find room
+_BEYOND = (6.0, 3.0, 9.0, 4.5)  # how far a construction line runs on, tried until all letters find room, u
 COINCIDENT = 1.3  # points of a plan that are nearer to each other than this have one place, u
 EQUAL = 1e-6  # relative difference below which two vectors are said to be equal
-_BEYOND = 6.0  # how far a construction line runs on, u
 _ASIDE = 2.4  # between a vector and one that lies on it, u
 _ALONG = math.radians(2.5)
 _BAR = 26.0  # longest scale bar, u
@@ -59,14 +60,33 @@ class VectorPlan:
         return [0j, *(end for _, end in self.ends), *(p for vector in self.vectors for p in (vector.start, vector.end))]
 
 
-def draw_plan(plan: VectorPlan, unit: Unit, language: Language) -> Drawing:
-    """The finished plan; ``unit`` is that of its scale."""
-    scale = _scale(plan.extent, _ROOM if len(plan.vectors) <= _MANY else _WIDE_ROOM)
-    return first_clean(partial(_drawn, plan, size * scale, unit, language) for size in _SIZES)
+@dataclass(frozen=True)
+class PlanScale:
+    """One millimetre on paper stands for ``value`` of ``unit``."""
+
+    value: Decimal
+    unit: Unit
+
+    @property
+    def figure_units(self) -> float:
+        """Figure units per m/s (or m/s^2)."""
+        return 1 / (self.unit.to_si(self.value) * MILLIMETRES)
 
 
-def _drawn(plan: VectorPlan, scale: float, unit: Unit, language: Language) -> Drawing:
-    """The plan at a scale (u per m/s or m/s^2)."""
+def scale_of_plan(chain: Chain, now: Instant, order: int, unit: Unit) -> PlanScale:
+    """The round scale of a plan, in the printed unit."""
+    places = [place * unit.from_si(1.0) for place in places_of(chain, now, order)]
+    return PlanScale(per_millimetre(places), unit)
+
+
+def draw_plan(plan: VectorPlan, scale: PlanScale, language: Language) -> Drawing:
+    """The finished plan, to the given scale."""
+    return first_clean(partial(_drawn, plan, scale, language, beyond) for beyond in _BEYOND)
+
+
+def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Drawing:
+    """The plan, with construction lines that run on so far beyond the ends."""
+    scale = printed.figure_units
     sketch = Sketch({"pole": 0j}, scale)
     ends = _gathered([(plan.pole, 0j), *((symbol, scale * end) for symbol, end in plan.ends)])
     vectors = [Vector(scale * v.start, scale * v.end, v.symbol, v.whole) for v in plan.vectors]
@@ -75,7 +95,7 @@ def _drawn(plan: VectorPlan, scale: float, unit: Unit, language: Language) -> Dr
     for end, way in plan.lines:
         # What coincides anyway is not found by lines that meet.
         if all(abs(scale * end - place) >= COINCIDENT for place in crowded):
-            _draw_construction(sketch, scale * end, way)
+            _draw_construction(sketch, scale * end, way, beyond)
     for start, end in plan.edges:
         if abs(end - start) * scale > COINCIDENT:
             sketch.path((scale * start, scale * end), Layer.MARK, THIN)
@@ -84,15 +104,8 @@ def _drawn(plan: VectorPlan, scale: float, unit: Unit, language: Language) -> Dr
     for place, symbols in ends:
         names: Formula = symbols[0] if len(symbols) == 1 else Listing(tuple(symbols))
         sketch.label(around(names, place, 0.7))
-    _draw_scale(sketch, unit, language)
+    _draw_scale(sketch, printed, language)
     return sketch.finish({str(i): place for i, (place, _) in enumerate(ends)})
-
-
-def _scale(places: Sequence[complex], room: tuple[float, float]) -> float:
-    """Figure units per m/s (or m/s^2), so that all places find room."""
-    x, y = [p.real for p in places], [p.imag for p in places]
-    width, height = max(x) - min(x), max(y) - min(y)
-    return min(room[0] / width if width else math.inf, room[1] / height if height else math.inf)
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:
@@ -107,11 +120,11 @@ def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, li
     return found
 
 
-def _draw_construction(sketch: Sketch, end: complex, way: complex) -> None:
+def _draw_construction(sketch: Sketch, end: complex, way: complex, beyond: float) -> None:
     """The line of a known direction, on beyond the end of its vector, which it helps to find."""
     if abs(way) > 0:
         way /= abs(way)
-        sketch.path((end - _BEYOND * way, end + _BEYOND * way), Layer.GROUND, THIN, dash="dashed")
+        sketch.path((end - beyond * way, end + beyond * way), Layer.GROUND, THIN, dash="dashed")
 
 
 def _draw_vectors(sketch: Sketch, vectors: Sequence[Vector]) -> None:
@@ -198,8 +211,9 @@ def round_length(most: float) -> Decimal:
     )
 
 
-def _draw_scale(sketch: Sketch, unit: Unit, language: Language) -> None:
-    """A bar below the plan whose length is a round number of units."""
+def _draw_scale(sketch: Sketch, scale: PlanScale, language: Language) -> None:
+    """A bar below the plan whose length is a round number of units; beside it what a millimetre of the sheet means."""
+    unit = scale.unit
     value = round_length(unit.from_si(_BAR / sketch.scale))
     length = unit.to_si(value) * sketch.scale
     low, _ = sketch.corners()
@@ -208,9 +222,25 @@ def _draw_scale(sketch: Sketch, unit: Unit, language: Language) -> None:
     sketch.path((start, end), Layer.MARK, THIN)
     for place in (start, end):
         sketch.path((place - 0.9j, place + 0.9j), Layer.MARK, THIN)
-    formula = Measured(language.decimal(value), language.unit(unit))
-    width, height = label_size(formula)
-    after, below = 0.5 * width + np.array([1.4, 2.4, 4.0]), -1j * (0.5 * height + np.array([2.6, 4.0]))
-    places = np.concatenate((end + after, start + 0.5 * length + below))
-    costs = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
-    sketch.label(Request(formula, 0.5 * (start + end), places, costs))
+    own = Measured(language.decimal(value), language.unit(unit))
+    width, _ = label_size(own)
+    sketch.label(_beside_bar(own, start, end, np.array([end + 0.5 * width + off for off in (1.4, 2.4, 4.0)])))
+    one = Measured(language.decimal(Decimal(1)), language.unit(unit_of("mm")))
+    meaning = Equation(one, Measured(language.decimal(scale.value), language.unit(unit)))
+    wide, high = label_size(meaning)
+    below = np.array([start + 0.5 * wide - 1j * (0.5 * high + off) for off in (2.2, 3.2, 5.0)])
+    sketch.label(_beside_bar(meaning, start, end, below))
+
+
+def without_millimetres(drawing: Drawing) -> Drawing:
+    """A drawing that will not be printed in the usual size: what a millimetre means there is left out."""
+    return replace(drawing, labels=tuple(label for label in drawing.labels if not _tells_millimetres(label.formula)))
+
+
+def _tells_millimetres(formula: Formula) -> bool:
+    return isinstance(formula, Equation) and isinstance(formula.left, Measured)
+
+
+def _beside_bar(formula: Formula, start: complex, end: complex, places: Places) -> Request:
+    """A label with its places, best first."""
+    return Request(formula, 0.5 * (start + end), places, 0.5 * np.arange(len(places), dtype=np.float64))

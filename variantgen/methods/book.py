@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.geometry import Geometry
@@ -35,6 +35,25 @@ class Rate:
         return "clockwise" if self.sense < 0 else "counter_clockwise"
 
 
+class Graphics(Protocol):
+    """What solves vector equations by drawing, in place of projections."""
+
+    def write(self, book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
+        """Write an equation."""
+
+    def solve(self, book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:
+        """Magnitudes of the wanted vectors, negative against the assumed direction."""
+
+    def compose(self, book: Book, name: Name, terms: Sequence[Term]) -> Known:
+        """The sum of known vectors."""
+
+    def size(self, book: Book, name: Name, terms: Known) -> Value:
+        """The magnitude of a known vector."""
+
+    def component(self, book: Book, name: Name, terms: Sequence[Term]) -> Expression:
+        """A projection (``x`` or ``y`` in the name) of a known vector on an axis of the paper."""
+
+
 @dataclass
 class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
@@ -57,6 +76,7 @@ class Book:
     coriolis: dict[tuple[str, str], Known] = field(default_factory=dict)
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
+    graphics: Graphics | None = None
     style: Style = field(default_factory=Style)
     centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
     carry: Callable[[Book, str, str, str], None] | None = None

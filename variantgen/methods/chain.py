@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
@@ -48,14 +49,26 @@ class Slip:
 
 
 @dataclass(frozen=True)
+class Reach:
+    """The distance of ``point`` from ``base`` grows as given: the rod of a cylinder."""
+
+    point: str
+    base: str
+
+
+@dataclass(frozen=True)
 class Chain:
-    """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides."""
+    """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides.
+
+    ``reaches`` are the pairs of points whose distance is driven.
+    """
 
     points: tuple[str, ...]
     turns: tuple[Turn, ...]
     slips: tuple[Slip, ...]
     resting: frozenset[str]
     guides: dict[str, complex]
+    reaches: tuple[Reach, ...] = ()
 
     def members(self, body: str) -> tuple[str, ...]:
         """The points of the chain that belong to a body by its turns, its pole first."""
@@ -92,7 +105,9 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     first: dict[str, Turn] = {}
     turns = [turn for turn in dict.fromkeys(turns) if turn.point in points]
     found = [Turn(t.point, t.pole, t.body, first.setdefault(t.point, t) is not t) for t in turns]
-    return Chain(tuple(points), tuple(found), tuple(slips), resting, guides)
+    reaches = (Reach(driver.end, driver.start) for driver in now.scene.drivers if isinstance(driver, Extension))
+    seen = tuple(reach for reach in reaches if reach.point in points and reach.base in visible)
+    return Chain(tuple(points), tuple(found), tuple(slips), resting, guides, seen)
 
 
 def _useful(
@@ -197,11 +212,15 @@ def taken_apart(chain: Chain) -> set[tuple[str, str]]:
     """Body and point of the accelerations that are shown with their components.
 
     Of the points of a body on a fixed axis one is enough: the plan of the others is similar to the body. It is the one
-    below a sliding point where that is how the rotation is found.
+    below a sliding point, or the end of a cylinder, where that is how the rotation is found.
     """
     found = {(turn.body, turn.point) for turn in chain.turns if turn.pole not in chain.resting}
     found |= {(slip.body, slip.point) for slip in chain.slips if slip.pole not in chain.resting}
-    about_axes = [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting and not slip.carried]
+    driven = {reach.point for reach in chain.reaches}
+    about_axes = [
+        (turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting and turn.point in driven
+    ]
+    about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting and not slip.carried]
     about_axes += [(turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting]
     about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting]
     first: dict[str, tuple[str, str]] = {}

@@ -2,24 +2,46 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from variantgen.methods import walk
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
 from variantgen.methods.check import equal_projections
+from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
-from variantgen.methods.settle import settle
+from variantgen.methods.settle import DIGITS, settle
 from variantgen.methods.step import Sentence, Solution, Step
 from variantgen.methods.task import Task
 
 
-def solution(task: Task) -> Solution:
-    """The solution of a task by its natural methods, ready to be written in a language."""
-    book = Book(task)
+def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
+    """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
+
+    Raises InputError for a method that does not apply, LookupError where the methods do not lead to what is asked.
+    """
+    choice = choose(task, wished)
+    book = Book(task, style=choice.style)
+    if choice.whole:
+        return _by_one_method(book, WHOLE[choice.whole])
     found = work_out(book)
     check = tuple(equal_projections(book))
     steps = _with_position(book)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
-    return Solution((), tuple(steps), tuple(found.items()), check)
+    return Solution(tuple(steps), tuple(found.items()), check)
+
+
+def _by_one_method(book: Book, method: WholeMethod) -> Solution:
+    """The solution by a method for the whole problem; one by measuring has the digits that a ruler gives."""
+    method.solve(book)
+    found = {}
+    for quantity in book.task.asked:
+        book.order = quantity.order
+        found[quantity.name] = answer(book, quantity)
+    steps = _with_position(book)
+    digits = (method.digits + 1,) if method.digits else DIGITS
+    settle((item for step in steps for item in step.items), list(found.values()), digits)
+    return Solution(tuple(steps), tuple(found.items()), approximate=method.digits)
 
 
 def work_out(book: Book) -> dict[str, Value]:

@@ -7,12 +7,14 @@ and compared with the solved motion. Deviations are relative to the largest velo
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.motion import ComplexField, Field, Motion
+from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.group import Crossed, Dyad, Group, Slid
 
 AGREES = 1e-9
@@ -189,6 +191,39 @@ def _relative_motion(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
             yield across(ray, rest - group.path.curvature(motion.z) * np.abs(slip) ** 2) / _gain(motion)
 
 
+def _three_rates(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
+    """Loops O A B C between two pivots: ``sum omega_k d_k = 0``, ``sum (epsilon_k + i omega_k^2) d_k = 0``."""
+    fixed = fixed_points(motion.scene)
+    for group in groups:
+        if not isinstance(group, Dyad) or not group.track.body:
+            continue
+        for first, members in motion.scene.bodies.items():
+            pivot = next((p for p in members if p in fixed), None)
+            if group.pole in members and pivot is not None:
+                names = (pivot, group.pole, group.track.point, group.track.centre)
+                yield from _loop(motion, names, (first, group.body, group.track.body))
+
+
+def _loop(motion: Motion, points: tuple[str, ...], bodies: tuple[str, ...]) -> Iterator[Field]:
+    """Rates of the second and third link of a loop from that of the first; as velocities at the size of the links."""
+    d = [motion.z[end] - motion.z[start] for start, end in pairwise(points)]
+    sine = across(d[1], d[2])
+    fit = np.abs(sine) > _FLAT * np.abs(d[1] * d[2])
+    safe = np.where(fit, sine, 1.0)
+    share = np.minimum(1.0, np.abs(sine) / np.abs(d[1] * d[2]))
+    omega = [motion.omega[body] for body in bodies]
+    known = omega[0] * d[0]
+    found = [-across(known, d[2]) / safe, across(known, d[1]) / safe]
+    for k in (1, 2):
+        yield np.where(fit, np.abs(found[k - 1] - omega[k]) * np.abs(d[k]) * share / _speed(motion), 0.0)
+    if motion.a:
+        epsilon = [motion.epsilon[body] for body in bodies]
+        known = epsilon[0] * d[0] + 1j * sum(w**2 * arm for w, arm in zip(omega, d, strict=True))
+        found = [-across(known, d[2]) / safe, across(known, d[1]) / safe]
+        for k in (1, 2):
+            yield np.where(fit, np.abs(found[k - 1] - epsilon[k]) * np.abs(d[k]) * share / _gain(motion), 0.0)
+
+
 def _coordinates(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
     """All constraint equations differentiated and solved at once."""
     del groups
@@ -214,5 +249,6 @@ _METHODS: dict[str, Callable[[Motion, Sequence[Group]], Iterator[Field]]] = {
     "acceleration_pole": _acceleration_pole,
     "acceleration_centre": _acceleration_centre,
     "relative_motion": _relative_motion,
+    "three_rates": _three_rates,
     "coordinates": _coordinates,
 }

@@ -12,9 +12,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from variantgen.methods.name import Name
 
 _ANGLE = "angle"
+DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 _WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
@@ -96,9 +99,13 @@ class Value(Expression):
 
 
 def rounded(number: float, digits: int, measure: str = "") -> float:
-    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much."""
+    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much,
+    a length on a drawing to 0.1 mm.
+    """
     if number == 0 or not math.isfinite(number):
         return 0.0 if number == 0 else number
+    if measure == DRAWING_LENGTH:
+        return round(number, 1) + 0.0
     if measure == _ANGLE:
         return round(number, digits - _WHOLE_DEGREES) + 0.0
     return float(f"{number:.{digits - 1}e}")
@@ -192,6 +199,21 @@ class Magnitude(Expression):
     def number(self, exact: bool) -> float:
         """The absolute value."""
         return abs(self.inner.number(exact))
+
+
+@dataclass(frozen=True, slots=True)
+class LinearSolution(Expression):
+    """One unknown of a system of linear equations: ``rows`` of coefficients, right-hand sides, its number."""
+
+    rows: tuple[tuple[Expression, ...], ...]
+    right: tuple[Expression, ...]
+    index: int
+
+    def number(self, exact: bool) -> float:
+        """The unknown. Raises numpy.linalg.LinAlgError for a singular system."""
+        matrix = np.array([[item.number(exact) for item in row] for row in self.rows])
+        right = np.array([item.number(exact) for item in self.right])
+        return float(np.linalg.solve(matrix, right)[self.index])
 
 
 _FUNCTIONS: dict[str, Callable[[float], float]] = {

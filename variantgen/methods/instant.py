@@ -57,6 +57,26 @@ class Instant:
         """The acceleration (m/s^2) of a point relative to a body."""
         return self.a[point] - self.transport_acceleration(point, body) - self.coriolis(point, body)
 
+    def growth(self, point: str, base: str) -> tuple[complex, complex]:
+        """The velocity of a point about another one: along their line, which grows, and across it."""
+        way = (self.z[point] - self.z[base]) / abs(self.z[point] - self.z[base])
+        step = self.v[point] - self.v[base]
+        along = (step * way.conjugate()).real * way
+        return along, step - along
+
+    def growing_acceleration(self, point: str, base: str) -> tuple[complex, complex, complex, complex]:
+        """The acceleration of a point about another one on a line that turns and grows.
+
+        Relative (along the line), normal and Coriolis acceleration, and the tangential one.
+        """
+        arm, step = self.z[point] - self.z[base], self.a[point] - self.a[base]
+        along, across = self.growth(point, base)
+        omega = (across / arm).imag
+        normal, coriolis = -(omega**2) * arm, 2j * omega * along
+        rest = step - normal - coriolis
+        relative = (rest / arm).real * arm
+        return relative, normal, coriolis, rest - relative
+
 
 def instant(motion: Motion, index: int) -> Instant:
     """The numbers of one variant of a batch."""

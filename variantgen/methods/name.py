@@ -13,8 +13,18 @@ class Name(NamedTuple):
     body or the first point of a segment; ``about`` the pole (v_BA) or the second point; ``part``: words from
     ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity
     (P) or acceleration centre (Q) of the body ``body``. An ``angle`` has its vertex at ``of`` and the points ``about``
-    on its sides (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second, ``vertex`` the vertex.
-    ``mu`` is the angle between accelerations of a body and the rays to Q.
+    on its sides (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second of them, ``vertex`` the
+    vertex. ``mu`` is the angle between accelerations of a body and the rays to Q.
+
+    In graphical solutions: ``drawn`` is the length on paper of a vector with that index (``body``: ``v``, ``a``) or of
+    a segment (``l``), ``scale`` the scale of a plan (``of``: ``v``, ``a``, ``l``), ``pole`` its pole (``of`` is the
+    letter), ``image`` the end of the vector of a point in the plan ``body``, with ``part`` ``tr`` that of the point of
+    the carrier below it.
+
+    Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned),
+    ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing``
+    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time. A rate with the
+    ``part`` ``z`` counts as positive counter-clockwise.
     """
 
     kind: str
@@ -22,6 +32,7 @@ class Name(NamedTuple):
     about: str = ""
     part: str = ""
     body: str = ""
+    dots: int = 0
 
     @property
     def whole(self) -> Name:

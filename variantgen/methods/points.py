@@ -54,6 +54,7 @@ def vector(book: Book, point: str) -> Known:
     """
     if point not in book.vectors:
         body, pole = carrier_of(book, point)
+        vector(book, pole)
         _carry(book, point, body, pole)
     return book.vectors[point]
 
@@ -67,7 +68,8 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
         if fixed:
             return body, fixed[0]
     for body in owners:
-        return body, next(p for p in bodies[body] if p in book.vectors)
+        known = [p for p in bodies[body] if p in book.vectors]
+        return body, next((p for p in known if p in _driven(book.task)), known[0])
     for body, members in bodies.items():
         if point in members and body in book.rates:
             reachable = (p for p in members if p != point and _is_carried(book, p, body))
@@ -87,6 +89,11 @@ def known_point(book: Book, body: str) -> str:
         written = next((p for p in members if _is_carried(book, p, body)), members[0])
         vector(book, written)
     return written
+
+
+def _driven(task: Task) -> set[str]:
+    """Points whose motion the statement gives: the poles that one takes first."""
+    return {p for driver in task.scene.drivers for s in driver.shapes() if len(s.points) == 1 for p in s.points}
 
 
 def _is_carried(book: Book, point: str, but: str) -> bool:
@@ -152,7 +159,7 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     turning = rotation(book, point, pole, body, about)
     sought = book.term(name, None, RIGHT, "unknown")
     write(book, (sought,), (*known, *turning), start)
-    book.vectors[point] = components(book, name, (*known, *turning))
+    book.vectors[point] = summed(book, name, (*known, *turning))
     _sum_up(book, point)
 
 
@@ -162,13 +169,19 @@ def _is_rolling(book: Book, body: str) -> bool:
     return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
 
 
+def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
+    """The sum of known vectors: by a drawing, or by its projections on the axes x and y."""
+    return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
+
+
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
         own = name.component(word)
-        size = book.derive(own, book.measure, sum_of(parts))
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
+        size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue
         found.append(book.term(own, size, axis, f"axis_{word}"))
@@ -212,6 +225,8 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
         return book.values[name]
     if not terms:
         return Value(name, book.measure, 0.0)
+    if book.graphics is not None:
+        return book.graphics.size(book, name, terms)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
         terms = components(book, name, terms)
         sizes = [term.size for term in terms if term.size is not None]

@@ -20,10 +20,10 @@ from variantgen.methods.name import Name
 from variantgen.methods.points import (
     RIGHT,
     across,
-    components,
     is_translating,
     modulus,
     rotation,
+    summed,
     vector,
 )
 from variantgen.methods.pole import about_pole, enter_rate
@@ -184,7 +184,7 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
         name = Name(book.letter, point)
         slips = book.relative if book.order == 1 else book.relative_acceleration
         slips[point, carrier] = tuple(t for t in sides.right if t.name.part.startswith("rel"))
-        book.vectors[point] = components(book, name, sides.right)
+        book.vectors[point] = summed(book, name, sides.right)
         modulus(book, name, book.vectors[point])
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]

@@ -38,6 +38,7 @@ class Route:
         self.book = book
         self.task = book.task
         self.scene = book.task.scene
+        self.taken: list[Group] = []
 
     @cached_property
     def translating(self) -> frozenset[str]:
@@ -85,7 +86,10 @@ class Route:
             self._coupled,
             self._rested,
         )
-        return next((group for search in searches for group in search()), None)
+        found = next((group for search in searches for group in search() if group not in self.taken), None)
+        if found is not None:
+            self.taken.append(found)
+        return found
 
     @property
     def open_bodies(self) -> list[str]:
@@ -183,10 +187,10 @@ class Route:
     def _slid(self) -> Iterator[Group]:
         for joint in self.scene.joints:
             path = joint.sliding()
-            if path is not None and (path.point, path.body) not in self.book.relative:
-                group = self._sliding(path)
-                if group is not None:
-                    yield group
+            if path is None or path.point not in self.task.needed.points:
+                continue
+            if (path.point, path.body) not in self.book.relative and (group := self._sliding(path)) is not None:
+                yield group
 
     def _sliding(self, path: Sliding) -> Group | None:
         """What the sliding of a point on a body tells, if one of the two is known well enough."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.methods.expression import (
     Applied,
     Expression,
+    LinearSolution,
     Magnitude,
     Raised,
     Ratio,
@@ -18,6 +19,7 @@ from variantgen.methods.expression import (
 )
 from variantgen.methods.name import Name
 from variantgen.methods.step import (
+    ChainGraph,
     Derived,
     Fact,
     Item,
@@ -32,22 +34,23 @@ from variantgen.methods.step import (
 )
 
 FEWEST, MOST = 5, 9  # significant digits of intermediate results
+DIGITS = range(FEWEST, MOST + 1)
 ANSWER_DIGITS = 4  # significant digits of an answer
 
 
-def settle(items: Iterable[Item], answers: Sequence[Value]) -> int:
+def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
     """Give every value its printed number; returns the digits of intermediate results.
 
     All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
-    the key, which is computed in full precision.
+    the key, which is computed in full precision, but at most the last of the numbers of digits that are ``tried``.
     """
     values = in_order([*items_values(items), *answers])
-    for digits in range(FEWEST, MOST + 1):
+    for digits in tried:
         for value in values:
             value.settle(digits)
         if all(_agrees(answer) for answer in answers):
             return digits
-    return MOST
+    return tried[-1]
 
 
 def _agrees(answer: Value) -> bool:
@@ -84,6 +87,8 @@ def parts(item: Expression) -> list[Value]:
             return [*parts(above), *parts(below)]
         case Raised(inner, _) | SquareRoot(inner) | Magnitude(inner) | Applied(_, inner):
             return parts(inner)
+        case LinearSolution(rows, right, _):
+            return [value for item in (*right, *(item for row in rows for item in row)) for value in parts(item)]
     return []
 
 
@@ -110,6 +115,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
                 found += [*parts(first), *parts(second)]
             case Listing(_, results):
                 found += results
+            case ChainGraph(_, legs):
+                found += [leg.angle for leg in legs]
     return found
 
 

@@ -23,6 +23,9 @@ def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -
 
     The equation comes before the lines of its known magnitudes, which begin at the item ``start`` of the step.
     """
+    if book.graphics is not None:
+        book.graphics.write(book, left, right, start)
+        return
     book.items.insert(start, VectorLine(tuple(left), tuple(right)))
     book.items.append(TermTable((*left, *right)))
 
@@ -33,6 +36,8 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
     Each is found by projecting on the axis across the other unknown vector (with one unknown, on its own direction). A
     negative number means that the vector points against its assumed direction.
     """
+    if book.graphics is not None:
+        return book.graphics.solve(book, left, right, wanted)
     free = unknowns((*left, *right))
     found = []
     for term in wanted:

@@ -16,7 +16,7 @@ from types import FrameType
 
 from variantgen.errors import InputError, Problem
 
-KNOWN_FILES = {"sheets.pdf", "key.pdf", "key.csv", "manifest.json"}
+KNOWN_FILES = {"sheets.pdf", "key.pdf", "solutions.pdf", "solutions/*.pdf", "key.csv", "manifest.json"}
 
 
 def check_free(target: Path, force: bool, known: Collection[str] = KNOWN_FILES) -> None:

@@ -11,12 +11,12 @@ from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.sheet_data import heading
 from variantgen.outputs.typesetter import equals_data
 from variantgen.wording.formula import Equation, Measured
-from variantgen.wording.language import Language, load_language
+from variantgen.wording.language import Language
 
 
 def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
     """Blocks of answers in the order of the roster; the first part carries the heading."""
-    language = load_language(exam.language)
+    language = exam.spoken
     students = [
         {
             "code": sheet.code,
@@ -25,7 +25,9 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
             "problems": [
                 {
                     "number": str(item.task.number),
-                    "answers": [equals_data(_equation(a, language, item.variant.form.symbols)) for a in item.answers],
+                    "answers": [
+                        equals_data(_equation(a, language, item.variant.form.symbols), a.surd) for a in item.answers
+                    ],
                 }
                 for item in sheet.items
             ],
@@ -37,7 +39,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
 
 def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
     """A table per problem (and per form of its family) with a row per student."""
-    language = load_language(exam.language)
+    language = exam.spoken
     tables: dict[tuple[int, str, str], dict[str, Any]] = {}
     for sheet in sheets:
         for item in sheet.items:

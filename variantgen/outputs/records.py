@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
@@ -55,6 +56,8 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
         "schema": MANIFEST_SCHEMA,
         "program": {"name": "variantgen", "version": VERSION},
         "exam": {"title": exam.title, "hash": exam.hash, "language": exam.language, "tolerance": exam.tolerance},
+        "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
+        "notation": asdict(exam.notation),
         "catalog_hash": folder_hash(catalog_dir()),
         "families": {name: folder_hash(used[name]) for name in sorted(used)},
         "seed": seed,
@@ -65,7 +68,7 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
                 "name": sheet.student.name,
                 "group": sheet.student.group,
                 "code": sheet.code,
-                "problems": [_problem(item) for item in sheet.items],
+                "problems": [_problem(exam, item) for item in sheet.items],
             }
             for sheet in sheets
         ],
@@ -73,14 +76,16 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
     return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
 
 
-def _problem(item: Item) -> dict[str, Any]:
+def _problem(exam: Exam, item: Item) -> dict[str, Any]:
     variant = item.variant
     return {
         "problem": item.task.number,
         "family": variant.family.name,
         "form": variant.form.name,
+        **({"nice": True} if item.task.nice else {}),
         "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
         "attempt": variant.attempt,
+        "methods": list(item.task.methods or variant.family.solution) if exam.solutions.wanted else [],
         "parameters": {
             name: {"value": str(value), "unit": parameter.unit.name}
             if parameter.unit

@@ -11,7 +11,7 @@ from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Formula, UnitText, to_typst
-from variantgen.wording.language import Language, load_language
+from variantgen.wording.language import Language
 from variantgen.wording.statement import Text, sign_notes, statement
 
 _SHORT_NAME = 48
@@ -19,11 +19,11 @@ _SHORT_NAME = 48
 
 def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict[str, Any]:
     """Data for ``sheets.typ``; a first part is like the others."""
-    language = load_language(exam.language)
+    language = exam.spoken
     items = [item for sheet in sheets for item in sheet.items]
     placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
     students = [
-        _student(
+        student_data(
             sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1]
         )
         for sheet in sheets
@@ -38,7 +38,8 @@ def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict
     }
 
 
-def _student(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+    """Who a run of pages is for, and its problems."""
     student = sheet.student
     name = student.name
     return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Literal, cast
+from typing import Literal, get_args
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.sheets import Answer
@@ -18,20 +18,27 @@ from variantgen.wording.formula import Equation, Measured, to_typst
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import sign_notes, statement
 
-FORMATS = ("pdf", "png", "svg")
+Format = Literal["pdf", "png", "svg"]
+FORMATS: tuple[Format, ...] = get_args(Format)
+
+
+def page_format(path: Path) -> Format:
+    """The format of a page, by the ending of its path. Raises InputError for another ending."""
+    form = path.suffix.lstrip(".").lower()
+    if form not in FORMATS:
+        raise InputError(Problem("unknown format", key="--out", value=path.name, remedy=nearest(form, FORMATS)))
+    return form
 
 
 def write_single(
     variant: Variant, asked: Sequence[Quantity], answers: Sequence[Answer], language_name: str, path: Path, remark: str
 ) -> None:
     """Write one problem; the format follows the ending of the path. Raises InputError for another ending."""
-    form = path.suffix.lstrip(".").lower()
-    if form not in FORMATS:
-        raise InputError(Problem("unknown format", key="--out", value=path.name, remedy=nearest(form, FORMATS)))
+    form = page_format(path)
     language = load_language(language_name)
     said = statement(variant, asked, language)
     found = [
-        equals_data(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))))
+        equals_data(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))), a.surd)
         for symbol, a in zip(said.asked, answers, strict=True)
     ]
     data = {
@@ -48,5 +55,5 @@ def write_single(
         "figure": figure_data(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:
-        made = engine.compile("single.typ", data, cast(Literal["pdf", "png", "svg"], form))[0]
+        made = engine.compile("single.typ", data, form)[0]
     write_whole(path, made, "--out")

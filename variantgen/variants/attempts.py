@@ -15,6 +15,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
     parameter_screens,
@@ -25,8 +26,10 @@ from variantgen.variants.screening import (
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
-MAX_ATTEMPTS = 20_000
+MAX_ATTEMPTS = 20_000  # of one student
+MAX_FRIENDLY_ATTEMPTS = 60_000  # where the answers, too, are chosen
 _CHUNK = 12
+_MOST_AT_ONCE = 60_000  # attempts of a batch: they bound the memory where few are valid
 
 
 class VerificationError(VariantgenError):
@@ -77,6 +80,7 @@ class FormDrawing:
         self.names = sorted(form.parameters)
         self.poses = form.pose.frames()
         self.order = max(q.order for q in self.asked)
+        self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
         self._streams: Sequence[Stream] = ()
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
@@ -97,8 +101,8 @@ class FormDrawing:
                 found[i] = variant
             used[pending] += chunk
             pending = [i for i in pending if i not in found]
-            chunk = min(2 * chunk, 2048)
-            if pending and min(used[pending] - np.array(done)[pending]) > MAX_ATTEMPTS:
+            chunk = min(2 * chunk, 2048, max(_CHUNK, _MOST_AT_ONCE // max(1, len(pending))))
+            if pending and min(used[pending] - np.array(done)[pending]) > self._most:
                 raise InputError(self._exhausted())
         return [found[i] for i in range(len(streams))]
 
@@ -107,6 +111,10 @@ class FormDrawing:
             name: index_below(words[:, i + 1], len(self.form.parameters[name].printed))
             for i, name in enumerate(self.names)
         }
+        ties = self.form.ties
+        if ties:
+            row = index_below(words[:, 1 + self.names.index(ties.names[0])], len(ties.rows))
+            index |= {name: place[row] for name, place in ties.places(self.form.parameters).items()}
         return Attempts(index, index_below(words[:, 0], len(self.poses)), owner, number)
 
     def _si(self, attempts: Attempts) -> dict[str, NDArray[np.float64]]:
@@ -151,7 +159,12 @@ class FormDrawing:
             return attempts
         motion = add_speeds(motion.take(passed), self.form.plan, self.order)
         attempts = replace(attempts, motion=motion)
-        return attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
+        attempts = attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
+        if not (self.form.friendly and attempts.owner.size):
+            return attempts
+        assert attempts.motion is not None, "it was put in above"
+        nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
+        return attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
 
     def _sound(self, attempts: Attempts) -> NDArray[np.bool_]:
         """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
@@ -185,6 +198,10 @@ class FormDrawing:
             alive &= passed
         return np.flatnonzero(alive)
 
+    @property
+    def _nice(self) -> bool:
+        return self.form.friendly or self.form.ties is not None
+
     def _variant(self, attempts: Attempts, i: int) -> Variant:
         printed = {name: self.form.parameters[name].printed[int(index[i])] for name, index in attempts.index.items()}
         sense, turns = self.poses[int(attempts.pose[i])]
@@ -203,5 +220,5 @@ class FormDrawing:
         return Problem(
             "no valid variant found: " + self.tally.report(),
             key=f"{self.where}{'/' + self.form.name if self.form.name else ''}",
-            remedy=f"widen the range of one of: {which}",
+            remedy=f"widen the range of one of: {which}" + (", ask for less, or leave nice out" if self._nice else ""),
         )

@@ -35,10 +35,14 @@ def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int
     grid = form.grid_size
     if grid > _COUNTED:
         return Variety(grid, round(grid * accepted / attempts), False)
-    told = [name for name in sorted(form.parameters) if not form.parameters[name].silent]
-    sizes = [len(form.parameters[name].printed) for name in told]
+    free = form.free_names
+    sizes = [len(form.parameters[name].printed) for name in free]
+    if form.ties:
+        sizes.append(len(form.ties.rows))
     places = np.indices(sizes).reshape(len(sizes), -1) if sizes else np.zeros((0, 1), dtype=np.int64)
-    index = dict(zip(told, places, strict=True))
+    index = dict(zip(free, places, strict=False))
+    if form.ties:
+        index |= {name: place[places[-1]] for name, place in form.ties.places(form.parameters).items()}
     silent = [name for name in sorted(form.parameters) if form.parameters[name].silent]
     valid = np.zeros(grid, dtype=bool)
     drawing = FormDrawing(family, form, asked, Tally(), family.name)

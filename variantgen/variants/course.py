@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.family import AngleMark, Form
+from variantgen.families.family import Form
+from variantgen.families.figure_hints import AngleMark
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.arithmetic import across, along

@@ -15,6 +15,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 
 if TYPE_CHECKING:
+    from variantgen.outputs.explanation import Explanation
     from variantgen.outputs.picture import Picture
 
 
@@ -45,10 +46,25 @@ class Variant:
 
         ``ask`` names the quantities asked (none: those of the form). Raises InputError.
         """
-        # The one import against the order of the layers: a notebook asks the variant for its figure.
+        # An import against the order of the layers: a notebook asks the variant for its figure.
         from variantgen.outputs.picture import picture
 
         return picture(self, view, language, ask)
+
+    def explain(
+        self,
+        language: str = "en",
+        methods: Sequence[str] = (),
+        depth: str = "full",
+        ask: Sequence[str] = (),
+    ) -> Explanation:
+        """The worked solution as text; a notebook shows it, and it can be saved as a page.
+
+        ``methods`` by name (none: the natural ones); ``depth``: ``answers``, ``short`` or ``full``. Raises InputError.
+        """
+        from variantgen.outputs.explanation import explanation
+
+        return explanation(self, language, methods, depth, ask)
 
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""

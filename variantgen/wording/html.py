@@ -5,58 +5,89 @@ from __future__ import annotations
 from functools import lru_cache
 from html import escape
 
-from variantgen.wording.formula import (
-    GREEK,
-    About,
-    Equation,
-    Formula,
-    Index,
-    Listing,
-    Measured,
-    Number,
-    Symbol,
-    UnitText,
-    letters,
-)
+from variantgen.wording.formula.markup import MARKS_ABOVE, Mark, Markup, Signs
+from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tree import GREEK, SIGNS, Formula, Index, Symbol, UnitText, letters
 
+_MINUS, _SPACE, _NARROW = "\N{MINUS SIGN}", "\N{NO-BREAK SPACE}", "\N{NARROW NO-BREAK SPACE}"
 _ABOUT = {"modulus": "|{}|", "angle": "∠({}, <i>x</i>)", "sense": "sgn\N{NO-BREAK SPACE}{}"}
 
 
 @lru_cache(maxsize=10_000)
 def to_html(formula: Formula) -> str:
     """Markup of a formula, as it stands inside a line of text."""
-    match formula:
-        case Symbol(base, index, upper):
-            scripts = (("sup", upper), ("sub", index))
-            raised = [(tag, "\N{THIN SPACE}".join(map(_index, parts))) for tag, parts in scripts if parts]
-            return _base(base) + "".join(f"<{tag}>{text}</{tag}>" for tag, text in raised)
-        case Number(text):
-            return escape(text)
-        case UnitText(parts):
-            return " ".join(
-                escape(word) + (f"<sup>{_power(power)}</sup>" if power != 1 else "") for word, power in parts
-            )
-        case Measured(number, unit):
-            return to_html(number) + ("" if unit.tight or not unit.parts else "\N{NO-BREAK SPACE}") + to_html(unit)
-        case Equation(left, right):
-            return f"{to_html(left)}\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{to_html(right)}"
-        case About(what, symbol):
-            return _ABOUT[what].format(to_html(symbol))
-        case Listing(items):
-            return ", ".join(to_html(item) for item in items)
+    return _HTML.write(formula)
 
 
-def _base(base: str) -> str:
+class _Html(Markup):
+    """Markup for a line of text, which may break before a sign between terms or sides and nowhere else."""
+
+    flat = True
+    signs = Signs(
+        minus=_MINUS,
+        terms={1: f" +{_SPACE}", -1: f" {_MINUS}{_SPACE}"},
+        factors={Between.DOT: f"{_SPACE}·{_SPACE}", Between.THIN: _NARROW, Between.OPERATOR: _NARROW},
+        cross=f"{_SPACE}×{_SPACE}",
+        equals=f"{_SPACE}={_SPACE}",
+        relations={sign: f" {sign}{_SPACE}" for sign in SIGNS},
+        comma=", ",
+        semicolon=f";{_SPACE}",
+        before_unit=_SPACE,
+    )
+
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+        scripts = (("sup", symbol.upper), ("sub", symbol.index))
+        raised = [(tag, "\N{THIN SPACE}".join(map(_index, parts))) for tag, parts in scripts if parts]
+        letter = _base(symbol.base, MARKS_ABOVE[mark]) + "".join(f"<{tag}>{text}</{tag}>" for tag, text in raised)
+        return letter if exponent is None else self.power(letter, exponent)
+
+    def number(self, text: str) -> str:
+        return escape(text)
+
+    def unit(self, unit: UnitText) -> str:
+        return " ".join(self.power(escape(word), power) if power != 1 else escape(word) for word, power in unit.parts)
+
+    def about(self, what: str, symbol: str) -> str:
+        return _ABOUT[what].format(symbol)
+
+    def fraction(self, numerator: str, denominator: str) -> str:
+        return f"{numerator}{_SPACE}/{_SPACE}{denominator}"
+
+    def ratio(self, numerator: str, denominator: str) -> str:
+        return f"{numerator}/{denominator}"
+
+    def power(self, base: str, exponent: int) -> str:
+        return f"{base}<sup>{str(exponent).replace('-', _MINUS)}</sup>"
+
+    def root(self, radicand: str) -> str:
+        return f"√{radicand}"
+
+    def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
+        head = escape(name) if exponent is None else self.power(escape(name), exponent)
+        return head + ("" if enclosed else _NARROW) + argument
+
+    def parentheses(self, content: str) -> str:
+        return f"({content})"
+
+    def bars(self, content: str) -> str:
+        return f"|{content}|"
+
+    def arrow(self, above: str, below: str) -> str:
+        return f"{_SPACE}—<sup>{above}</sup>→<sub>{below}</sub>{_SPACE}"
+
+
+_HTML = _Html()
+
+
+def _base(base: str, mark: str = "") -> str:
     if base in GREEK:
-        return f"<i>{GREEK[base]}</i>"
+        return f"<i>{GREEK[base]}{mark}</i>"
     if base.isdecimal():
         return base
-    return "".join(f"<i>{letter}</i>" + (f"<sub>{number}</sub>" if number else "") for letter, number in letters(base))
+    return "".join(
+        f"<i>{letter}{mark}</i>" + (f"<sub>{number}</sub>" if number else "") for letter, number in letters(base)
+    )
 
 
 def _index(index: Index) -> str:
     return escape(index.text) if index.upright else _base(index.text)
-
-
-def _power(power: int) -> str:
-    return str(power).replace("-", "\N{MINUS SIGN}")

@@ -15,8 +15,10 @@ from variantgen.families.units import Unit
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.formula import GREEK, About, Index, Number, Symbol, UnitText
+from variantgen.wording.notation import USUAL, Notation
 
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
+_ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
 
 
@@ -27,6 +29,7 @@ class Language:
     name: str
     decimal_mark: str
     tables: Mapping[str, Mapping[str, str]]
+    notation: Notation = USUAL
 
     def words(self, table: str) -> Mapping[str, str]:
         """All words of one table (``sheet``, ``key``, ...)."""
@@ -36,6 +39,10 @@ class Language:
         """An exact printed value: ``0,25``, with a true minus sign."""
         text = f"{value.normalize():f}"
         return Number(text.replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+
+    def fixed(self, value: float, places: int) -> Number:
+        """A reading with so many decimals, zeros kept: ``48,0``."""
+        return Number(f"{value:.{places}f}".replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
 
     def rounded(self, value: float, digits: int = ANSWER_DIGITS) -> Number:
         """A computed value with the given number of significant digits, never in exponent form."""
@@ -48,14 +55,22 @@ class Language:
         return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
 
     def letter(self, kind: str) -> str:
-        """The letter of a kind of quantity."""
-        return kind
+        """The letter of a kind of quantity; where alpha is an angular acceleration, an angle alpha is written delta."""
+        if self.notation.angular_acceleration == "epsilon":
+            return kind
+        return _ALPHA.get(kind, kind)
+
+    def component(self, part: str) -> Index:
+        """How the part ``n`` or ``tau`` of an acceleration is marked above its index."""
+        if self.notation.components == "normal":
+            return Index(part)
+        return Index(self.tables["index"][part], True)
 
     def symbol(self, name: str, bodies: Mapping[str, str]) -> Symbol:
         """The symbol of a parameter, point, body or quantity name; ``bodies`` replaces index words (see [symbols])."""
         kind, _, rest = name.partition("_")
         if not rest:
-            return Symbol(bodies.get(name, name) or name)
+            return Symbol(self.letter(bodies.get(name, name) or name))
         index: list[Index] = []
         if kind in ("v", "a") and rest.startswith(("rel_", "cor_")):
             word, _, rest = rest.partition("_")
@@ -66,7 +81,7 @@ class Language:
             index.append(Index(target, len(target) > 1 and target.islower() and target not in GREEK))
         if component:
             index.append(Index(component))
-        return Symbol(kind, tuple(index))
+        return Symbol(self.letter(kind), tuple(index))
 
     def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | About:
         """The symbol of an asked quantity."""
@@ -92,9 +107,9 @@ def languages() -> list[str]:
 
 
 @cache
-def load_language(name: str) -> Language:
-    """A language by name (``ru``, ``en``). Raises InputError if there is no such file."""
+def load_language(name: str, notation: Notation = USUAL) -> Language:
+    """A language by name (``ru``, ``en``) with the letters of a notation. Raises InputError for an unknown name."""
     if name not in languages():
         raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
     data: dict[str, Any] = read_toml(templates_dir() / "words" / f"{name}.toml")
-    return Language(name, str(data.pop("decimal_mark")), data)
+    return Language(name, str(data.pop("decimal_mark")), data, notation)

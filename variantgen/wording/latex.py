@@ -1,22 +1,12 @@
-"""Formulas as LaTeX math, without the dollar signs."""
+"""Formulas as LaTeX math, without the dollar signs; they need ``amsmath``."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
-from variantgen.wording.formula import (
-    GREEK,
-    About,
-    Equation,
-    Formula,
-    Index,
-    Listing,
-    Measured,
-    Number,
-    Symbol,
-    UnitText,
-    letters,
-)
+from variantgen.wording.formula.markup import Mark, Markup, Signs
+from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tree import GREEK, Formula, Index, Symbol, UnitText, letters
 
 _GREEK = {"epsilon": r"\varepsilon", "phi": r"\varphi"}  # the forms that the figures and the engine use
 _ESCAPES = {
@@ -24,6 +14,8 @@ _ESCAPES = {
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "°": r"\textdegree{}", "\N{MINUS SIGN}": r"\textminus{}",
 }  # fmt: skip
 _ABOUT = {"modulus": r"\left|{}\right|", "angle": r"\angle({}, x)", "sense": r"\operatorname{{sgn}} {}"}
+_MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
+_WIDE_ARROW = r"\overrightarrow{{{}}}"
 
 
 def escaped(text: str) -> str:
@@ -34,24 +26,67 @@ def escaped(text: str) -> str:
 @lru_cache(maxsize=10_000)
 def to_latex(formula: Formula) -> str:
     r"""LaTeX math: ``\omega_{OA}``; numbers, units and words as text."""
-    match formula:
-        case Symbol(base, index, upper):
-            scripts = (("_", index), ("^", upper))
-            joined = [(sign, r"\,".join(_index(i) for i in parts)) for sign, parts in scripts if parts]
-            return _base(base) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
-        case Number(text):
-            return _number(text)
-        case UnitText(parts):
-            return "".join(_word(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in parts)
-        case Measured(number, unit):
-            between = "" if unit.tight or not unit.parts else r"\,"
-            return f"{to_latex(number)}{between}{to_latex(unit)}"
-        case Equation(left, right):
-            return f"{to_latex(left)} = {to_latex(right)}"
-        case About(what, symbol):
-            return _ABOUT[what].format(to_latex(symbol))
-        case Listing(items):
-            return ", ".join(to_latex(item) for item in items)
+    return _LATEX.write(formula)
+
+
+class _Latex(Markup):
+    """Markup of LaTeX, which knows itself how much room is around an operator."""
+
+    flat = False
+    signs = Signs(
+        minus="-",
+        terms={1: " + ", -1: " - "},
+        factors={Between.DOT: r" \cdot ", Between.THIN: r"\,", Between.OPERATOR: " "},
+        cross=r" \times ",
+        equals=" = ",
+        relations={"=": " = ", "≈": r" \approx ", "→": r" \to ", "∥": r" \parallel ", "⟂": r" \perp "},
+        comma=", ",
+        semicolon="; ",
+        before_unit=r"\,",
+    )
+
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+        scripts = (("_", symbol.index), ("^", symbol.upper))
+        joined = [(sign, r"\,".join(map(_index, parts))) for sign, parts in scripts if parts]
+        wide = mark is Mark.ARROW and symbol.is_name
+        pattern = _WIDE_ARROW if wide else _MARKS[mark]
+        letter = pattern.format(_base(symbol.base)) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
+        return letter if exponent is None else self.power(letter, exponent)
+
+    def number(self, text: str) -> str:
+        return text.replace("\N{MINUS SIGN}", "-").replace(",", "{,}") if _is_plain(text) else _word(text)
+
+    def unit(self, unit: UnitText) -> str:
+        return "".join(_word(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in unit.parts)
+
+    def about(self, what: str, symbol: str) -> str:
+        return _ABOUT[what].format(symbol)
+
+    def fraction(self, numerator: str, denominator: str) -> str:
+        return rf"\frac{{{numerator}}}{{{denominator}}}"
+
+    def power(self, base: str, exponent: int) -> str:
+        return f"{base}^{{{exponent}}}"
+
+    def root(self, radicand: str) -> str:
+        return rf"\sqrt{{{radicand}}}"
+
+    def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
+        operator = rf"\mathop{{{_word(name)}}}\nolimits"
+        return f"{operator if exponent is None else self.power(operator, exponent)} {argument}"
+
+    def parentheses(self, content: str) -> str:
+        # What opens before it takes away the room that LaTeX leaves before a fraction.
+        return rf"\mathopen{{}}\left({content}\right)"
+
+    def bars(self, content: str) -> str:
+        return rf"\mathopen{{}}\left|{content}\right|"
+
+    def arrow(self, above: str, below: str) -> str:
+        return rf" \xrightarrow[{{{below}}}]{{{above}}} "
+
+
+_LATEX = _Latex()
 
 
 def _base(base: str) -> str:
@@ -64,10 +99,6 @@ def _base(base: str) -> str:
 
 def _index(index: Index) -> str:
     return _word(index.text) if index.upright else _base(index.text)
-
-
-def _number(text: str) -> str:
-    return text.replace("\N{MINUS SIGN}", "-").replace(",", "{,}") if _is_plain(text) else _word(text)
 
 
 def _is_plain(text: str) -> bool:

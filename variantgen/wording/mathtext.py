@@ -4,23 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.wording.formula import (
-    GREEK,
-    About,
-    Equation,
-    Formula,
-    Index,
-    Listing,
-    Measured,
-    Number,
-    Symbol,
-    UnitText,
-    letters,
-)
+from variantgen.wording.formula.markup import Mark, Markup, Signs
+from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tree import GREEK, Formula, Index, Symbol, UnitText, letters
 
 # The variants that print as the letters of the rest of a sheet: ε and φ.
 _VARIANTS = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _ABOUT = {"modulus": "|{}|", "angle": r"\angle({},\,x)", "sense": r"\mathrm{{sgn}}\,{}"}
+_MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
+_WIDE_ARROW = r"\overrightarrow{{{}}}"
 # What has a meaning in the markup, as what prints it.
 _SPECIAL = {
     "\\": "\N{SET MINUS}",
@@ -34,33 +26,75 @@ _SPECIAL = {
     "~": "\N{TILDE OPERATOR}",
     "'": "\N{PRIME}",
     '"': "\N{DOUBLE PRIME}",
+    "`": "\N{REVERSED PRIME}",
     " ": r"\;",
     "\N{NO-BREAK SPACE}": r"\;",
 }
+# In groups: a comma alone would be set with a space after it, a minus as if something were before it.
+_NUMERAL = {**_SPECIAL, ",": "{,}", "\N{MINUS SIGN}": "{\N{MINUS SIGN}}"}
 
 
 def to_mathtext(formula: Formula) -> str:
     """Markup of a formula, with the dollar signs: ``$v_{B}$``; text in it is quoted. There are no spaces in it."""
-    return f"${_inner(formula)}$"
+    return f"${_MATHTEXT.write(formula)}$"
 
 
-def _inner(formula: Formula) -> str:
-    match formula:
-        case Symbol(base, index, upper):
-            return _base(base) + _script("_", index) + _script("^", upper)
-        case Number(text):
-            # A comma alone would be set with a space after it, as between two numbers.
-            return "".join("{,}" if letter == "," else _SPECIAL.get(letter, letter) for letter in text)
-        case UnitText(parts):
-            return r"\,".join(_upright(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in parts)
-        case Measured(number, unit):
-            return _inner(number) + ("" if unit.tight or not unit.parts else r"\,") + _inner(unit)
-        case Equation(left, right):
-            return f"{_inner(left)}={_inner(right)}"
-        case About(what, symbol):
-            return _ABOUT[what].format(_inner(symbol))
-        case Listing(items):
-            return r",\,".join(_inner(item) for item in items)
+class _Mathtext(Markup):
+    """The part of TeX that matplotlib knows; an empty group ends the name of a sign, since there are no spaces."""
+
+    flat = False
+    signs = Signs(
+        minus="{-}",  # in a group, or else it is taken for a sign between terms after any but a few characters
+        terms={1: "+", -1: "-"},
+        factors={Between.DOT: r"\cdot{}", Between.THIN: r"\,", Between.OPERATOR: r"\,"},
+        cross=r"\times{}",
+        equals="=",
+        relations={"=": "=", "≈": r"\approx{}", "→": r"\to{}", "∥": r"\parallel{}", "⟂": r"\perp{}"},
+        comma=r",\,",
+        semicolon=";",
+        before_unit=r"\,",
+    )
+
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+        wide = mark is Mark.ARROW and symbol.is_name
+        pattern = _WIDE_ARROW if wide else _MARKS[mark]
+        letter = pattern.format(_base(symbol.base)) + _script("_", symbol.index) + _script("^", symbol.upper)
+        return letter if exponent is None else self.power(letter, exponent)
+
+    def number(self, text: str) -> str:
+        return "".join(_NUMERAL.get(letter, letter) for letter in text)
+
+    def unit(self, unit: UnitText) -> str:
+        return r"\,".join(_upright(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in unit.parts)
+
+    def about(self, what: str, symbol: str) -> str:
+        return _ABOUT[what].format(symbol)
+
+    def fraction(self, numerator: str, denominator: str) -> str:
+        return rf"\frac{{{numerator}}}{{{denominator}}}"
+
+    def power(self, base: str, exponent: int) -> str:
+        return f"{base}^{{{exponent}}}"
+
+    def root(self, radicand: str) -> str:
+        return rf"\sqrt{{{radicand}}}"
+
+    def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
+        operator = _upright(name) if exponent is None else self.power(_upright(name), exponent)
+        return operator + ("" if enclosed else r"\,") + argument
+
+    def parentheses(self, content: str) -> str:
+        # A group, since only that can have an exponent.
+        return rf"{{\left({content}\right)}}"
+
+    def bars(self, content: str) -> str:
+        return rf"{{\left|{content}\right|}}"
+
+    def arrow(self, above: str, below: str) -> str:
+        return rf"\;\underset{{{below}}}{{\overset{{{above}}}{{\longrightarrow}}}}\;"
+
+
+_MATHTEXT = _Mathtext()
 
 
 def _base(name: str) -> str:

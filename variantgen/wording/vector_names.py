@@ -7,8 +7,14 @@ from collections.abc import Collection, Mapping
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 
-NORMAL, TANGENTIAL = (Index("n"),), (Index("tau"),)
+COMPONENTS = ("n", "tau")  # of an acceleration: towards the centre, along the path
 _PRIME = (Index("prime"),)
+
+
+def component_marks(language: Language) -> tuple[tuple[Index, ...], tuple[Index, ...]]:
+    """What stands above the index of the normal and of the tangential component of an acceleration."""
+    normal, tangential = COMPONENTS
+    return (language.component(normal),), (language.component(tangential),)
 
 
 def absolute(kind: str, point: str, upper: tuple[Index, ...] = ()) -> Symbol:
@@ -34,11 +40,6 @@ def image(point: str, primed: bool) -> Symbol:
 def transport_image(point: str, primed: bool, language: Language) -> Symbol:
     """The end of the transport vector: the image of the point of the carrier below a sliding point."""
     return Symbol(point.lower(), (Index(language.words("index")["tr"], True),), _PRIME if primed else ())
-
-
-def pole_letter(moving: Collection[str]) -> Symbol:
-    """The letter of the pole of a velocity plan: o, or another one where a moving point is called so."""
-    return Symbol(next(letter for letter in "opqw" if letter.upper() not in moving or letter == "w"))
 
 
 def centre_letters(bodies: Mapping[str, str], taken: Collection[str]) -> dict[str, Symbol]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from variantgen.cli.options import add_families, at_least_one
 from variantgen.errors import InputError, Problem
 
 HELP = "build an exam"
-DESCRIPTION = "Build an exam: sheets.pdf, key.pdf, key.csv and manifest.json in a new folder."
+DESCRIPTION = "Build an exam: sheets.pdf, key.pdf, solutions.pdf, key.csv and manifest.json in a new folder."
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     students.add_argument("--variants", type=int, metavar="N", help="no class list: N numbered variants")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
+    parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
     parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
     add_families(parser)
@@ -35,6 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.blueprint import read_exam
     from variantgen.exam.roster import numbered, read_roster
     from variantgen.exam.samples import exam_path
+    from variantgen.exam.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.folders import family_folders
 
     at_least_one("--jobs", arguments.jobs)
@@ -43,11 +46,15 @@ def run(arguments: argparse.Namespace) -> int:
     students = read_roster(arguments.roster) if arguments.roster else numbered(arguments.variants)
     path = exam_path(arguments.exam)
     exam = read_exam(path, family_folders(arguments.families, beside=path))
+    if arguments.no_solutions:
+        exam = replace(exam, solutions=replace(exam.solutions, depth=NO_SOLUTIONS))
     start = time.perf_counter()
     made = build(exam, students, arguments.out, arguments.seed, arguments.jobs, arguments.force, _Progress().show)
     seconds = time.perf_counter() - start
     if made.redrawn:
         print(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}", file=sys.stderr)
+    if made.unexplained:
+        print(f"answers only, no worked solution: {', '.join(made.unexplained)}", file=sys.stderr)
     print(f"{made.students} sheets in {made.folder} ({seconds:.1f} s)", file=sys.stderr)
     return 0
 

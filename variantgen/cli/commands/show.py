@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from variantgen.cli.options import add_choice, settings
+from variantgen.cli.options import add_choice, add_explaining, explained, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "show one problem of a family"
@@ -19,6 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    add_explaining(parser)
     parser.add_argument(
         "--motion",
         type=Path,
@@ -41,7 +42,9 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.wording.plain import plain_problem
 
     folders = family_folders(arguments.families)
-    variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
+    variant = one_variant(
+        arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice
+    )
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
@@ -49,18 +52,24 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.figure:
         variant.figure(arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
         print(f"written: {arguments.figure}", file=sys.stderr)
+    solution = explained(arguments, variant)
     remark = f"{variant.family.name}  ·  seed {arguments.seed}"
     if arguments.motion:
         from variantgen.outputs.motion_plot import write_motion
 
         write_motion(variant, asked, arguments.lang, arguments.motion, remark)
         print(f"written: {arguments.motion}", file=sys.stderr)
-    if arguments.out:
+    if arguments.out and solution is not None:
+        solution.save(arguments.out, remark)
+        print(f"written: {arguments.out}", file=sys.stderr)
+    elif arguments.out:
         from variantgen.outputs.single_page import write_single
 
         write_single(variant, asked, found, arguments.lang, arguments.out, remark)
         print(f"written: {arguments.out}", file=sys.stderr)
     if not (arguments.out or arguments.motion or arguments.figure):
-        values = [(answer.value, answer.unit) for answer in found]
+        values = [(answer.value, answer.unit, answer.surd) for answer in found]
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
+        if solution is not None:
+            print(f"\n{solution}")
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from variantgen.families.family import AngleMark, DiscMark, LengthMark, RightAngle
+from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, RightAngle
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.telling.directions import is_parallel
 from variantgen.figure.telling.teller import Teller

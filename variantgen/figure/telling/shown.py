@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
 
-from variantgen.families.family import DiscMark
+from variantgen.families.figure_hints import DiscMark
 from variantgen.figure.board import Board
 from variantgen.mechanism.scene import fixed_points, references
 from variantgen.wording.formula import letters, to_plain

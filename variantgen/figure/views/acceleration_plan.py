@@ -12,19 +12,18 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import Vector, VectorPlan, draw_plan
+from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Chain, Slip, Turn, taken_apart
+from variantgen.methods.chain import Chain, Reach, Slip, Turn, taken_apart
 from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Symbol
+from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import (
-    NORMAL,
-    TANGENTIAL,
     about,
     absolute,
+    component_marks,
     compound,
     image,
     transport_image,
@@ -36,7 +35,8 @@ ORDER = 2
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The plan of one variant. Raises InputError where accelerations are not asked or there are none."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_plan(acceleration_plan(found.chain, found.now, language), found.unit, language)
+    scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)
+    return draw_plan(acceleration_plan(found.chain, found.now, language), scale, language)
 
 
 def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
@@ -47,23 +47,23 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
         plan.vectors.append(Vector(0j, now.a[point], absolute("a", point), whole=True))
     shown = taken_apart(chain)
     for turn in chain.turns:
-        _add_turn(plan, chain, now, turn, (turn.body, turn.point) in shown)
+        _add_turn(plan, chain, now, turn, component_marks(language) if (turn.body, turn.point) in shown else ())
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language, (slip.body, slip.point) in shown)
+    for reach in chain.reaches:
+        _add_reach(plan, now, reach, language)
     for point, way in chain.guides.items():
         if any(turn.point == point for turn in chain.turns):
             plan.lines.append((now.a[point], way))
     return plan
 
 
-def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, apart: bool) -> None:
-    """Normal and tangential component (if ``apart``) from the end of the pole's acceleration."""
+def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, marks: Sequence[tuple[Index, ...]]) -> None:
+    """Normal and tangential component (if there are ``marks`` for them) from the end of the pole's acceleration."""
     fixed = turn.pole in chain.resting
     start, normal = now.a[turn.pole], now.normal(turn.point, turn.pole)
-    parts = [
-        (absolute("a", turn.point, u) if fixed else about("a", turn.point, turn.pole, u)) for u in (NORMAL, TANGENTIAL)
-    ]
-    if apart:
+    parts = [absolute("a", turn.point, u) if fixed else about("a", turn.point, turn.pole, u) for u in marks]
+    if parts:
         _add_pair(plan, start, normal, now.tangential(turn.point, turn.pole), parts)
     if chain.is_found(turn.point):
         plan.lines.append((now.a[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
@@ -89,7 +89,7 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
         fixed = slip.pole in chain.resting
         names = [
             compound("a", "tr", point, language, upper) if fixed else about("a", point, slip.pole, upper)
-            for upper in (NORMAL, TANGENTIAL)
+            for upper in component_marks(language)
         ]
         if apart:
             _add_pair(plan, now.a[slip.pole], -(now.omega[body] ** 2) * arm, 1j * now.epsilon[body] * arm, names)
@@ -115,5 +115,18 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
         plan.vectors.append(Vector(start, start + relative, compound("a", "rel", point, language)))
         return start + relative
     normal = bend * speed**2
-    names = [compound("a", "rel", point, language, upper) for upper in (NORMAL, TANGENTIAL)]
+    names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
     return _add_pair(plan, start, normal, relative - normal, names)
+
+
+def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+    """The acceleration along a line that grows, and those of its rotation, one after the other."""
+    place = now.a[reach.base]
+    normal, tangential = component_marks(language)
+    words: tuple[tuple[str, tuple[Index, ...]], ...] = (
+        ("rel", ()), ("tr", normal), ("cor", ()), ("tr", tangential),
+    )  # fmt: skip
+    for step, (word, upper) in zip(now.growing_acceleration(reach.point, reach.base), words, strict=True):
+        plan.vectors.append(Vector(place, place + step, compound("a", word, reach.point, language, upper)))
+        place += step
+    plan.lines.append((place, 1j * (now.z[reach.point] - now.z[reach.base])))

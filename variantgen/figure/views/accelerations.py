@@ -20,7 +20,7 @@ from variantgen.methods.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
-from variantgen.wording.vector_names import NORMAL, TANGENTIAL, about, absolute, compound
+from variantgen.wording.vector_names import about, absolute, component_marks, compound
 
 ORDER = 2
 _NOTHING = 1e-9  # of the largest rate
@@ -57,16 +57,18 @@ def components(found: Solved, language: Language) -> dict[str, Named]:
     apart = taken_apart(chain)
     for turn in chain.turns:
         if (turn.body, turn.point) in apart:
-            parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting)
+            parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting, language)
     for slip in chain.slips:
         parts.setdefault(slip.point, []).extend(_slip_parts(now, slip, language))
     return parts
 
 
-def _turn_parts(now: Instant, turn: Turn, fixed: bool) -> Named:
+def _turn_parts(now: Instant, turn: Turn, fixed: bool, language: Language) -> Named:
     """The acceleration of the pole, normal and tangential component."""
     point, pole = turn.point, turn.pole
-    names = [absolute("a", point, upper) if fixed else about("a", point, pole, upper) for upper in (NORMAL, TANGENTIAL)]
+    names = [
+        absolute("a", point, upper) if fixed else about("a", point, pole, upper) for upper in component_marks(language)
+    ]
     vectors = now.normal(point, pole), now.tangential(point, pole)
     own = list(zip(names, vectors, strict=True))
     return own if fixed else [(absolute("a", pole), now.a[pole]), *own]

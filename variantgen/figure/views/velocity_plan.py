@@ -12,14 +12,16 @@ from itertools import combinations
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import Vector, VectorPlan, draw_plan
+from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Chain, Slip, Turn
+from variantgen.methods.chain import Chain, Reach, Slip, Turn
 from variantgen.methods.instant import Instant
+from variantgen.methods.plan_scale import pole_letter
 from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
-from variantgen.wording.vector_names import about, absolute, compound, image, pole_letter, transport_image
+from variantgen.wording.vector_names import about, absolute, compound, image, transport_image
 
 ORDER = 1
 _AT_REST = 1e-9  # of the largest velocity
@@ -28,14 +30,15 @@ _AT_REST = 1e-9  # of the largest velocity
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The plan of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
-    return draw_plan(velocity_plan(found.chain, found.now, language), found.unit, language)
+    scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)
+    return draw_plan(velocity_plan(found.chain, found.now, language), scale, language)
 
 
 def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
     """What the plan shows, in m/s."""
     largest = max(abs(now.v[point]) for point in chain.points)
     moving = [point for point in chain.points if abs(now.v[point]) > _AT_REST * largest]
-    plan = VectorPlan(pole_letter(moving))
+    plan = VectorPlan(Symbol(pole_letter(moving)))
     for point in chain.points:
         plan.ends.append((image(point, primed=False), now.v[point]))
         plan.vectors.append(Vector(0j, now.v[point], absolute("v", point), whole=True))
@@ -44,6 +47,8 @@ def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
             _add_turn(plan, chain, now, turn)
     for slip in chain.slips:
         _add_slip(plan, chain, now, slip, language)
+    for reach in chain.reaches:
+        _add_reach(plan, now, reach, language)
     for point, way in chain.guides.items():
         if chain.is_found(point):
             plan.lines.append((now.v[point], way))
@@ -75,6 +80,15 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
     plan.lines.append((end, slip.path.tangent(now.z)))
     if not slip.carried and slip.pole is not None:
         plan.lines.append((end, 1j * (now.z[slip.point] - now.z[slip.pole])))
+
+
+def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+    """The velocity along a line that grows, and across it."""
+    point, start = reach.point, now.v[reach.base]
+    along, across = now.growth(point, reach.base)
+    plan.vectors.append(Vector(start, start + along, compound("v", "rel", point, language)))
+    plan.vectors.append(Vector(start + along, start + along + across, compound("v", "tr", point, language)))
+    plan.lines.append((now.v[point], 1j * (now.z[point] - now.z[reach.base])))
 
 
 def _are_apart(now: Instant, body: str, first: str, second: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import Enum
 from functools import lru_cache
 from typing import ClassVar
 
@@ -50,7 +51,24 @@ class Signs:
     comma: str
     semicolon: str
     before_unit: str
-    marks: Mapping[str, str]  # patterns of a letter with a "vector" arrow, one "dot", two "dots"
+
+
+class Mark(Enum):
+    """What is above a letter."""
+
+    NONE = "nothing"
+    ARROW = "arrow"
+    DOT = "one dot"
+    DOTS = "two dots"
+
+
+# As characters that combine with the letter before them.
+MARKS_ABOVE = {
+    Mark.NONE: "",
+    Mark.ARROW: "\N{COMBINING RIGHT ARROW ABOVE}",
+    Mark.DOT: "\N{COMBINING DOT ABOVE}",
+    Mark.DOTS: "\N{COMBINING DIAERESIS}",
+}
 
 
 class Markup(ABC):
@@ -183,8 +201,8 @@ class Markup(ABC):
 
     def _marked(self, formula: Vector | Dotted, exponent: int | None) -> str:
         if isinstance(formula, Vector):
-            return self.symbol(formula.symbol, exponent, self.signs.marks["vector"])
-        return self.symbol(formula.symbol, exponent, self.signs.marks["dot" if formula.count == 1 else "dots"])
+            return self.symbol(formula.symbol, exponent, Mark.ARROW)
+        return self.symbol(formula.symbol, exponent, Mark.DOT if formula.count == 1 else Mark.DOTS)
 
     def _surd(self, surd: Surd) -> str:
         size = str(abs(surd.numerator))
@@ -214,8 +232,8 @@ class Markup(ABC):
         return point + coordinates
 
     @abstractmethod
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: str = "{}") -> str:
-        """A letter with its indices, its exponent, and a mark around it that is a pattern."""
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+        """A letter with what is above it, its indices and its exponent."""
 
     @abstractmethod
     def number(self, text: str) -> str:

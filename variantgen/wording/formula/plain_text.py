@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from variantgen.wording.formula.markup import Markup, Signs
+from variantgen.wording.formula.markup import MARKS_ABOVE, Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
 from variantgen.wording.formula.tree import GREEK, SIGNS, Formula, Index, Symbol, UnitText
 
@@ -33,19 +33,15 @@ class _Plain(Markup):
         comma=", ",
         semicolon="; ",
         before_unit=_SPACE,
-        marks={
-            "vector": "{}\N{COMBINING RIGHT ARROW ABOVE}",
-            "dot": "{}\N{COMBINING DOT ABOVE}",
-            "dots": "{}\N{COMBINING DIAERESIS}",
-        },
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: str = "{}") -> str:
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
         scripts = (("^", symbol.upper), ("_", symbol.index))
-        letter = mark.format(GREEK.get(symbol.base, symbol.base)) + "".join(
-            sign + " ".join(map(_index, parts)) for sign, parts in scripts if parts
+        base = "".join(
+            letter + MARKS_ABOVE[mark] if letter.isalpha() else letter for letter in GREEK.get(symbol.base, symbol.base)
         )
-        return letter if exponent is None else self.power(letter, exponent)
+        whole = base + "".join(sign + " ".join(map(_index, parts)) for sign, parts in scripts if parts)
+        return whole if exponent is None else self.power(whole, exponent)
 
     def number(self, text: str) -> str:
         return text

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from variantgen.wording.formula.markup import Markup, Signs
+from variantgen.wording.formula.markup import Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
 from variantgen.wording.formula.tree import GREEK, Formula, Index, Number, Symbol, UnitText, letters
 
+_ANGLE = "\N{ANGLE}"  # before the letters of its three points
 _ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
+_MARKS = {Mark.NONE: "{}", Mark.ARROW: "arrow({})", Mark.DOT: "dot({})", Mark.DOTS: "dot.double({})"}
 
 
 @lru_cache(maxsize=10_000)
@@ -23,21 +25,27 @@ class _Typst(Markup):
     flat = False
     signs = Signs(
         minus="-",
-        terms={1: " + ", -1: " - "},
-        factors={Between.DOT: " dot.op ", Between.THIN: " thin ", Between.OPERATOR: " thin "},
-        cross=" times ",
+        # Spaces are said: in small type the engine leaves none, except beside text. Beside a space, though, it takes
+        # + and − for signs of one number and does not break the line after them.
+        terms={1: ' med class("binary", +) med ', -1: ' med class("binary", -) med '},
+        # Never at the end of a line, so not binary.
+        factors={
+            Between.DOT: ' thin class("normal", dot.op) thin ',
+            Between.THIN: " thin ",
+            Between.OPERATOR: " thin ",
+        },
+        cross=' thin class("normal", times) thin ',
         equals=" = ",
         relations={"=": " = ", "≈": " approx ", "→": " arrow.r ", "∥": " parallel ", "⟂": " perp "},
         comma="\\, ",
         semicolon="\\; ",
         before_unit=" thin ",
-        marks={"vector": "arrow({})", "dot": "dot({})", "dots": "dot.double({})"},
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: str = "{}") -> str:
+    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
         scripts = (("_", symbol.index), ("^", symbol.upper))
         return (
-            mark.format(_base(symbol.base))
+            _MARKS[mark].format(_base(symbol.base))
             + "".join(f"{sign}({' '.join(map(_index, parts))})" for sign, parts in scripts if parts)
             + _exponent(exponent)
         )
@@ -88,6 +96,8 @@ _TYPST = _Typst()
 
 
 def _base(base: str) -> str:
+    if base.startswith(_ANGLE):
+        return f"angle {_base(base.removeprefix(_ANGLE))}"
     if base in GREEK or base.isdecimal():
         return base
     return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
-from variantgen.methods.step import Solution
+from variantgen.methods.step import Sentence, Solution
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
@@ -19,15 +21,39 @@ from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.statement import Text
+from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.vector_names import centre_letters
+
+WHOLE = Wish()
+
+
+class UnexplainedError(VariantgenError):
+    """The methods do not lead to what is asked: there is an answer, but no worked solution."""
 
 
 def explain(
-    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, short: bool = False
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, wish: Wish = WHOLE
 ) -> SolutionText:
-    """The solution of one variant of a solved batch, in a language."""
+    """The solution of one variant of a solved batch, in a language, as it is wished.
+
+    Raises InputError for a method that does not apply, UnexplainedError where the methods do not lead to what is asked.
+    """
+    if wish.depth == "answers":
+        return answers_only(variant, motion, index, asked, language)
     task = task_of(variant, motion, index, asked)
-    return written(task, solution(task), language, short)
+    try:
+        found = solution(task, wish.methods)
+    except LookupError as error:
+        raise UnexplainedError(f"no method leads to what is asked of {variant.family.name}: {error}") from error
+    return written(task, found, language, wish.depth == "short")
+
+
+def answers_only(
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language
+) -> SolutionText:
+    """The answers as the solver has them, without a way to them."""
+    values = [(q, q.unit(variant.family.length_unit).from_si(float(q.value(motion)[index]))) for q in asked]
+    return SolutionText((), (), _answer(variant, values, language))
 
 
 def written(task: Task, found: Solution, language: Language, short: bool = False) -> SolutionText:
@@ -35,11 +61,15 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
     phrases = load_phrases(language.name)
     symbols = Symbols(task.form, language, phrases, _centres(task))
     writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short)
+    answers = [
+        (q, value.shown if found.approximate else value.exact)
+        for q, (_, value) in zip(task.asked, found.answers, strict=True)
+    ]
     sections = tuple(writer.section(step) for step in found.steps)
     return SolutionText(
         _plan([writer.text(step.heading) for step in found.steps]),
         sections,
-        _answer(task, found, language),
+        _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
     )
 
@@ -61,11 +91,20 @@ def _plan(headings: Sequence[Text]) -> Text:
     return (*parts, ".")
 
 
-def _answer(task: Task, found: Solution, language: Language) -> Text:
-    """The asked quantities with their values as in the key."""
-    parts: list[str | Formula] = []
-    for quantity, (_, value) in zip(task.asked, found.answers, strict=True):
-        unit = language.unit(quantity.unit(task.variant.family.length_unit))
-        symbol = language.quantity(quantity, task.form.symbols)
-        parts += ["; " if parts else "", Equation(symbol, Measured(language.rounded(value.exact), unit))]
+def _preface(found: Solution, writer: Writer) -> Text:
+    """What is said before answers that were measured."""
+    return writer.text(Sentence("graphical.answer")) if found.approximate else ()
+
+
+def _answer(
+    variant: Variant, values: Sequence[tuple[Quantity, float]], language: Language, preface: Text = (), digits: int = 0
+) -> Text:
+    """The asked quantities with their values as in the key; measured ones with the ``digits`` that they are worth."""
+    parts: list[str | Formula] = list(preface)
+    for position, (quantity, value) in enumerate(values):
+        unit = language.unit(quantity.unit(variant.family.length_unit))
+        symbol = language.quantity(quantity, variant.form.symbols)
+        number = language.rounded(value, digits) if digits else language.rounded(value)
+        exact = None if digits else surd(value)
+        parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")

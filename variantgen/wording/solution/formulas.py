@@ -6,6 +6,7 @@ from decimal import Decimal
 
 from variantgen.families.units import unit
 from variantgen.methods.expression import (
+    DRAWING_LENGTH,
     Applied,
     Constant,
     Expression,
@@ -64,7 +65,13 @@ class Formulas:
 
     def measured(self, value: Value) -> Formula:
         """A value as number and unit."""
-        return Measured(self.number(value.shown), self.unit(value))
+        return Measured(self._printed(value), self.unit(value))
+
+    def _printed(self, value: Value) -> Number:
+        """The printed number; a length on a drawing always with its tenths."""
+        if value.measure == DRAWING_LENGTH:
+            return self.language.fixed(value.shown, 1)
+        return self.number(value.shown)
 
     def symbol(self, value: Value) -> Formula:
         """The symbol of a value; one without a name is its number."""
@@ -105,7 +112,7 @@ class Formulas:
 
     def _value(self, value: Value) -> Formula:
         """The printed number of a value; only an angle keeps its unit inside a formula."""
-        return self.measured(value) if value.measure == "angle" else self.number(value.shown)
+        return self.measured(value) if value.measure == "angle" else self._printed(value)
 
     def _signed(self, sign: int, term: Expression, numbers: bool) -> tuple[int, Formula]:
         """A term of a sum; the sign of a negative number is taken out of it."""

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from variantgen.families.family import Form
 from variantgen.methods.name import Name
-from variantgen.wording.formula import Index, Symbol
+from variantgen.wording.formula import Dotted, Index, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
+from variantgen.wording.vector_names import COMPONENTS, image, transport_image
 
 _COMPOUND = ("rel", "tr", "cor")
-_UPPER = ("n", "tau")
 
 
 @dataclass(frozen=True)
@@ -24,8 +24,12 @@ class Symbols:
     phrases: Phrases
     centres: Mapping[str, Symbol]
 
-    def of(self, name: Name) -> Symbol:
-        """The symbol of a name."""
+    def of(self, name: Name) -> Symbol | Dotted:
+        """The symbol of a name; a derivative by time has dots."""
+        return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
+
+    def letter(self, name: Name) -> Symbol:
+        """The symbol of a name without dots."""
         match name.kind:
             case "parameter":
                 return self.language.symbol(name.of, self.form.symbols)
@@ -37,6 +41,11 @@ class Symbols:
                 return Symbol("mu", self._body_index(name.of))
             case "length" | "direction":
                 return self._of_points(name)
+            case "rotation":
+                return Symbol("phi", self._body_index(name.of))
+            case "slide" | "arc" | "swing":
+                letters = {"slide": "s", "arc": "psi", "swing": "theta"}
+                return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))
             case "projection":
@@ -45,8 +54,25 @@ class Symbols:
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
-                return Symbol(self.language.letter(name.kind), self._body_index(name.of))
+                index = [*self._body_index(name.of), *([Index("z")] if name.part == "z" else [])]
+                return Symbol(self.language.letter(name.kind), tuple(index))
+            case "drawn":
+                return self._drawn(name)
+            case "scale":
+                return Symbol("mu", (Index(name.of),))
+            case "pole":
+                return Symbol(name.of)
+            case "image":
+                primed = name.body == "a"
+                return transport_image(name.of, primed, self.language) if name.part else image(name.of, primed)
         return self._vector(name)
+
+    def _drawn(self, name: Name) -> Symbol:
+        """The length on paper of a segment, ``l_AB``, or of a vector: ``l`` with its index."""
+        if name.body == "l":
+            return Symbol("l", (Index(name.of + name.about),))
+        vector = self._vector(name)
+        return Symbol("l", vector.index, vector.upper)
 
     def _of_points(self, name: Name) -> Symbol:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
@@ -79,7 +105,7 @@ class Symbols:
         index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
         index.append(Index(name.of + name.about))
         index += [Index(w) for w in words if w in ("x", "y")]
-        upper = tuple(Index(w) for w in words if w in _UPPER)
+        upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
         return Symbol(self.language.letter(name.kind), tuple(index), upper)
 
     def body(self, name: str, case: str) -> tuple[str | Symbol, ...]:

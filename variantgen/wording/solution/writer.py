@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 
 from variantgen.methods.expression import Constant, Expression, Value
@@ -9,6 +10,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.step import (
     Body,
     CentreOf,
+    ChainGraph,
     Derived,
     Fact,
     Item,
@@ -28,7 +30,18 @@ from variantgen.methods.step import (
     VectorOf,
     Word,
 )
-from variantgen.wording.formula import Formula, Function, Measured, Number, Product, Sum, Symbol, Vector, to_plain
+from variantgen.wording.formula import (
+    Formula,
+    Function,
+    Graph,
+    Measured,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    Vector,
+    to_plain,
+)
 from variantgen.wording.solution.document import (
     Block,
     Line,
@@ -46,6 +59,7 @@ from variantgen.wording.statement import Text
 
 _NOTHING = Number("0")
 _EQUALS = "="
+_COMMENT = re.compile(r"#\{([\w.]+)\}")
 
 
 class Writer:
@@ -91,7 +105,18 @@ class Writer:
                 write = self.formulas.numeric if numeric else self.formulas.symbolic
                 return Lines((Line((("", write(left)), (_EQUALS, write(right)))),))
             case Listing(code, _):
-                return Program(code)
+                return Program(self._commented(code))
+            case ChainGraph():
+                return Lines((Line((("", self._graph(item)),)),))
+
+    def _graph(self, chain: ChainGraph) -> Formula:
+        """A chain of links as a graph: numbers above its arrows, angles below."""
+        legs = [(Number(str(leg.number)), self.formulas.measured(leg.angle), Symbol(leg.end)) for leg in chain.legs]
+        return Graph(Symbol(chain.start), tuple(legs))
+
+    def _commented(self, code: str) -> str:
+        """A program with its comments in the language: ``#{listing.data}`` is the sentence of that key."""
+        return _COMMENT.sub(lambda match: "# " + "".join(map(str, self.phrases.sentence(match[1]))), code)
 
     # Sentences.
 
@@ -145,7 +170,7 @@ class Writer:
 
     def vector(self, name: Name) -> Formula:
         """A vector with its arrow."""
-        return Vector(self.symbols.of(name))
+        return Vector(self.symbols.letter(name))
 
     def _derived(self, item: Derived) -> Line:
         """``name = symbols = numbers = result``; what says the same twice is said once."""
@@ -188,8 +213,10 @@ class Writer:
         for unknown, coefficient in zip(system.unknowns, system.rows[row], strict=True):
             if coefficient.shown == 0:
                 continue
-            size = self.formulas.number(abs(coefficient.shown))
-            terms.append((1 if coefficient.shown > 0 else -1, Product((size, self.formulas.symbol(unknown)))))
+            symbol = self.formulas.symbol(unknown)
+            size = abs(coefficient.shown)
+            term = symbol if size == 1 else Product((self.formulas.number(size), symbol))
+            terms.append((1 if coefficient.shown > 0 else -1, term))
         right = self.formulas.number(system.right[row].shown)
         return Line((("", self._sum(terms)), (_EQUALS, right)))
 

@@ -1,0 +1,47 @@
+"""Confirmation of what goes on paper: every method that applies to a variant must give what the solver gives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.book import Book
+from variantgen.methods.evaluation import AGREES, deviations
+from variantgen.methods.task import task_of
+from variantgen.methods.walk import velocities
+from variantgen.variants.attempts import VerificationError
+from variantgen.variants.variant import Variant
+
+
+def confirm(
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    keys: Sequence[tuple[object, ...]],
+) -> None:
+    """Evaluate all methods of all variants; ``keys`` say how each was drawn (seed, student, problem).
+
+    Raises VerificationError for the first variant on which a method deviates by more than 1e-9 of the largest velocity
+    or acceleration, naming the method and the key.
+    """
+    batches: dict[int, list[int]] = {}
+    for i, (motion, _) in enumerate(solved):
+        batches.setdefault(id(motion), []).append(i)
+    for members in batches.values():
+        motion, place = solved[members[0]]
+        every = list(dict.fromkeys(quantity for i in members for quantity in asked[i]))
+        book = Book(task_of(variants[members[0]], motion, place, every))
+        found = deviations(motion, velocities(book))
+        for name, worst in found.items():
+            for i in members:
+                if not worst[solved[i][1]] <= AGREES:
+                    raise _disagreement(variants[i], name, float(worst[solved[i][1]]), keys[i])
+
+
+def _disagreement(variant: Variant, method: str, deviation: float, key: tuple[object, ...]) -> VerificationError:
+    data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
+    return VerificationError(
+        f"{variant.family.name}: the method {method} deviates from the solver by {deviation:.1e}"
+        f" (seed, student, problem: {', '.join(map(str, key))}) for {data}"
+    )

@@ -1,0 +1,58 @@
+"""What an exam file says of solutions: how much, in which language, in which files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.errors import nearest
+from variantgen.methods.wish import DEPTHS
+from variantgen.tables import Table
+from variantgen.wording.language import load_language
+
+NONE = "none"
+FILES = ("joined", "students")
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """``depth``: ``none``, ``answers``, ``short`` or ``full``; ``language`` of the solutions.
+
+    ``files``: ``joined`` in one document, or with ``students`` also one document for each of them.
+    """
+
+    depth: str = "full"
+    language: str = "en"
+    files: str = "joined"
+
+    @property
+    def wanted(self) -> bool:
+        """Whether there are any."""
+        return self.depth != NONE
+
+    @property
+    def for_students(self) -> bool:
+        """Whether every student gets a file."""
+        return self.wanted and self.files == "students"
+
+
+def read_solutions(table: Table, language: str) -> Solutions:
+    """The table ``[solutions]`` of an exam whose sheets are in ``language``; mistakes are noted in the table."""
+    found = {
+        "depth": _choice(table, "depth", (NONE, *DEPTHS), "full"),
+        "language": table.take("language", str, language),
+        "files": _choice(table, "files", FILES, FILES[0]),
+    }
+    if "language" in table.data:
+        with table.collecting("language"):
+            load_language(found["language"])
+    table.finish()
+    return Solutions(**found)
+
+
+def _choice(table: Table, name: str, known: tuple[str, ...], default: str) -> str:
+    value = table.take(name, str, default)
+    if value not in known:
+        expected = ", ".join(f'"{word}"' for word in known)
+        table.problem(f"expected one of {expected}", name, value, nearest(value, known))
+        return default
+    return value

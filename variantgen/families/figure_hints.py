@@ -1,0 +1,79 @@
+"""What the table ``[figure]`` of a family says: marks of given angles, lengths and circles, how bodies are drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.families.expressions import Expression
+
+
+@dataclass(frozen=True)
+class AngleMark:
+    """An angle to be drawn: at a point, from a ray to a ray; a ray leads to a point or in a direction."""
+
+    name: str
+    at: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
+class RightAngle:
+    """A right angle to be marked by a small square: at a point, between two rays (see :class:`AngleMark`)."""
+
+    at: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
+class LengthMark:
+    """A length to be drawn as a dimension line between two points."""
+
+    name: str
+    start: str
+    end: str
+
+
+@dataclass(frozen=True)
+class DiscMark:
+    """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value.
+
+    ``label`` is written into it (a gear's number; by default the symbol of its body). ``arc``: the circle is drawn as
+    an arc by its joint, only the radius is marked here.
+    """
+
+    centre: str
+    radius: Expression
+    name: str = ""
+    body: str = ""
+    label: str = ""
+    arc: bool = False
+
+
+@dataclass(frozen=True)
+class FigureHints:
+    """What the drawing cannot know from the scene.
+
+    ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
+    ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
+    links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
+    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
+    on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
+    text speaks of.
+    """
+
+    angles: tuple[AngleMark, ...] = ()
+    lengths: tuple[LengthMark, ...] = ()
+    discs: tuple[DiscMark, ...] = ()
+    hidden: tuple[str, ...] = ()
+    plates: tuple[str, ...] = ()
+    plain: tuple[str, ...] = ()
+    slotted: tuple[str, ...] = ()
+    lines: tuple[tuple[str, ...], ...] = ()
+    thin: tuple[tuple[str, ...], ...] = ()
+    grooves: tuple[tuple[str, ...], ...] = ()
+    walls: tuple[tuple[str, ...], ...] = ()
+    bare: tuple[str, ...] = ()
+    stems: tuple[str, ...] = ()
+    right_angles: tuple[RightAngle, ...] = ()

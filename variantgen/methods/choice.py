@@ -1,0 +1,96 @@
+"""Which methods a solution uses: those that are wished, or the natural ones of the problem."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from variantgen.errors import InputError, Problem
+from variantgen.methods import graphical, walk
+from variantgen.methods.book import Book
+from variantgen.methods.step import Sentence
+from variantgen.methods.style import Accelerations, Style, Velocities
+from variantgen.methods.task import Task
+
+_VELOCITIES: dict[str, Velocities] = {
+    "velocity_centre": "velocity_centre",
+    "projections": "projections",
+    "velocity_pole": "pole",
+}
+_ACCELERATIONS: dict[str, Accelerations] = {"acceleration_pole": "pole", "acceleration_centre": "acceleration_centre"}
+
+
+@dataclass(frozen=True)
+class WholeMethod:
+    """A method for the whole problem: whether it applies, and how it writes its steps into a book.
+
+    ``digits`` is the number of significant digits of its results where they are measured, 0 where they are computed.
+    """
+
+    applies: Callable[[Task], bool]
+    solve: Callable[[Book], None]
+    digits: int = 0
+
+
+WHOLE: dict[str, WholeMethod] = {
+    "graphical": WholeMethod(graphical.applies, graphical.solve, graphical.ANSWER_DIGITS),
+}
+
+
+@dataclass(frozen=True)
+class Choice:
+    """The style of a solution by groups, or the name of a method for the whole problem."""
+
+    style: Style = Style()
+    whole: str = ""
+
+
+def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
+    """The choice for a task. Raises InputError for a wished method that does not apply, naming those that do."""
+    names = tuple(wished) or task.variant.family.solution
+    if wished:
+        _check(task, wished)
+    whole = next((name for name in names if name in WHOLE), "")
+    velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), Style().velocities)
+    accelerations = next((_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), Style().accelerations)
+    return Choice(Style(velocities, accelerations), whole)
+
+
+def _check(task: Task, wished: Sequence[str]) -> None:
+    fit = applicable(task)
+    wrong = [name for name in wished if name not in fit]
+    if wrong:
+        remedy = "it can be solved by: " + ", ".join(fit)
+        problem = "the method does not apply to this problem"
+        raise InputError([Problem(problem, key="method", value=name, remedy=remedy) for name in wrong])
+
+
+def applicable(task: Task) -> list[str]:
+    """Names of all methods that apply to a task, in alphabetical order.
+
+    A method for groups of links applies where a solution that prefers it has a step or a sentence of it.
+    """
+    found = {name for name, method in WHOLE.items() if method.applies(task)}
+    for style in (Style(), Style("projections", "acceleration_centre"), Style("pole")):
+        keys = _keys(task, style)
+        found |= {name for name, starts in _MARKS.items() if any(key.startswith(starts) for key in keys)}
+    return sorted(found)
+
+
+def _keys(task: Task, style: Style) -> set[str]:
+    """The keys of all sentences of a solution in a style."""
+    book = Book(task, style=style)
+    walk.through(book)
+    found = {step.heading.key for step in book.steps}
+    return found | {item.key for step in book.steps for item in step.items if isinstance(item, Sentence)}
+
+
+# How the keys of the sentences of each method begin.
+_MARKS = {
+    "velocity_centre": ("velocity_centre.", "contact.wheel", "known_centre."),
+    "projections": ("projections.",),
+    "velocity_pole": ("pole.choose_v", "pole.crossing_v", "points.sum_v"),
+    "acceleration_pole": ("pole.choose_a", "pole.crossing_a", "points.sum_a", "points.sum_wheel"),
+    "acceleration_centre": ("acceleration_centre.",),
+    "relative_motion": ("relative.",),
+}

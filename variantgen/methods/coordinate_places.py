@@ -1,0 +1,50 @@
+"""Positions behind the numbers of the coordinate method: worked out where a line with numbers needs them."""
+
+from __future__ import annotations
+
+from variantgen.methods.algebra import added, product
+from variantgen.methods.coordinate_model import Model
+from variantgen.methods.expression import Constant, Expression, Value
+from variantgen.methods.name import Name
+from variantgen.methods.settle import in_order, items_values
+from variantgen.methods.step import Statement
+
+
+def locate(model: Model) -> None:
+    """Give every position that the numbers of the steps use its value from the geometry."""
+    items = [item for step in model.book.steps for item in step.items if not isinstance(item, Statement)]
+    for value in in_order(items_values(items)):
+        if value.expression is None and value.name is not None:
+            value.expression = _place(model, value, value.name)
+
+
+def _place(model: Model, value: Value, name: Name) -> Expression | None:
+    """Where a coordinate, an angle or a way comes from."""
+    geometry = model.geometry
+    match name.kind:
+        case "x" | "y" if not name.dots and name.of in model.task.now.z:
+            own = geometry.coordinates(name.of)["xy".index(name.kind)]
+            return None if own is value else own
+        case "direction" if value in model.coordinates:
+            return geometry.direction(name.of, name.about)
+        case "slide" if value in model.coordinates and name.about:
+            return model.geometry.length(name.of, name.about)
+        case "slide" | "arc" if value in model.coordinates and value.exact:
+            return _slid(model, value, name)
+    return None
+
+
+def _slid(model: Model, value: Value, name: Name) -> Expression:
+    """The way from the pole of the body, or the angle on it."""
+    body = next(body for (point, body), own in model.slides.items() if own is value)
+    if name.kind == "arc":
+        joint = next(s for j in model.task.scene.joints if (s := j.sliding()) and s.point == name.of and s.body == body)
+        turn = model.rotation(body)
+        found = added((1, model.geometry.direction(joint.centre, name.of)), (-1, turn))
+        assert found is not None
+        return found
+    pole = model.pole(body)
+    length = model.geometry.length(pole, name.of)
+    if abs(length.exact - abs(value.exact)) > 1e-9 * model.task.size:
+        return Constant(value.exact)  # a line off the pole
+    return length if value.exact > 0 else product(Constant(-1.0), length) or length

@@ -1,0 +1,40 @@
+"""A guide: along an axis one coordinate is constant, otherwise a way along the line is introduced."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from variantgen.methods.heading import Heading
+from variantgen.methods.step import Point
+
+if TYPE_CHECKING:
+    from variantgen.mechanism.joints.guide import Guide
+    from variantgen.methods.coordinate_model import Model
+
+_LEVEL = 1e-12
+
+
+def direction(model: Model, joint: Any) -> complex:
+    """The unit vector of a direction of the scene, on paper."""
+    return complex(model.task.scene.frame.direction(joint.angle))
+
+
+def prepare(model: Model, joint: Guide, template: None) -> None:
+    """The coordinate across a line along an axis is constant."""
+    way = direction(model, joint)
+    for axis, part in enumerate((way.real, way.imag)):
+        if abs(part) < _LEVEL:
+            model.hold(joint.point, axis)
+
+
+def state(model: Model, joint: Guide, template: None) -> None:
+    """``x = x_0 + s cos alpha``, ``y = y_0 + s sin alpha`` on an oblique line, s counted from the given place."""
+    way = direction(model, joint)
+    if min(abs(way.real), abs(way.imag)) < _LEVEL:
+        return
+    ray = Heading(None, math.degrees(math.atan2(way.imag, way.real))).ray(model.slide(joint.point, "", 0.0))
+    for axis in (0, 1):
+        model.add_sum(
+            "guide", model.of(joint.point, axis), model.start(joint.point, axis), ray[axis], point=Point(joint.point)
+        )

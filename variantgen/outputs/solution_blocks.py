@@ -1,0 +1,91 @@
+"""The text of a solution as data for the typesetting templates: paragraphs, rows of formulas, tables, programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from variantgen.outputs.sheet_data import text_data
+from variantgen.wording.formula import Formula, Fraction, Sum, to_plain, to_typst
+from variantgen.wording.solution.document import Block, Line, Lines, Paragraph, Program, VectorTable
+
+# Letters of plain text, by which widths are guessed: what a row of the page holds, and what a piece may have before
+# its sum is cut.
+_ROW, _PIECE = 100, 56
+_GAP = 6
+_SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
+
+
+def blocks_data(blocks: Sequence[Block]) -> list[dict[str, Any]]:
+    """Blocks in order; each says its ``kind``, and a paragraph whether something stands under it that it leads to."""
+    found = [_block(item) for item in blocks]
+    for i, block in enumerate(found):
+        block["leads"] = block["kind"] == "text" and i + 1 < len(found) and found[i + 1]["kind"] != "text"
+    return found
+
+
+def _block(item: Block) -> dict[str, Any]:
+    match item:
+        case Paragraph(text):
+            return {"kind": "text", "text": text_data(text)}
+        case Lines(lines):
+            return {"kind": "formulas", "rows": [[_pieces(line) for line in row] for row in _rows(lines)]}
+        case VectorTable(heads, unknown, rows):
+            cells = [
+                [
+                    to_typst(row.vector),
+                    text_data(row.direction),
+                    [unknown] if row.magnitude is None else [[to_typst(row.magnitude)]],
+                ]
+                for row in rows
+            ]
+            return {"kind": "vectors", "heads": list(heads), "rows": cells}
+        case Program(code):
+            return {"kind": "program", "code": code.strip("\n")}
+
+
+def _rows(lines: Sequence[Line]) -> Iterator[list[Line]]:
+    """Formulas that fit beside each other share a row."""
+    row: list[Line] = []
+    room = _ROW
+    for line in lines:
+        length = sum(len(sign) + 2 + _letters(formula) for sign, formula in line.pieces) + _GAP
+        if row and length > room:
+            yield row
+            row, room = [], _ROW
+        row.append(line)
+        room -= length
+    if row:
+        yield row
+
+
+def _letters(formula: Formula) -> int:
+    """About how wide a formula is, in letters."""
+    if isinstance(formula, Fraction):
+        return max(len(to_plain(formula.numerator)), len(to_plain(formula.denominator)))
+    return len(to_plain(formula))
+
+
+def _pieces(line: Line) -> list[list[str]]:
+    """The pieces of a formula with the sign before each; a long sum may be broken before each of its terms."""
+    found: list[list[str]] = []
+    for sign, formula in line.pieces:
+        if isinstance(formula, Sum) and len(formula.terms) > 1 and len(to_plain(formula)) > _PIECE:
+            found += _terms(sign, formula)
+        else:
+            found.append([sign, to_typst(formula)])
+    return found
+
+
+def _terms(sign: str, formula: Sum) -> Iterator[list[str]]:
+    """The terms of a sum, the first with the sign of the line, the others with their own."""
+    for number, (own, term) in enumerate(formula.terms):
+        if number == 0:
+            yield [sign, to_typst(Sum(((own, term),)))]
+        else:
+            yield [_SIGNS[own], to_typst(_summand(term))]
+
+
+def _summand(term: Formula) -> Formula:
+    """A term as it stands in a sum, in parentheses where the sum would put them."""
+    return Sum(((1, term),))

@@ -1,0 +1,50 @@
+"""The letters a course is used to: of angular acceleration, of the two components of an acceleration."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+
+from variantgen.errors import InputError, Problem, nearest
+
+CHOICES: Mapping[str, tuple[str, ...]] = {
+    "angular_acceleration": ("epsilon", "alpha"),
+    "components": ("normal", "rotational"),
+}
+
+
+@dataclass(frozen=True)
+class Notation:
+    """``angular_acceleration``: its letter. ``components``: how the two parts of an acceleration are marked.
+
+    ``normal`` writes ``n`` and ``tau``; ``rotational`` the short words for centripetal and rotational of the language.
+    Raises InputError for another choice.
+    """
+
+    angular_acceleration: str = "epsilon"
+    components: str = "normal"
+
+    def __post_init__(self) -> None:
+        problems = []
+        for field in fields(self):
+            value, known = getattr(self, field.name), CHOICES[field.name]
+            if value not in known:
+                remedy = nearest(value, known)
+                problems.append(Problem("unknown notation", key=field.name, value=value, remedy=remedy))
+        if problems:
+            raise InputError(problems)
+
+
+USUAL = Notation()
+
+
+def notation_of(words: Iterable[str]) -> Notation:
+    """The notation that words like ``alpha`` and ``rotational`` choose. Raises InputError for an unknown word."""
+    chosen: dict[str, str] = {}
+    for word in words:
+        names = [name for name, known in CHOICES.items() if word in known]
+        if not names:
+            remedy = nearest(word, [word for known in CHOICES.values() for word in known])
+            raise InputError(Problem("unknown notation", key="--notation", value=word, remedy=remedy))
+        chosen[names[0]] = word
+    return Notation(**chosen)
