@@ -13,7 +13,7 @@ from variantgen.methods.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.monomial import simplified
 from variantgen.methods.name import Name
 from variantgen.methods.route import Route
-from variantgen.methods.step import Body, Fact, Point, Statement
+from variantgen.methods.step import Body, Fact, Point
 from variantgen.methods.timed import law_behind
 from variantgen.methods.tracks import on_track
 
@@ -46,7 +46,7 @@ def _take_travel(book: Book, template: Template, point: str) -> None:
     if abs(rest) < _REST * book.scale:
         book.vectors[point] = normal
         return
-    size = amount(book, template, book.letter, book.measure)
+    size = named(book, path.name, amount(book, template, book.letter, book.measure))
     ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
     angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
     book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))
@@ -57,9 +57,18 @@ def _straight(book: Book, template: Template, point: str) -> Known:
     vector = book.exact(point)
     if abs(vector) <= _REST * book.scale:
         return ()
-    size = amount(book, template, book.letter, book.measure)
+    name = Name(book.letter, point)
+    size = named(book, name, amount(book, template, book.letter, book.measure))
     angle = Value(None, "angle", degrees(vector))
-    return (book.term(Name(book.letter, point), size, angle, "given", point=Point(point)),)
+    return (book.term(name, size, angle, "given", point=Point(point)),)
+
+
+def named(book: Book, name: Name, value: Value) -> Value:
+    """A given magnitude under the name of its vector: a line of its own where the statement calls it otherwise."""
+    spelled = "_".join((name.kind, *name.part.split(), name.of))
+    if value.name is None or value.name == name or value.name.of == spelled:
+        return value
+    return book.derive(name, value.measure, value)
 
 
 def amount(book: Book, template: Template, key: str, measure: str) -> Value:
@@ -92,7 +101,7 @@ def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
     book.say(f"given.law_{name}", False, **facts)
-    book.items.append(Statement(Value(Name("parameter", name), measure, law.number(True), law), law))
+    book.derive(Name("parameter", name), measure, law)
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:
