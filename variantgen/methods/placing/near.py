@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.methods.angles import AngleForm
-from variantgen.methods.expression import Expression, cos, sin
+from variantgen.methods.expression import Constant, Expression, cos, sin
 from variantgen.methods.name import Name
 from variantgen.methods.placed import ORIGIN, Pair, Placed
 from variantgen.methods.step import Point, Statement
@@ -51,15 +51,24 @@ class Construction(Placed):
         """A distance as the equation of a circle, a line as proportional differences of coordinates."""
         geometry, fields = self.geometry, condition.fields
         if condition.component is Distance:
-            squares = squared(geometry.differences(at[fields["end"]], at[fields["start"]]))
+            squares = squared(_gap(at[fields["end"]], at[fields["start"]]))
             return Statement(squares, geometry.read_length(fields["length"]) ** 2)
         start = at[fields["through"]]
-        right, up = geometry.differences(at[fields["point"]], start)
+        right, up = _gap(at[fields["point"]], start)
         if fields.get("towards") is not None:
-            run, rise = geometry.differences(at[fields["towards"]], start)
+            run, rise = _gap(at[fields["towards"]], start)
             return Statement(right * rise, up * run)
         line = geometry.angles.on_paper(geometry.angles.read(fields.get("angle")))
         return Statement(*_on_line(right, up, geometry.angle(line), geometry.number(line)))
+
+
+def _gap(second: Pair, first: Pair) -> tuple[Expression, Expression]:
+    """Differences of coordinates; what is still unknown is written even where it turns out to be zero."""
+    x, y = (
+        summed((sign, v) for sign, v in ((1, b), (-1, a)) if v.exact != 0 or isinstance(v.expression, Constant))
+        for b, a in zip(second, first, strict=True)
+    )
+    return x, y
 
 
 def _on_line(right: Expression, up: Expression, angle: Expression, number: float) -> tuple[Expression, Expression]:
