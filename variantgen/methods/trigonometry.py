@@ -126,7 +126,7 @@ def length_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
         return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
     if first == second:
         return SquareRoot(Constant(2.0)) * first
-    terms: list[Signed] = [(1, first**2), (1, second**2)]
-    if cosine is not None:
-        terms.append((sign, Constant(2.0) * first * second * cosine))
-    return SquareRoot(Total(tuple(terms)))
+    squares = squared((first, second))
+    if cosine is None:
+        return SquareRoot(squares)
+    return SquareRoot(summed(((1, squares), (sign, Constant(2.0) * first * second * cosine))))
