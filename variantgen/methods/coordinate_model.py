@@ -183,10 +183,8 @@ class Model:
     def reference(self, body: str) -> tuple[str, str] | None:
         """The ray of a body whose direction is its angle; None where the angle is that of turning from now on."""
         if body not in self._references:
-            members = [p for p in self.task.scene.bodies[body] if p in self.points or p in self.task.fixed]
             wheel = any(disc.body == body for disc in self.task.form.figure.discs)
-            fixed = [p for p in members if p in self.task.fixed]
-            ordered = [*fixed, *(p for p in members if p not in fixed)]
+            ordered = self.members(body)
             rod = len(ordered) > 1 and not wheel
             self._references[body] = (ordered[0], ordered[1]) if rod else None
         return self._references[body]
@@ -229,9 +227,14 @@ class Model:
 
     def pole(self, body: str) -> str:
         """The point of a body from which others are reached: one at rest, or the first that takes part."""
-        members = self.task.scene.bodies[body]
-        fixed = [p for p in members if p in self.task.fixed]
-        return next(iter([*fixed, *(p for p in members if p in self.points)]))
+        return self.members(body)[0]
+
+    def members(self, body: str) -> list[str]:
+        """The points of a body that take part: those at rest first, then those that drivers or wheels lead."""
+        led = [name for driver in self.task.scene.drivers for shape in driver.shapes() for name in shape.points[:1]]
+        led += [centre for joint in self.task.scene.joints if (centre := getattr(joint, "centre", ""))]
+        found = [p for p in self.task.scene.bodies[body] if p in self.points or p in self.task.fixed]
+        return sorted(found, key=lambda p: (p not in self.task.fixed, p not in led))
 
     def slide(self, point: str, body: str, exact: float) -> Value:
         """The way of a point along its line on a body."""
