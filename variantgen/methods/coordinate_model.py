@@ -118,11 +118,11 @@ class Model:
         """Something new that changes; unknown unless it is prescribed later."""
         size = self.task.size if measure == "length" else 1.0
         value = Value(name, measure, exact, None, size)
-        rates = [
+        speed, gain = (
             Value(name._replace(dots=dots), kind, 0.0, None, self.book.size_of(kind))
             for dots, kind in enumerate(_RATES[measure], 1)
-        ]
-        self.coordinates[value] = Coordinate(value, *rates)
+        )
+        self.coordinates[value] = Coordinate(value, speed, gain)
         return value
 
     def prescribe(self, value: Value, speed: Expression, gain: Expression) -> None:

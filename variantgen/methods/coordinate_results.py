@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from variantgen.mechanism.relative import sliding_points
 from variantgen.methods.algebra import added, product
 from variantgen.methods.book import Known, Rate
@@ -49,6 +51,12 @@ def _ends(model: Model, body: str) -> tuple[str, str]:
     if ends is None:
         raise LookupError(body)
     return ends
+
+
+def say_start(model: Model, values: Iterable[Value]) -> None:
+    """Say from where angles of turning count, if there are any."""
+    if any(value.name is not None and value.name.kind in ("rotation", "swing") for value in values):
+        model.book.say("coordinates.start", False)
 
 
 def enter(model: Model, blocks: list[Block]) -> None:

@@ -68,6 +68,7 @@ def _state(model: Model, blocks: list[Block], given: list[Coordinate]) -> None:
     if not unknowns:
         return
     book.say("coordinates.unknowns", False, unknowns=unknowns)
+    results.say_start(model, [own.place for own in (*given, *(own for block in blocks for own in block.unknowns))])
     said: list[Sentence] = []
     for block in blocks:
         for equation in block.equations:

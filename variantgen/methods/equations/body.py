@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from variantgen.methods.algebra import Maybe, added, product
 from variantgen.methods.expression import Expression
 from variantgen.methods.geometry import degrees
-from variantgen.methods.step import Body, Point, Segment
+from variantgen.methods.step import Body, Fact, Point, Segment
 
 if TYPE_CHECKING:
     from variantgen.methods.coordinate_model import Model
@@ -57,7 +57,12 @@ def _rod(model: Model, body: str, members: list[str]) -> None:
     for point in others:
         share = model.now(first, point) / base
         rows = [_combined(model, first, second, axis, share) for axis in (0, 1)]
-        facts = {"body": Body(body), "point": Point(point), "first": Point(first), "second": Point(second)}
+        facts: dict[str, Fact] = {
+            "body": Body(body),
+            "point": Point(point),
+            "first": Point(first),
+            "second": Point(second),
+        }
         model.add_vector("plate", first, point, [(rows[0], rows[1])], **facts)
 
 

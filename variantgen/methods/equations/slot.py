@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from variantgen.methods.geometry import degrees
-from variantgen.methods.step import Body, Point
+from variantgen.methods.step import Body, Fact, Point
 
 if TYPE_CHECKING:
     from variantgen.mechanism.joints.slot import Slot
@@ -23,7 +23,7 @@ def state(model: Model, joint: Slot, template: None) -> None:
     terms = [heading.ray(model.slide(joint.point, joint.body, place.real))]
     if place.imag:
         terms.append(model.turned(joint.body, degrees(1j * way)).ray(model.offset(place.imag)))
-    facts = {"point": Point(joint.point), "body": Body(joint.body), "pole": Point(pole)}
+    facts: dict[str, Fact] = {"point": Point(joint.point), "body": Body(joint.body), "pole": Point(pole)}
     model.add_vector("slot", pole, joint.point, terms, **facts)
     if joint.sleeve is not None and joint.sleeve in model.task.needed.bodies:
         turns = model.rotation(joint.sleeve), model.rotation(joint.body)
