@@ -13,8 +13,9 @@ from dataclasses import dataclass, field
 from variantgen.methods import coordinate_results as results
 from variantgen.methods.algebra import Maybe, added, derivative, forward, linear, product, pruned, substituted
 from variantgen.methods.book import Book
+from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
-from variantgen.methods.coordinate_model import Coordinate, Model, changing
+from variantgen.methods.coordinate_model import Model, changing
 from variantgen.methods.coordinate_places import locate
 from variantgen.methods.expression import Constant, Expression, Ratio, Value, hypotenuse
 from variantgen.methods.linear_system import ZERO, enter

@@ -11,8 +11,9 @@ from collections.abc import Iterable, Iterator
 
 from variantgen.methods import coordinate_outputs as outputs
 from variantgen.methods.algebra import added, signed
+from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, given_coordinates
-from variantgen.methods.coordinate_model import Coordinate, Model
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.program import enclosed, identifier, number, written
 from variantgen.methods.settle import in_order, parts

@@ -8,13 +8,13 @@ are taken by :mod:`variantgen.methods.algebra`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from variantgen.mechanism.rows import Constraint
 from variantgen.methods import equations
 from variantgen.methods.algebra import Maybe, added, product
 from variantgen.methods.book import Book
+from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.geometry import degrees
 from variantgen.methods.heading import Heading, fixed_number
@@ -24,26 +24,6 @@ from variantgen.methods.step import Fact
 
 _LEVEL = 1e-9  # of the size, or of a unit vector: what is smaller is none
 _RATES = {"length": ("velocity", "acceleration"), "angle": ("angular velocity", "angular acceleration")}
-
-
-@dataclass(eq=False)
-class Coordinate:
-    """Something that changes: its value now, its first and second derivative; ``given`` if a driver prescribes it."""
-
-    place: Value
-    speed: Value
-    gain: Value
-    given: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Equation:
-    """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
-
-    key: str
-    left: Maybe
-    right: Maybe
-    facts: dict[str, Fact] = field(default_factory=dict)
 
 
 class Model:

@@ -9,9 +9,10 @@ from __future__ import annotations
 from variantgen.methods import coordinate_results as results
 from variantgen.methods.algebra import Maybe, added, derivative, linear, pruned, reduced
 from variantgen.methods.book import Book
+from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinate_listing import listing
-from variantgen.methods.coordinate_model import Coordinate, Model
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.coordinate_places import locate
 from variantgen.methods.expression import Constant, Ratio, Value
 from variantgen.methods.linear_system import ZERO, coefficients, enter, enter_solution, system_of
