@@ -122,7 +122,10 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
 def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
     """The acceleration along a line that grows, and those of its rotation, one after the other."""
     place = now.a[reach.base]
-    words = (("rel", ()), ("tr", NORMAL), ("cor", ()), ("tr", TANGENTIAL))
+    normal, tangential = component_marks(language)
+    words: tuple[tuple[str, tuple[Index, ...]], ...] = (
+        ("rel", ()), ("tr", normal), ("cor", ()), ("tr", tangential),
+    )  # fmt: skip
     for step, (word, upper) in zip(now.growing_acceleration(reach.point, reach.base), words, strict=True):
         plan.vectors.append(Vector(place, place + step, compound("a", word, reach.point, language, upper)))
         place += step
