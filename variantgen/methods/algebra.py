@@ -91,12 +91,12 @@ def product(*items: Maybe) -> Maybe:
         own, inner = forward(item)
         sign *= own
         for factor in inner.factors if isinstance(inner, Times) else (inner,):
-            own, factor = forward(factor)
+            own, ahead = forward(factor)
             sign *= own
-            if isinstance(factor, Constant) and not factor.measure:
-                number *= factor.value
+            if isinstance(ahead, Constant) and not ahead.measure:
+                number *= ahead.value
                 continue
-            base, exponent = (factor.base, factor.exponent) if isinstance(factor, Raised) else (factor, 1)
+            base, exponent = (ahead.base, ahead.exponent) if isinstance(ahead, Raised) else (ahead, 1)
             powers[base] = powers.get(base, 0) + exponent
     if number == 0:
         return None

@@ -78,7 +78,8 @@ class _Program:
         tables = [f"{table} = dict(zip(names, {table.lower()}))" for table in "QVA" if f'{table}["' in "".join(asked)]
         if tables:
             yield "; ".join(tables)
-        yield from asked
+        for line in asked:
+            yield from _wrapped(line, "    ")
 
     def _start(self) -> Iterator[str]:
         """The unknowns and rough values of them."""
