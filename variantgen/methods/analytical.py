@@ -49,7 +49,7 @@ def applies(task: Task) -> bool:
 def solve(book: Book) -> None:
     """Write the steps of the method. Raises LookupError for a mechanism to which it does not apply."""
     book.order = 1
-    with book.step("analytical.functions"):
+    with book.step("analytical.functions") as first:
         model = Model(book)
         functions = _functions(model)
         if functions is None:
@@ -66,7 +66,7 @@ def solve(book: Book) -> None:
             results.enter(model, blocks)
             for point in _asked_points(book):
                 _modulus_and_cosines(book, point)
-    locate(model)
+    locate(model, first)
 
 
 def _functions(model: Model) -> Functions | None:
@@ -161,7 +161,7 @@ def _differentiate(
         expression = pruned(found[value]) or ZERO
         enter(rate, expression, expression.number(True))
         if value in shown:
-            items.append(Derived(rate))
+            items.append(Derived(rate, symbolic=rate.exact != 0, numeric=rate.exact != 0))
     return found
 
 

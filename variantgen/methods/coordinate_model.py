@@ -110,7 +110,8 @@ class Model:
         own = self.coordinates[value]
         own.given = True
         for rate, source in ((own.speed, speed), (own.gain, gain)):
-            rate.exact, rate.expression = source.number(True), source
+            rate.exact = source.number(True)
+            rate.expression = source if rate.exact else Constant(0.0)
 
     def hold(self, point: str, axis: int) -> None:
         """Keep the coordinate x (0) or y (1) of a point."""

@@ -37,7 +37,7 @@ def applies(task: Task) -> bool:
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
     book.order = 1
-    with book.step("coordinates.equations"):
+    with book.step("coordinates.equations") as first:
         book.say("coordinates.idea", True)
         model = Model(book)
         targets = results.targets(model)
@@ -54,7 +54,7 @@ def solve(book: Book) -> None:
             for block in blocks:
                 _solve_block(model, block, written, order)
             results.enter(model, blocks)
-    locate(model)
+    locate(model, first)
     with book.step("coordinates.listing"):
         book.say("coordinates.program", False)
         book.items.append(listing(model, blocks, targets))
@@ -126,11 +126,11 @@ def _solve_one(book: Book, value: Value, left: Maybe, right: Maybe) -> None:
     expression = added((-1, rest)) or ZERO
     if left is value:
         enter(value, expression, expression.number(True))
-        book.items.append(Derived(value))
+        book.items.append(Derived(value, symbolic=value.exact != 0, numeric=value.exact != 0))
         return
     coefficient = found[value]
     book.items.append(Statement(left or ZERO, right or ZERO))
     if not (isinstance(coefficient, Constant) and coefficient.value == 1) and rest is not None:
         expression = Ratio(expression, coefficient)
     enter(value, expression, expression.number(True))
-    book.items.append(Derived(value, symbolic=False))
+    book.items.append(Derived(value, symbolic=False, numeric=value.exact != 0))

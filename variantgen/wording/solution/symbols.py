@@ -45,9 +45,9 @@ class Symbols:
             case "length" | "direction":
                 return self._of_points(name)
             case "rotation":
-                return Symbol("phi", self._body_index(name.of))
-            case "slide" | "arc" | "swing":
-                letters = {"slide": "s", "arc": "psi", "swing": "theta"}
+                return Symbol("psi", self._body_index(name.of))
+            case "slide" | "arc" | "swing" | "offset":
+                letters = {"slide": "s", "arc": "chi", "swing": "theta", "offset": "h"}
                 return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))
