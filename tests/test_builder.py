@@ -17,7 +17,7 @@ from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.exam.samples import samples_dir
 
-FILES = {"sheets.pdf", "key.pdf", "key.csv", "manifest.json"}
+FILES = {"sheets.pdf", "key.pdf", "solutions.pdf", "key.csv", "manifest.json"}
 ROSTER = "id;name;group\n17;Иванов Иван;М-21\n4;Öztürk Ann;М-22\n99;De la Cruz, Ana;М-21\n"
 
 
@@ -35,10 +35,13 @@ def built(tmp_path: Path, name: str, *arguments: str, **environment: str) -> dic
 
 @pytest.mark.parametrize("exam", ["sample_ru", "sample_en"])
 def test_same_bytes_for_any_number_of_processes_and_any_hash_seed(exam: str, tmp_path: Path) -> None:
-    one = built(tmp_path, "one", exam, "--variants", "60", "--jobs", "1", PYTHONHASHSEED="1", LC_ALL="C")
-    two = built(tmp_path, "two", exam, "--variants", "60", "--jobs", "2", PYTHONHASHSEED="2", TZ="Asia/Tokyo")
-    assert one.keys() == FILES
-    assert {name for name in one if one[name] != two[name]} == set()
+    # Several parts of each document: of the key with 60 students, of the solutions with 7.
+    for count, options, files in (("60", ["--no-solutions"], FILES - {"solutions.pdf"}), ("7", [], FILES)):
+        choice = [exam, "--variants", count, *options]
+        one = built(tmp_path, f"one{count}", *choice, "--jobs", "1", PYTHONHASHSEED="1", LC_ALL="C")
+        two = built(tmp_path, f"two{count}", *choice, "--jobs", "2", PYTHONHASHSEED="2", TZ="Asia/Tokyo")
+        assert one.keys() == files
+        assert {name for name in one if one[name] != two[name]} == set()
 
 
 @pytest.mark.parametrize("exam", ["sample_ru", "sample_en"])
@@ -87,7 +90,7 @@ def test_roster_order_does_not_matter_and_a_new_student_changes_nobody(tmp_path:
 
 def test_every_student_starts_on_an_odd_page(tmp_path: Path) -> None:
     out = tmp_path / "exam"
-    assert main(["build", "sample_ru", "--variants", "55", "--out", str(out)]) == 0
+    assert main(["build", "sample_ru", "--variants", "55", "--no-solutions", "--out", str(out)]) == 0
     codes = [s["code"] for s in json.loads((out / "manifest.json").read_text("utf-8"))["students"]]
     pages = page_texts(out / "sheets.pdf")
     first = {}
@@ -113,7 +116,7 @@ def test_names_and_groups_are_printed(tmp_path: Path) -> None:
     roster, out = tmp_path / "r.csv", tmp_path / "exam"
     roster.write_text(ROSTER, "utf-8")
     assert main(["build", str(small_exam(tmp_path)), "--roster", str(roster), "--out", str(out)]) == 0
-    for name in ("sheets.pdf", "key.pdf"):
+    for name in ("sheets.pdf", "key.pdf", "solutions.pdf"):
         text = "".join(page_texts(out / name))
         for word in ("Иванов Иван", "Öztürk Ann", "De la Cruz, Ana", "М-22"):
             assert word in text, (name, word)
@@ -162,7 +165,7 @@ def test_a_replacement_cut_short_is_put_back(tmp_path: Path) -> None:
 def test_pools_give_each_student_one_of_the_families(tmp_path: Path) -> None:
     exam, out = tmp_path / "exam.toml", tmp_path / "out"
     exam.write_text('title = "T"\nlanguage = "en"\n[[problem]]\nfamilies = ["rolling_wheel", "spool"]\n', "utf-8")
-    assert main(["build", str(exam), "--variants", "40", "--out", str(out)]) == 0
+    assert main(["build", str(exam), "--variants", "40", "--no-solutions", "--out", str(out)]) == 0
     record = json.loads((out / "manifest.json").read_text("utf-8"))
     families = [student["problems"][0]["family"] for student in record["students"]]
     assert 8 < families.count("spool") < 32

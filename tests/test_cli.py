@@ -210,3 +210,57 @@ def test_show_says_what_is_wrong_with_a_figure(
     assert main(["show", "four_bar", *arguments]) == 2
     assert said in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("lang", "words"), [("en", ["Plan", "Answer:", "Check."]), ("ru", ["План", "Ответ:", "Проверка."])]
+)
+def test_solve_explains(lang: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "four_bar", "--seed", "3", "--explain", "--lang", lang]) == 0
+    said = capsys.readouterr().out
+    assert [word for word in words if word not in said] == []
+    assert max(map(len, said.splitlines())) <= 100
+
+
+def test_the_method_and_depth_of_an_explanation_are_chosen(capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["solve", "four_bar", "--seed", "3", "--explain", "--ask", "v_B"]
+    said = []
+    for options in ([], ["--method", "velocity_pole"], ["--depth", "short"], ["--depth", "answers"]):
+        assert main([*command, *options]) == 0
+        said.append(capsys.readouterr().out)
+    assert len(set(said)) == 4
+    assert len(said[3]) < len(said[2]) < len(said[0])
+    assert len({text.split("Answer:")[1].split("\n")[0] for text in said}) == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--explain", "--method", "centre"], ["method: unknown method", "centre"]),
+        (["--explain", "--depth", "long"], ["depth: unknown depth", "long"]),
+        (["--explain", "--notation", "beta"], ["--notation", "beta"]),
+        (["--explain", "--lang", "xx"], ["language", "xx"]),
+        (["--explain", "--json"], ["--json", "choose"]),
+        (["--method", "graphical"], ["--method", "add --explain"]),
+    ],
+)
+def test_wrong_wishes(options: list[str], words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["solve", "four_bar", *options]) == 2
+    message = capsys.readouterr().err
+    assert [word for word in words if word not in message] == []
+
+
+@pytest.mark.parametrize(("ending", "start"), [("pdf", b"%PDF"), ("png", b"\x89PNG"), ("svg", b"<svg")])
+def test_show_writes_a_page_with_the_solution(ending: str, start: bytes, tmp_path: Path) -> None:
+    plain, out = tmp_path / f"plain.{ending}", tmp_path / f"page.{ending}"
+    command = ["show", "slider_crank", "--lang", "ru", "--out"]
+    assert main([*command, str(plain)]) == 0
+    assert main([*command, str(out), "--explain"]) == 0
+    assert out.read_bytes().startswith(start)
+    assert len(out.read_bytes()) > 1.3 * len(plain.read_bytes())
+
+
+def test_show_prints_problem_and_solution(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "four_bar", "--explain"]) == 0
+    said = capsys.readouterr().out
+    assert said.index("Given:") < said.index("Plan:") < said.index("Answer:")

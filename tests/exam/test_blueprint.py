@@ -15,6 +15,7 @@ from variantgen.cli import main
 HEAD = 'title = "Quiz"\nlanguage = "en"\n'
 BAR = '[[problem]]\nfamily = "four_bar"\nform = "crank"\n'
 GOOD = HEAD + BAR
+FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf", "solutions.pdf"]
 
 
 @contextlib.contextmanager
@@ -117,6 +118,16 @@ def test_not_a_toml_text(content: str | bytes, said: str, bench: Bench) -> None:
         (HEAD + "seed = 1.5\n" + BAR, ["seed: expected a whole number or a word"]),
         (HEAD + "schema = 2\n" + BAR, ["expected schema 1", "another version"]),
         (HEAD + 'schema = "1"\n' + BAR, ["schema: expected a whole number"]),
+        (HEAD + 'solutions = "full"\n' + BAR, ["solutions: expected a table"]),
+        (HEAD + '[solutions]\ndepth = "fulll"\n' + BAR, ["solutions.depth: expected one of", "did you mean full?"]),
+        (HEAD + '[solutions]\ndepht = "full"\n' + BAR, ["solutions.depht: unknown key", "did you mean depth?"]),
+        (HEAD + '[solutions]\nlanguage = "rus"\n' + BAR, ["solutions.language", "rus", "did you mean ru?"]),
+        (HEAD + '[solutions]\nfiles = "student"\n' + BAR, ["solutions.files: expected one of", "mean students?"]),
+        (HEAD + '[notation]\nangular_acceleration = "alfa"\n' + BAR, ["notation.angular_acceleration", "mean alpha?"]),
+        (HEAD + "[notation]\ncomponents = 1\n" + BAR, ["notation.components: expected a string"]),
+        (GOOD + 'method = "velocity_center"\n', ["problem[1].method: unknown method", "did you mean velocity_centre"]),
+        (GOOD + 'method = ["graphical", "graphical"]\n', ["problem[1].method: a method is named twice"]),
+        (GOOD + "method = 3\n", ["problem[1].method: expected a list of strings"]),
         (GOOD + 'familly = "x"\n', ["problem[1].familly: unknown key", "did you mean family"]),
         (HEAD + "[[problem]]\n", ["problem[1].family: missing"]),
         (HEAD + '[[problem]]\nfamily = "for_bar"\n', ["problem[1]", "for_bar", "did you mean four_bar?"]),
@@ -338,7 +349,7 @@ def test_force_replaces_the_whole_folder(bench: Bench) -> None:
     (bench.out / "key.csv").write_text("old")
     code, message = bench.build(GOOD, "--force")
     assert code == 0, message
-    assert sorted(p.name for p in bench.out.iterdir()) == ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]
+    assert sorted(p.name for p in bench.out.iterdir()) == FILES
     assert sorted(path.name for path in bench.folder.iterdir()) == ["exam.toml", "out"]
 
 

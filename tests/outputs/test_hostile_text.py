@@ -12,7 +12,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 
-FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]
+FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf", "solutions.pdf"]
 LITERAL = [
     '#read("/etc/passwd")',
     '#sys.inputs #import "common.typ": * ',
@@ -76,11 +76,12 @@ def key_rows(out: Path) -> list[dict[str, str]]:
 @pytest.mark.parametrize("text", LITERAL)
 def test_text_appears_as_it_stands(text: str, tmp_path: Path) -> None:
     out = build(tmp_path, f"T1 {text}", f"C2 {text}", [(f"I3 {text}", f"N4 {text}", f"G5 {text}")])
-    sheets, key = printed(out / "sheets.pdf"), printed(out / "key.pdf")
+    sheets, key, solutions = (printed(out / f"{name}.pdf") for name in ("sheets", "key", "solutions"))
     for mark in ("T1", "C2", "N4", "G5"):
         assert squeezed(f"{mark} {text}") in sheets
+        assert squeezed(f"{mark} {text}") in solutions
     assert squeezed(f"N4 {text}") in key
-    assert "root:x:" not in sheets + key
+    assert "root:x:" not in sheets + key + solutions
     (row,) = {(row["id"], row["name"], row["group"]) for row in key_rows(out)}
     assert row == tuple(f"{mark} {text}".strip() for mark in ("I3", "N4", "G5"))
 

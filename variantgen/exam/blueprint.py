@@ -18,7 +18,6 @@ from variantgen.families.solving import check_methods
 from variantgen.methods.wish import Depth, Wish
 from variantgen.resources import file_hash
 from variantgen.tables import Table, read_toml
-from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
 
@@ -61,10 +60,9 @@ class Exam:
     solutions: Solutions = Solutions()
     notation: Notation = USUAL
 
-    def wish(self, task: Task, variant: Variant) -> Wish:
-        """What is wished of the solution of a problem: its methods, or those natural to the family."""
-        depth = cast(Depth, self.solutions.depth)
-        return Wish(task.methods or variant.family.solution, depth)
+    def wish(self, task: Task) -> Wish:
+        """What is wished of the solution of a problem."""
+        return Wish(task.methods, cast(Depth, self.solutions.depth))
 
     @property
     def spoken(self) -> Language:

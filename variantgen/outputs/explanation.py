@@ -53,7 +53,7 @@ def explanation(
     :mod:`variantgen.wording.notation`). Raises InputError, and UnexplainedError where no method leads to what is asked.
     """
     asked = tuple(read_ask(variant.form, tuple(ask) or None))
-    wish = Wish(tuple(methods) or variant.family.solution, cast(Depth, depth))
+    wish = Wish(tuple(methods), cast(Depth, depth))
     spoken = load_language(language, notation_of(notation))
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
     return Explanation(variant, asked, spoken, wish, explain(variant, motion, 0, asked, spoken, wish))

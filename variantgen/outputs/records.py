@@ -85,7 +85,7 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
         **({"nice": True} if item.task.nice else {}),
         "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
         "attempt": variant.attempt,
-        "methods": list(exam.wish(item.task, variant).methods) if exam.solutions.wanted else [],
+        "methods": list(item.task.methods or variant.family.solution) if exam.solutions.wanted else [],
         "parameters": {
             name: {"value": str(value), "unit": parameter.unit.name}
             if parameter.unit

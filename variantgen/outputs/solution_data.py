@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
+from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.families.quantities import Quantity
@@ -39,7 +41,10 @@ def solutions_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> d
         for item in sheet.items:
             motion, place = next(solved)
             try:
-                text = explain(item.variant, motion, place, item.asked, language, exam.wish(item.task, item.variant))
+                text = explain(item.variant, motion, place, item.asked, language, exam.wish(item.task))
+            except InputError as error:
+                where = f"problem[{item.task.number}]."
+                raise InputError(replace(p, file=str(exam.path), key=where + p.key) for p in error.problems) from None
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)
