@@ -180,7 +180,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
         own = name.component(word)
-        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, name, terms, word == "y")
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
         size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue
