@@ -1,8 +1,12 @@
-"""Hypothesis profiles (the default for every run, a longer one for the night) and options of the tests."""
+"""Hypothesis profiles (the default for every run, a longer one for the night), options of the tests, LaTeX."""
 
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -14,3 +18,21 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--renew", action="store_true", help="write the reference drawings anew")
+
+
+@pytest.fixture
+def pdflatex(tmp_path: Path) -> Callable[[str], Path]:
+    """Compiles a file of the folder; where CI runs, there has to be a LaTeX."""
+    styles = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def"]
+    if shutil.which("kpsewhich") is None or subprocess.run(["kpsewhich", *styles], check=False).returncode:
+        needed = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic"
+        assert os.environ.get("CI") != "true", f"LaTeX is needed here: apt-get install {needed}"
+        pytest.skip(f"no LaTeX on this machine (apt-get install {needed})")
+
+    def compiled(name: str) -> Path:
+        command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", name]
+        run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300)
+        assert run.returncode == 0, run.stdout[-2000:]
+        return (tmp_path / name).with_suffix(".pdf")
+
+    return compiled

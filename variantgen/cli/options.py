@@ -36,7 +36,15 @@ def add_choice(parser: argparse.ArgumentParser) -> None:
         "--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)"
     )
     parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
+    add_nice(parser)
     add_families(parser)
+
+
+def add_nice(parser: argparse.ArgumentParser) -> None:
+    """``--nice``: hand-friendly variants only."""
+    parser.add_argument(
+        "--nice", action="store_true", help="hand-friendly variants: angles of 30, 45, 60, 90 degrees, simple answers"
+    )
 
 
 def add_explaining(parser: argparse.ArgumentParser) -> None:

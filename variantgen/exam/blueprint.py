@@ -29,7 +29,8 @@ DEFAULT_TOLERANCE = 0.01  # relative
 class Task:
     """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
 
-    ``methods`` are those of its solutions (none: the natural ones of the family).
+    ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
+    variants.
     """
 
     number: int
@@ -37,6 +38,7 @@ class Task:
     ask: tuple[str, ...] | None
     points: int | None
     methods: tuple[str, ...] = ()
+    nice: bool = False
 
 
 @dataclass(frozen=True)
@@ -150,6 +152,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     table.expect("ask", "families")
     ask = table.strings("ask") if "ask" in table.data else None
     unread = ask == () and table.data["ask"] != []
+    nice = table.take("nice", bool, False)
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
@@ -162,12 +165,12 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     families = []
     for name in names:
         with table.collecting(""):
-            family = restrict(load_family(name, folders), fixed, ranges, forms)
+            family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
             _check_ask(family, None if unread else ask)
             families.append(family)
     if len(table.problems) > before:
         return None
-    return Task(number, tuple(families), ask, points or None, methods)
+    return Task(number, tuple(families), ask, points or None, methods, nice)
 
 
 def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:

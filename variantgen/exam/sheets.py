@@ -16,6 +16,8 @@ from variantgen.mechanism.motion import Field, Motion
 from variantgen.variants.draw import Drawing, Entry, draw_distinct
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import Surd
+from variantgen.wording.surds import surd
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 _DIGITS = 8  # significant digits kept, so that a last-bit difference between machines changes no byte
@@ -23,12 +25,16 @@ _DIGITS = 8  # significant digits kept, so that a last-bit difference between ma
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer in its printed unit, with the absolute tolerance in the same unit."""
+    """An answer in its printed unit, with the absolute tolerance in the same unit.
+
+    ``surd`` is the same value in closed form, where it is a simple root or fraction.
+    """
 
     quantity: Quantity
     unit: Unit
     value: float
     tolerance: float
+    surd: Surd | None = None
 
 
 @dataclass(frozen=True)
@@ -147,7 +153,8 @@ def _answers(
             if (id(motion), quantity) not in values:
                 values[id(motion), quantity] = quantity.value(motion)
             unit = quantity.unit(variant.family.length_unit)
-            value = float(f"{unit.from_si(float(values[id(motion), quantity][place])):.{_DIGITS - 1}e}")
-            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance)))
+            computed = unit.from_si(float(values[id(motion), quantity][place]))
+            value = float(f"{computed:.{_DIGITS - 1}e}")
+            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance), surd(computed)))
         found.append(tuple(answers))
     return found

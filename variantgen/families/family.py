@@ -279,6 +279,11 @@ class Family:
     names: frozenset[str] = frozenset()
     solution: tuple[str, ...] = ()
 
+    @property
+    def nice_forms(self) -> list[str]:
+        """Names of the forms that have hand-friendly variants."""
+        return [name for name, form in self.forms.items() if form.nice.possible]
+
     def title(self, language: str) -> str:
         """The title in a language, or in English, or the name."""
         return self.titles.get(language) or self.titles.get("en") or self.name

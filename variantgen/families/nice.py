@@ -11,8 +11,8 @@ from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
-from variantgen.errors import nearest
-from variantgen.families.family import Form, Nice, Parameter, Ties
+from variantgen.errors import Problem, nearest
+from variantgen.families.family import Family, Form, Nice, Parameter, Ties
 from variantgen.families.hints import ExpressionReader, read_require
 from variantgen.families.parameters import choose_words, read_parameter
 from variantgen.tables import Table
@@ -97,6 +97,17 @@ def _read_ties(
 
 def _is_row(row: Any, size: int) -> bool:
     return isinstance(row, list) and len(row) == size and all(isinstance(v, int | Decimal | str) for v in row)
+
+
+def no_nice_forms(family: Family) -> Problem:
+    """The problem of a family, or of the chosen forms of one, without hand-friendly variants."""
+    names = "/".join(name for name in family.forms if name)
+    return Problem(
+        "has no hand-friendly variants",
+        key="nice",
+        value=f"{family.name} ({names})" if names else family.name,
+        remedy="leave nice out, or take another form or family",
+    )
 
 
 def hand_friendly(form: Form) -> Form:

@@ -9,7 +9,7 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form, Parameter
-from variantgen.families.nice import hand_friendly
+from variantgen.families.nice import hand_friendly, no_nice_forms
 from variantgen.families.parameters import choose_words
 from variantgen.families.units import parse_value, sound
 
@@ -56,39 +56,32 @@ def restrict(
             except InputError as error:
                 problems += error.problems
         narrowed[form_name] = replace(form, parameters=parameters)
-        if form.ties and len(parameters) == len(form.parameters):
-            ties = form.ties.within(parameters)
-            narrowed[form_name] = replace(form, parameters=parameters, ties=ties)
-            problems += [] if ties.rows else [_no_row(form)]
     if problems:
         raise InputError(dict.fromkeys(problems))
-    return replace(family, forms=narrowed)
+    return replace(family, forms=_with_rows(narrowed))
 
 
 def _hand_friendly(family: Family, forms: Mapping[str, Form]) -> dict[str, Form]:
     """Those of the forms that have hand-friendly variants, drawing only these. Raises InputError if none has."""
-    found = {name: hand_friendly(form) for name, form in forms.items() if form.nice.possible}
+    found = {name: hand_friendly(forms[name]) for name in family.nice_forms if name in forms}
     if not found:
-        names = "/".join(name for name in forms if name)
-        raise InputError(
-            Problem(
-                "has no hand-friendly variants",
-                key="nice",
-                value=f"{family.name}/{names}" if names else family.name,
-                remedy="leave nice out, or take another form or family",
-            )
-        )
+        raise InputError(no_nice_forms(replace(family, forms=forms)))
     return found
 
 
-def _no_row(form: Form) -> Problem:
-    assert form.ties is not None, "asked only of a form with rows"
-    return Problem(
-        "no hand-friendly variant has these values",
-        key="nice",
-        value=form.name,
-        remedy=f"leave nice out, or leave one of {', '.join(form.ties.names)} free",
-    )
+def _with_rows(forms: Mapping[str, Form]) -> dict[str, Form]:
+    """The forms with only the rows that lie on their grids, without forms that have none left. Raises InputError."""
+    found, problems = {}, []
+    for name, form in forms.items():
+        ties = form.ties.within(form.parameters) if form.ties else None
+        if ties is None or ties.rows:
+            found[name] = replace(form, ties=ties)
+        else:
+            remedy = f"leave nice out, or leave one of {', '.join(ties.names)} free"
+            problems.append(Problem("no hand-friendly variant has these values", key="nice", value=name, remedy=remedy))
+    if not found:
+        raise InputError(problems)
+    return found
 
 
 def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str, Any]) -> Parameter:

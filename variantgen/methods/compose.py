@@ -34,7 +34,10 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
 def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     """The solution by a method for the whole problem; one by measuring has the digits that a ruler gives."""
     method.solve(book)
-    found = {q.name: answer(book, q) for q in book.task.asked}
+    found = {}
+    for quantity in book.task.asked:
+        book.order = quantity.order
+        found[quantity.name] = answer(book, quantity)
     steps = _with_position(book)
     digits = (method.digits + 1,) if method.digits else DIGITS
     settle((item for step in steps for item in step.items), list(found.values()), digits)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.methods.expression import Constant, Value
+from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.name import Name
 from variantgen.methods.plan_scale import per_millimetre
@@ -21,11 +21,11 @@ class DrawnGeometry(Geometry):
         self.scale = Value(Name("scale", "l"), "length", scale)
         self.items.append(Sentence("graphical.mechanism", {"scale": self.scale, "value": Shown(self.scale)}))
 
-    def _worked_out(self, start: str, end: str, exact: float) -> Value:
+    def _worked_length(self, start: str, end: str) -> Expression:
         """A length that is not given: measured in the drawing."""
-        millimetres = exact / self.scale.exact
+        millimetres = abs(self.vector(start, end)) / self.scale.exact
         reading = Value(Name("drawn", start, end, body="l"), "drawing length", millimetres, Constant(millimetres))
-        return self._derived(start, end, exact, reading * self.scale)
+        return reading * self.scale
 
     def _direction(self, start: str, end: str) -> Value:
         return Value(Name("direction", start, end), "angle", degrees(self.vector(start, end)))

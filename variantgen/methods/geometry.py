@@ -1,56 +1,62 @@
 """The position of the mechanism as the solution needs it: lengths, directions and coordinates, worked out on demand.
 
-A length that the statement gives is taken from there; the direction of a segment that follows from given angles alone
-is read off; everything else is computed from coordinates, which come from the constructions of the points. Only what
-a later step asks for is worked out.
+What the statement gives is taken from there, with sums and differences of given lengths and angles. The rest comes from
+the triangles of the mechanism (laws of cosines and sines), or from coordinates where the way between two points is
+longer. Every number follows from the given ones by the formulas shown. Only what a later step asks for is worked out,
+and once.
 """
 
 from __future__ import annotations
 
-import cmath
-import math
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Sequence
 
-from variantgen.families.expressions import Expression as FamilyExpression
-from variantgen.families.expressions import parse
-from variantgen.families.family import Template
-from variantgen.mechanism.constructions.coordinates import Coordinates
-from variantgen.mechanism.constructions.fraction import Fraction
-from variantgen.mechanism.constructions.polar import Polar
-from variantgen.methods.expression import (
-    Applied,
-    Constant,
-    Expression,
-    Magnitude,
-    Ratio,
-    SquareRoot,
-    Total,
-    Value,
-)
+from variantgen.methods import trigonometry
+from variantgen.methods.angles import AngleForm, Atom, between, degrees, normal_angle
+from variantgen.methods.expression import Constant, Expression, Total, Value
+from variantgen.methods.layout import Layout
 from variantgen.methods.name import Name
-from variantgen.methods.placing import placed
-from variantgen.methods.step import Derived, Item
+from variantgen.methods.placed import ORIGIN, Pair, placed
+from variantgen.methods.step import Derived, Fact, Item, Sentence
+from variantgen.methods.sums import Leg, Signed, collected, summed
 from variantgen.methods.task import CLOSE, Task
-from variantgen.methods.timed import timed_direction
+from variantgen.methods.ways import Ways
 
-_DISTANCES = ("distance", "first_distance", "second_distance", "length")
-_LEVEL = 1e-9  # of the size: a coordinate difference below it is none
+__all__ = ["Geometry", "between", "degrees", "normal_angle"]
+
+_X, _Y = AngleForm(), AngleForm((), 90.0)
+_INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
-class Geometry:
+class Geometry(Layout):
     """Lengths, directions and coordinates of one variant; ``items`` are the lines that derive them, in order."""
 
     def __init__(self, task: Task) -> None:
-        self.task = task
+        super().__init__(task)
         self.items: list[Item] = []
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
-        self._coordinates: dict[str, tuple[Value, Value]] = {}
+        self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
+        self._coordinates: dict[str, Pair] = {}
+        plan = task.form.plan
+        self.read({name: placed(self, name) for name in (*plan.placing, *plan.together, *plan.later)})
+        self._ways = Ways(self, self.places)
 
-    def vector(self, start: str, end: str) -> complex:
-        """The exact vector between two points (printed unit of length)."""
-        return self.task.now.z[end] - self.task.now.z[start]
+    # What is known.
+
+    def has_direction(self, start: str, end: str) -> bool:
+        """Whether a direction is given or worked out."""
+        if (start, end) in self._directions or (end, start) in self._directions:
+            return True
+        rays = [atom for atom, _ in self.form(start, end).parts if not isinstance(atom, str)]
+        return all(set(ray) != {start, end} and self.has_direction(*ray) for ray in rays)
+
+    def has_length(self, start: str, end: str) -> bool:
+        """Whether a length is given or worked out."""
+        return frozenset((start, end)) in self._lengths or self.stated(start, end) is not None
+
+    def has_coordinates(self, *points: str) -> bool:
+        """Whether coordinates are worked out."""
+        return all(point in self._coordinates for point in points)
 
     # Lengths.
 
@@ -58,161 +64,88 @@ class Geometry:
         """The distance of two points."""
         key = frozenset((start, end))
         if key not in self._lengths:
-            self._lengths[key] = self._length(start, end)
+            self._lengths[key] = self._entered(Name("length", start, end), "length", self._length(start, end))
         return self._lengths[key]
 
-    def _length(self, start: str, end: str) -> Value:
-        exact = abs(self.vector(start, end))
-        for source, part in self._sources(start, end):
-            found = part * self.task.read(source) / self.task.length_unit
-            if abs(abs(found) - exact) > CLOSE * self.task.size:
-                continue
-            expression = self.task.expressed(source)
-            if expression is None:
-                continue
-            if part == 1 and isinstance(expression, Value):
-                return self._taken(expression)
-            return self._derived(start, end, exact, _scaled(expression, part, found))
-        return self._worked_out(start, end, exact)
+    def _length(self, start: str, end: str) -> Expression:
+        stated = self.stated(start, end)
+        if stated is None:
+            low, high = self.ordered(start, end)
+            stated = self.places[high].share(low)
+        return self._worked_length(start, end) if stated is None else stated
 
-    def _worked_out(self, start: str, end: str, exact: float) -> Value:
-        """A length that is not given, by coordinates."""
-        step = self._shift(start, end)
-        flat = [
-            Magnitude(side) for side, other in (step, step[::-1]) if abs(other.number(True)) < _LEVEL * self.task.size
-        ]
-        expression = flat[0] if flat else SquareRoot(step[0] ** 2 + step[1] ** 2)
-        return self._derived(start, end, exact, expression)
+    def _worked_length(self, start: str, end: str) -> Expression:
+        """A length that is not given: of its construction, or of a triangle."""
+        low, high = self.ordered(start, end)
+        place = self.places[high]
+        own = place.length(low) if low in place.neighbours() else None
+        return own if own is not None else trigonometry.length_of(self, self._triangle(low, high))
 
     def defined(self, start: str, end: str, expression: Expression) -> Value:
         """A distance that is made of others, as that of two points of contact on a diameter."""
         key = frozenset((start, end))
         if key not in self._lengths:
-            self._lengths[key] = self._derived(start, end, expression.number(True), expression)
+            self._lengths[key] = self._entered(Name("length", start, end), "length", expression)
         return self._lengths[key]
 
     def radius(self, centre: str, exact: float, body: str) -> Value:
-        """The radius of a circle about a point: as the statement gives it, or from what it gives."""
+        """The radius of a circle about a point, by the disc of the figure that has it."""
         key = frozenset((centre, f"{exact:.9g}"))
         if key not in self._lengths:
-            self._lengths[key] = self._radius(centre, exact, body)
+            discs = (disc for disc in self.task.form.figure.discs if disc.centre == centre)
+            found = (self.read_length(disc.radius) for disc in discs)
+            near = (item for item in found if abs(item.number(True) - exact) < CLOSE * exact)
+            self._lengths[key] = self._entered(Name("radius", body), "length", next(near, Constant(exact)))
         return self._lengths[key]
-
-    def _radius(self, centre: str, exact: float, body: str) -> Value:
-        for disc in self.task.form.figure.discs:
-            if (
-                disc.centre == centre
-                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < CLOSE * exact
-            ):
-                expression = self.task.expressed(disc.radius)
-                if isinstance(expression, Value):
-                    return self._taken(expression)
-                if expression is not None:
-                    value = Value(Name("radius", body), "length", exact, expression, self.task.size)
-                    self.items.append(Derived(value))
-                    return value
-        return Value(Name("radius", body), "length", exact)
-
-    def _taken(self, value: Value) -> Value:
-        """A given length; one in another unit is converted first."""
-        if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
-            self.items.append(Derived(value))
-        return value
-
-    def _derived(self, start: str, end: str, exact: float, expression: Expression) -> Value:
-        value = Value(Name("length", start, end), "length", exact, expression, self.task.size)
-        self.items.append(Derived(value))
-        return value
-
-    def _sources(self, start: str, end: str) -> Iterator[tuple[FamilyExpression, float]]:
-        """Expressions of the family that may be the distance of two points, with a factor."""
-        form = self.task.form
-        for name in (start + end, end + start):
-            if name in form.parameters:
-                yield parse(name), 1.0
-        for template in (*self._of_points(start, end), *form.conditions):
-            if {start, end} <= {item for item in template.fields.values() if isinstance(item, str)} | {start, end}:
-                for key in _DISTANCES:
-                    if isinstance(source := template.fields.get(key), FamilyExpression):
-                        yield source, 1.0
-        for disc in form.figure.discs:
-            if disc.centre in (start, end):
-                yield disc.radius, 1.0
-                yield disc.radius, 2.0
-        for point, template in form.points.items():
-            if template.component is Fraction and point in (start, end):
-                part = template.fields.get("part")
-                share = self.task.read(part) if isinstance(part, FamilyExpression) else 0.5
-                whole = (template.fields["start"], template.fields["end"])
-                for source, factor in self._sources(*whole) if {start, end} & set(whole) else ():
-                    yield source, factor * share
-                    yield source, factor * (1 - share)
-
-    def _of_points(self, *names: str) -> list[Template]:
-        return [self.task.form.points[name] for name in names if name in self.task.form.points]
 
     # Directions.
 
     def direction(self, start: str, end: str) -> Value:
         """The angle of the ray from one point to another with the x axis (degrees, counter-clockwise, above -180)."""
-        key = (start, end)
-        if key not in self._directions:
-            self._directions[key] = self._direction(start, end)
-        return self._directions[key]
+        if (start, end) not in self._directions:
+            self._directions[start, end] = self._direction(start, end)
+        return self._directions[start, end]
 
     def _direction(self, start: str, end: str) -> Value:
-        if (end, start) in self._directions:
-            return self.turned(self._directions[end, start], 180.0, Name("direction", start, end))
-        exact = degrees(self.vector(start, end))
         name = Name("direction", start, end)
-        if self.is_read_off(start, end):
-            return Value(name, "angle", exact)
-        if timed := timed_direction(self, start, end, exact):
-            return timed
-        right, up = self._shift(start, end)
-        if abs(right.number(True)) < _LEVEL * self.task.size or abs(up.number(True)) < _LEVEL * self.task.size:
-            return Value(name, "angle", exact)
-        slope: Expression = Applied("arctan", Ratio(up, right))
-        turn = round((exact - slope.number(True)) / 180.0) * 180.0
-        if turn:
-            slope = Total(((1, slope), (1 if turn > 0 else -1, Constant(180.0, "angle"))))
-        value = Value(name, "angle", exact, slope)
-        self.items.append(Derived(value))
+        if (end, start) in self._directions:
+            return self.turned(self._directions[end, start], 180.0, name)
+        form = self.form(start, end)
+        if form.parts == (((start, end), 1.0),) and form.constant % 360.0 == 0:
+            return self._entered(name, "angle", self._worked_direction(start, end))
+        if len(form.parts) == 1 and form.constant % 180.0 == 0 and not isinstance(form.parts[0][0], str):
+            return self.turned(self.direction(*form.parts[0][0]), form.constant, name)
+        return self._given_direction(name, form)
+
+    def _given_direction(self, name: Name, form: AngleForm) -> Value:
+        """A direction by given angles, or by a direction that was shown before and fewer angles."""
+        reference = self.places[self.ordered(name.of, name.about)[1]].reference()
+        if len(form.parts) > _INLINE and reference is not None:
+            self.direction(*reference)
+        for known, value in self._shown.items():
+            if known.is_along(form):
+                return self.turned(value, form.constant - known.constant, name)
+        best = min(self._shown, key=lambda known: len(form.minus(known).parts), default=form)
+        rest = form.minus(best)
+        if best is not form and len(rest.parts) + 1 < len(form.parts):
+            expression = self.angle(rest, ((1, self._shown[best]),))
+        else:
+            expression = self.angle(form)
+        value = self._entered(name, "angle", expression)
+        if form.parts:
+            self._shown[form] = value
         return value
 
-    def is_read_off(self, start: str, end: str) -> bool:
-        """Whether the direction of a segment follows from given angles alone."""
-        points = self.task.form.points
-        for one, other in ((start, end), (end, start)):
-            template = points[one]
-            fields = template.fields
-            if template.component is Polar and fields["origin"] == other:
-                return self._angle_given(fields)
-            if template.component is Fraction and {fields["start"], fields["end"]} >= {other}:
-                return self.is_read_off(fields["start"], fields["end"])
-        if all(points[name].component is Fraction for name in (start, end)):
-            first, second = points[start].fields, points[end].fields
-            same = {first["start"], first["end"]} == {second["start"], second["end"]}
-            return same and self.is_read_off(first["start"], first["end"])
-        both = all(points[name].component is Coordinates for name in (start, end))
-        return both and abs(_off_axis(self.vector(start, end))) < _LEVEL * self.task.size
-
-    def _angle_given(self, fields: Mapping[str, Any]) -> bool:
-        """Whether the angle of a polar construction is made of given angles, from the axis or a direction read off."""
-        angle = fields.get("angle")
-        if isinstance(angle, FamilyExpression):
-            units = [self.task.form.parameters[n].unit for n in angle.names if n in self.task.form.parameters]
-            if (
-                any(u is not None and u.measures != "angle" for u in units)
-                or angle.names & self.task.form.derived.keys()
-            ):
-                return False
-        towards = fields.get("towards")
-        return towards is None or self.is_read_off(fields["origin"], towards)
+    def _worked_direction(self, low: str, high: str) -> Expression:
+        place = self.places[high]
+        own = place.direction(low) if low in place.neighbours() and not self.has_coordinates(low, high) else None
+        return own if own is not None else trigonometry.direction_of(self, self._triangle(low, high))
 
     @staticmethod
     def turned(angle: Value, by: float, name: Name | None = None) -> Value:
         """A direction turned by so many degrees, between -180 and 180."""
+        if by % 360.0 == 0:
+            return angle
         exact = normal_angle(angle.exact + by)
         shift = round(exact - angle.exact, 6)
         sign = 1 if shift >= 0 else -1
@@ -221,53 +154,117 @@ class Geometry:
         )
         return Value(name, "angle", exact, expression)
 
+    def angle(self, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
+        """A sum of angles as an expression between -180 and 180 degrees."""
+        return trigonometry.angle_of(self, form, extra)
+
+    def atom(self, atom: Atom) -> Value:
+        """A given angle or the direction of a ray."""
+        return self._taken(self.angles.value(atom)) if isinstance(atom, str) else self.direction(*atom)
+
+    def trigonometric(self, function: str, form: AngleForm) -> tuple[int, Expression | None]:
+        """A cosine or sine: its sign and its expression, None for one; sign 0 for zero."""
+        return trigonometry.reduced(self, function, form)
+
+    def projected(self, function: str, legs: Iterable[Leg], axis: AngleForm) -> list[Signed]:
+        """Projections of legs on an axis (``cos``) or across it to the left (``sin``)."""
+        return trigonometry.projected(self, function, legs, axis)
+
+    # Ways.
+
+    def way(self, start: str, end: str, before: str = "") -> list[Leg]:
+        """The way between two points, legs along one line added; over points placed ``before`` another one."""
+        return collected(self._ways.legs(start, end, before), self.nothing)
+
+    def _triangle(self, start: str, end: str) -> list[Leg]:
+        """The way between two points, or the differences of their coordinates where it is no triangle."""
+        legs = self.way(start, end)
+        oblique = sum(1 for leg in legs if leg.form.parts)
+        known = self.has_coordinates(start, end)
+        if (len(legs) > _INLINE and (oblique >= _INLINE or known)) or (len(legs) == _INLINE and known):
+            right, up = self.differences(self.coordinates(end), self.coordinates(start))
+            legs = collected((Leg(right, _X), Leg(up, _Y)), self.nothing)
+        return legs
+
+    def legs_to(self, point: str, other: str) -> tuple[Leg, ...]:
+        """The way from a neighbour, or the origin, to a point."""
+        if other == ORIGIN and (not self.is_given(point) or self.has_coordinates(point)):
+            x, y = self.coordinates(point)
+            return (Leg(x, _X), Leg(y, _Y))
+        return self.places[point].legs(other)
+
     # Coordinates.
 
-    def coordinates(self, point: str) -> tuple[Value, Value]:
-        """The coordinates of a point."""
+    def coordinates(self, point: str) -> Pair:
+        """The coordinates of a point on paper."""
         if point not in self._coordinates:
-            self._coordinates[point] = placed(self, point)
+            self.enter(point, self.places[point].coordinates() or self._from_neighbour(point))
         return self._coordinates[point]
 
-    def _shift(self, start: str, end: str) -> tuple[Expression, Expression]:
-        """Differences of coordinates as expressions; zeros are left out."""
-        first, second = self.coordinates(start), self.coordinates(end)
-        return (_difference(second[0], first[0]), _difference(second[1], first[1]))
+    def enter(self, point: str, pair: Pair) -> None:
+        """Note coordinates that were found together with others."""
+        self._coordinates[point] = pair
 
+    def _from_neighbour(self, point: str) -> Pair:
+        """``x = x_A + AB cos phi``, ``y = y_A + AB sin phi``."""
+        place = self.places[point]
+        others = place.neighbours()
+        known = (name for name in others if name == ORIGIN or self.has_direction(name, point))
+        other = next(known, others[0])
+        start = () if other == ORIGIN else self.coordinates(other)
+        legs = place.legs(other)
+        x, y = (
+            summed([*((1, v) for v in start[i : i + 1] if v.exact != 0), *self.projected(function, legs, _X)])
+            for i, function in enumerate(("cos", "sin"))
+        )
+        pair = self.located(Name("x", point), x), self.located(Name("y", point), y)
+        self.show(pair)
+        return pair
 
-def _difference(second: Value, first: Value) -> Expression:
-    if first.exact == 0:
-        return second
-    return -first if second.exact == 0 else second - first
+    @staticmethod
+    def differences(second: Pair, first: Pair) -> tuple[Expression, Expression]:
+        """Differences of coordinates; zeros are left out."""
+        x, y = (
+            summed((sign, value) for sign, value in ((1, b), (-1, a)) if value.exact != 0 or value.expression)
+            for b, a in zip(second, first, strict=True)
+        )
+        return x, y
 
+    # Values and lines.
 
-def _scaled(expression: Expression, part: float, found: float) -> Expression:
-    """A positive multiple of an expression."""
-    if part == 0.5:
-        expression = Ratio(expression, Constant(2.0))
-    elif part != 1:
-        expression = Constant(part) * expression
-    return -expression if found < 0 else expression
+    def located(self, name: Name, expression: Expression) -> Value:
+        """A coordinate by an expression; zero is a plain number."""
+        number = expression.number(True)
+        return Value(name, "length", number, None if self.is_nothing(expression) else expression, self.task.size)
 
+    def solution(self, name: Name, number: float) -> Value:
+        """A coordinate found by solving equations: its printed number is rounded like all others."""
+        return Value(name, "length", number, Constant(number), self.task.size)
 
-def _off_axis(vector: complex) -> float:
-    """How far a vector is from the nearer axis."""
-    return min(abs(vector.real), abs(vector.imag))
+    def show(self, pair: Pair) -> None:
+        """Add the lines of coordinates other than zero; what is a number already is written once."""
+        for value in pair:
+            if value.exact != 0:
+                plain = isinstance(value.expression, Constant)
+                self.items.append(Derived(value, symbolic=not plain, numeric=not plain))
 
+    def say(self, key: str, detail: bool = True, /, **facts: Fact) -> None:
+        """Add a sentence of the file ``position``; a short solution leaves out a ``detail``."""
+        self.items.append(Sentence(f"position.{key}", facts, detail))
 
-def degrees(vector: complex) -> float:
-    """The angle of a vector with the x axis in degrees, in (-180, 180]."""
-    return normal_angle(math.degrees(cmath.phase(vector)))
+    def _entered(self, name: Name, measure: str, expression: Expression) -> Value:
+        """A value by its expression with the line that shows it; what is given or a plain number needs none."""
+        if isinstance(expression, Value):
+            return self._taken(expression)
+        number = expression.number(True)
+        if isinstance(expression, Constant):
+            return Value(name, measure, number)
+        value = Value(name, measure, number, expression, self.task.size if measure == "length" else 0.0)
+        self.items.append(Derived(value))
+        return value
 
-
-def normal_angle(angle: float) -> float:
-    """An angle in (-180, 180]; one within rounding of a millionth of a degree is that."""
-    angle = angle - 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12)
-    near = round(angle, 6)
-    angle = near if abs(near - angle) < 1e-9 else angle
-    return 180.0 if angle == -180.0 else angle + 0.0
-
-
-def between(first: float, second: float) -> float:
-    """The angle between two directions in degrees, 0 to 180."""
-    return abs(normal_angle(first - second))
+    def _taken(self, value: Value) -> Value:
+        """A given value; one in another unit is converted first."""
+        if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
+            self.items.append(Derived(value))
+        return value

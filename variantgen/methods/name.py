@@ -21,9 +21,9 @@ class Name(NamedTuple):
     letter), ``image`` the end of the vector of a point in the plan ``body``, with ``part`` ``tr`` that of the point of
     the carrier below it.
 
-    Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned), ``slide``
-    (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing`` (direction of a
-    piece of rope or of a line of centres); ``dots`` counts derivatives by time.
+    Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned),
+    ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing``
+    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time.
     """
 
     kind: str

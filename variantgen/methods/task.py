@@ -146,7 +146,8 @@ class Task:
         if name == "deg":
             return Constant(1.0)
         if name in CONSTANTS:
-            return Pi() if name == "pi" else None
+            value, (length, _) = CONSTANTS[name]
+            return Constant(value / self.length_unit, "length") if length else Pi() if name == "pi" else None
         parameter = self.form.parameters.get(name)
         if parameter is None:
             derived = self.form.derived.get(name)

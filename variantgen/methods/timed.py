@@ -9,17 +9,11 @@ from typing import TYPE_CHECKING
 
 from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Form
-from variantgen.mechanism.constructions.polar import Polar
-from variantgen.methods.expression import Constant, Expression, Pi, Ratio, Total, Value
+from variantgen.methods.expression import Constant, Expression, Pi, Ratio, Total
 from variantgen.methods.monomial import simplified
-from variantgen.methods.name import Name
-from variantgen.methods.step import Derived
 
 if TYPE_CHECKING:
-    from variantgen.methods.geometry import Geometry
     from variantgen.methods.task import Task
-
-_NEAR = 1e-6  # degrees
 
 
 def laws(form: Form) -> list[str]:
@@ -36,52 +30,17 @@ def law_behind(task: Task, source: FamilyExpression) -> Expression | None:
     return None
 
 
-def timed_direction(geometry: Geometry, start: str, end: str, exact: float) -> Value | None:
-    """A direction (``exact``, degrees) that a law of time gives: the angle turned through and a multiple of 90 degrees.
+def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:
+    """The angle (degrees) that a law of time in radians gives: its sign, and its magnitude as an expression.
 
-    The law is in radians; the lines that derive the angle in degrees are added to the items of the geometry.
+    None for a derived quantity that is no law, or one that cannot be written out.
     """
-    form = geometry.task.form
-    template = form.points.get(end)
-    if template is None or template.component is not Polar or template.fields["origin"] != start:
+    if name not in laws(task.form):
         return None
-    angle = template.fields.get("angle")
-    names = [name for name in laws(form) if isinstance(angle, FamilyExpression) and name in angle.names]
-    if len(names) != 1 or template.fields.get("towards"):
-        return None
-    turned = _turned(geometry, names[0])
-    return None if turned is None else _from_axis(turned, Name("direction", start, end), exact)
-
-
-def _turned(geometry: Geometry, name: str) -> Value | None:
-    """The angle turned through (degrees), with its line; the same value each time."""
-    for item in geometry.items:
-        if isinstance(item, Derived) and item.value.name == Name("parameter", name):
-            return item.value
-    law = geometry.task.expressed(geometry.task.form.derived[name])
+    law = task.expressed(task.form.derived[name])
     if law is None:
         return None
-    law = _unsigned(law)
-    value = Value(Name("parameter", name), "angle", 0.0, Ratio(simplified(Constant(180.0) * law), Pi()))
-    assert value.expression is not None
-    value.exact = value.shown = value.expression.number(True)
-    geometry.items.append(Derived(value))
-    return value
-
-
-def _unsigned(law: Expression) -> Expression:
-    """A law without a leading sign: the figure shows the sense."""
+    sign = 1
     while isinstance(law, Total) and len(law.terms) == 1:
-        law = law.terms[0][1]
-    return law
-
-
-def _from_axis(turned: Value, name: Name, exact: float) -> Value | None:
-    """The direction as a multiple of a right angle and the angle turned through."""
-    for sign in (1, -1):
-        offset = exact - sign * turned.exact
-        whole = round(offset / 90.0) * 90.0
-        if abs(offset - whole) < _NEAR:
-            start = [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
-            return Value(name, "angle", exact, Total((*start, (sign, turned))))
-    return None
+        sign, law = sign * law.terms[0][0], law.terms[0][1]
+    return sign, Ratio(simplified(Constant(180.0) * law), Pi())

@@ -12,7 +12,9 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
+from variantgen.errors import InputError
 from variantgen.families.family import Family
+from variantgen.families.nice import no_nice_forms
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
@@ -56,6 +58,7 @@ class Wanted:
     """What a gallery shows: ``each`` variants of every form, of the seeds ``seed``, ``seed + 1``, and so on.
 
     ``folders`` are those of families besides the catalogue, ``options`` what the commands need to find them.
+    ``nice``: only hand-friendly variants, of the forms that have any.
     """
 
     families: Sequence[Family]
@@ -64,6 +67,7 @@ class Wanted:
     seed: int = 1
     folders: tuple[Path, ...] = ()
     options: tuple[str, ...] = ()
+    nice: bool = False
 
 
 def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
@@ -73,9 +77,12 @@ def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
     The same input gives the same bytes. Raises InputError for wrong input.
     """
     language = load_language(wanted.language)
+    families = [family for family in wanted.families if not wanted.nice or family.nice_forms]
+    if not families:
+        raise InputError(no_nice_forms(wanted.families[0]))
     check_free(out, force, FILES)
     with whole_folder(out, force, FILES) as folder:
-        shown = [(family, _rows(wanted, family, language)) for family in wanted.families]
+        shown = [(family, _rows(wanted, family, language)) for family in families]
         every = [example for _, rows in shown for row in rows for example in row.examples]
         (folder / "figures").mkdir()
         for example in every:
@@ -89,7 +96,7 @@ def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
 def _rows(wanted: Wanted, family: Family, language: Language) -> list[Row]:
     """The forms of a family with their variants."""
     rows = []
-    for form in family.forms:
+    for form in family.nice_forms if wanted.nice else family.forms:
         command = ["variantgen", "show", family.name, *(["--form", form] if form else [])]
         command += [*(["--lang", language.name] if language.name != "en" else []), *wanted.options]
         examples = tuple(_example(wanted, family, form, number, language) for number in range(1, wanted.each + 1))
@@ -100,7 +107,7 @@ def _rows(wanted: Wanted, family: Family, language: Language) -> list[Row]:
 def _example(wanted: Wanted, family: Family, form: str, number: int, language: Language) -> Example:
     """One variant of a form; the same that the command shows."""
     seed = str(wanted.seed + number - 1)
-    variant = one_variant(family.name, seed=seed, form=form, folders=wanted.folders)
+    variant = one_variant(family.name, seed=seed, form=form, folders=wanted.folders, nice=wanted.nice)
     asked = asked_quantities(variant)
     drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked, language)
     name = "-".join(part for part in (family.name, form, str(number)) if part)

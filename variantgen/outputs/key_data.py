@@ -25,7 +25,9 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
             "problems": [
                 {
                     "number": str(item.task.number),
-                    "answers": [equals_data(_equation(a, language, item.variant.form.symbols)) for a in item.answers],
+                    "answers": [
+                        equals_data(_equation(a, language, item.variant.form.symbols), a.surd) for a in item.answers
+                    ],
                 }
                 for item in sheet.items
             ],

@@ -82,6 +82,7 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
         "problem": item.task.number,
         "family": variant.family.name,
         "form": variant.form.name,
+        **({"nice": True} if item.task.nice else {}),
         "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
         "attempt": variant.attempt,
         "methods": list(item.task.methods or variant.family.solution) if exam.solutions.wanted else [],

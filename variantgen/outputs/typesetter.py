@@ -21,7 +21,7 @@ from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.resources import templates_dir
-from variantgen.wording.formula import Equation, Measured, to_typst
+from variantgen.wording.formula import Equation, Measured, Surd, to_typst
 
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
@@ -95,14 +95,18 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
     }
 
 
-def equals_data(equation: Equation) -> dict[str, str]:
-    """``symbol = value unit`` as data for ``equals`` of ``common.typ``; a unit without a space is put to the value."""
+def equals_data(equation: Equation, exact: Surd | None = None) -> dict[str, str]:
+    """``symbol = value unit`` as data for ``equals`` of ``common.typ``; a unit without a space is put to the value.
+
+    ``exact`` is the value in closed form, which stands before the rounded one.
+    """
     right = equation.right
     if not isinstance(right, Measured):
         raise TypeError("expected an equation with a measured value")
     tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
     return {
         "symbol": to_typst(equation.left),
+        "exact": to_typst(exact) if exact else "",
         "value": right.number.text + tight,
         "unit": "" if tight else to_typst(right.unit),
     }

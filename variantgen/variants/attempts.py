@@ -29,6 +29,7 @@ from variantgen.variants.variant import Variant
 MAX_ATTEMPTS = 20_000  # of one student
 MAX_FRIENDLY_ATTEMPTS = 60_000  # where the answers, too, are chosen
 _CHUNK = 12
+_MOST_AT_ONCE = 60_000  # attempts of a batch: they bound the memory where few are valid
 
 
 class VerificationError(VariantgenError):
@@ -100,7 +101,7 @@ class FormDrawing:
                 found[i] = variant
             used[pending] += chunk
             pending = [i for i in pending if i not in found]
-            chunk = min(2 * chunk, 2048)
+            chunk = min(2 * chunk, 2048, max(_CHUNK, _MOST_AT_ONCE // max(1, len(pending))))
             if pending and min(used[pending] - np.array(done)[pending]) > self._most:
                 raise InputError(self._exhausted())
         return [found[i] for i in range(len(streams))]

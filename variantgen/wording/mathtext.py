@@ -26,6 +26,7 @@ _SPECIAL = {
     "~": "\N{TILDE OPERATOR}",
     "'": "\N{PRIME}",
     '"': "\N{DOUBLE PRIME}",
+    "`": "\N{REVERSED PRIME}",
     " ": r"\;",
     "\N{NO-BREAK SPACE}": r"\;",
 }

@@ -8,21 +8,25 @@ from collections.abc import Sequence
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Equation, Measured, to_plain
+from variantgen.wording.formula import Equation, Measured, Surd, to_plain
 from variantgen.wording.language import Language
 from variantgen.wording.statement import sign_notes, statement
+from variantgen.wording.surds import with_surd
 
 
 def plain_problem(
-    variant: Variant, asked: Sequence[Quantity], values: Sequence[tuple[float, Unit]], language: Language
+    variant: Variant, asked: Sequence[Quantity], values: Sequence[tuple[float, Unit, Surd | None]], language: Language
 ) -> str:
-    """Statement, given data, asked quantities and answers in lines of at most 100 columns."""
+    """Statement, given data, asked quantities and answers in lines of at most 100 columns.
+
+    ``values`` are the answers in printed units, with their closed form where they have one.
+    """
     said = statement(variant, asked, language)
     words, key = language.words("sheet"), language.words("key")
     text = "".join(part if isinstance(part, str) else to_plain(part) for part in said.text)
     found = [
-        to_plain(Equation(symbol, Measured(language.rounded(value), language.unit(unit))))
-        for symbol, (value, unit) in zip(said.asked, values, strict=True)
+        to_plain(with_surd(Equation(symbol, Measured(language.rounded(value), language.unit(unit))), exact))
+        for symbol, (value, unit, exact) in zip(said.asked, values, strict=True)
     ]
     paragraphs = [
         variant.family.title(language.name),

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
-import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -149,24 +146,6 @@ def test_tikz_has_every_line_and_label_in_its_place(drawn: Picture) -> None:
     assert source.count("circle[radius=") == circles
     # Nothing but named pens: the styles are said once.
     assert "line width" not in source.split("]\n", 1)[1]
-
-
-@pytest.fixture
-def pdflatex(tmp_path: Path) -> Callable[[str], Path]:
-    """Compiles a file of the folder; where CI runs, there has to be a LaTeX."""
-    styles = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def"]
-    if shutil.which("kpsewhich") is None or subprocess.run(["kpsewhich", *styles], check=False).returncode:
-        needed = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic"
-        assert os.environ.get("CI") != "true", f"LaTeX is needed here: apt-get install {needed}"
-        pytest.skip(f"no LaTeX on this machine (apt-get install {needed})")
-
-    def compiled(name: str) -> Path:
-        command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", name]
-        run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300)
-        assert run.returncode == 0, run.stdout[-2000:]
-        return (tmp_path / name).with_suffix(".pdf")
-
-    return compiled
 
 
 def test_tikz_compiles(tmp_path: Path, pdflatex: Callable[[str], Path]) -> None:

@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from variantgen.cli.options import add_families, at_least_one
+from variantgen.cli.options import add_families, add_nice, at_least_one
 
 HELP = "make a gallery of figures"
 DESCRIPTION = "Make a gallery of families: index.html, gallery.pdf and the figures as SVG in a new folder."
@@ -20,6 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
     parser.add_argument("--each", type=int, default=3, metavar="N", help="variants of each form (default: 3)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="seed of the first of them (default: 1)")
+    add_nice(parser)
     parser.add_argument("--force", action="store_true", help="replace an earlier gallery whole")
     add_families(parser)
 
@@ -35,7 +36,8 @@ def run(arguments: argparse.Namespace) -> int:
     names = list(dict.fromkeys(arguments.family)) or family_names(folders)
     families = [load_family(name, folders) for name in names]
     options = tuple(part for folder in arguments.families for part in ("--families", str(folder)))
-    wanted = Wanted(families, arguments.lang, arguments.each, arguments.seed, folders, options)
+    options += ("--nice",) if arguments.nice else ()
+    wanted = Wanted(families, arguments.lang, arguments.each, arguments.seed, folders, options, arguments.nice)
     start = time.perf_counter()
     count = write_gallery(wanted, arguments.out, arguments.force)
     print(f"{count} figures in {arguments.out} ({time.perf_counter() - start:.1f} s)", file=sys.stderr)

@@ -42,7 +42,9 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.wording.plain import plain_problem
 
     folders = family_folders(arguments.families)
-    variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
+    variant = one_variant(
+        arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice
+    )
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
@@ -66,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
         write_single(variant, asked, found, arguments.lang, arguments.out, remark)
         print(f"written: {arguments.out}", file=sys.stderr)
     if not (arguments.out or arguments.motion or arguments.figure):
-        values = [(answer.value, answer.unit) for answer in found]
+        values = [(answer.value, answer.unit, answer.surd) for answer in found]
         print(plain_problem(variant, asked, values, load_language(arguments.lang)))
         if solution is not None:
             print(f"\n{solution}")

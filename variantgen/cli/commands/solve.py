@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
+from math import isfinite
+from typing import TYPE_CHECKING
 
 from variantgen.cli.options import add_choice, add_explaining, explained, settings
 from variantgen.errors import InputError, Problem
+
+if TYPE_CHECKING:
+    from variantgen.exam.sheets import Answer
 
 HELP = "solve one variant"
 DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."
@@ -26,10 +31,12 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
     from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import one_variant, solution_document
+    from variantgen.single import answers, one_variant, solution_document
 
     folders = family_folders(arguments.families)
-    variant = one_variant(arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders)
+    variant = one_variant(
+        arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice
+    )
     document = solution_document(variant, arguments.ask)
     if arguments.json:
         try:
@@ -47,9 +54,16 @@ def run(arguments: argparse.Namespace) -> int:
         if solution is not None:
             print(solution)
             return 0
-        for answer in document["answers"]:
-            value = (
-                "infinite" if answer["value"] is None else f"{answer['value']:.6g} {answer['unit']}".removesuffix(" 1")
-            )
-            print(f"{answer['quantity']} = {value}")
+        for answer in answers(variant, arguments.ask):
+            print(_told(answer))
     return 0
+
+
+def _told(answer: Answer) -> str:
+    """``v_B = 40√3/3 ≈ 23.094 cm/s``: the closed form, if there is one, and the decimal."""
+    from variantgen.wording.formula import to_plain
+
+    if not isfinite(answer.value):
+        return f"{answer.quantity.name} = infinite"
+    exact = f"= {to_plain(answer.surd)} ≈".replace("\N{MINUS SIGN}", "-") if answer.surd else "="
+    return f"{answer.quantity.name} {exact} {answer.value:.6g} {answer.unit.name}".removesuffix(" 1")

@@ -123,7 +123,9 @@ def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language)
     """The acceleration along a line that grows, and those of its rotation, one after the other."""
     place = now.a[reach.base]
     normal, tangential = component_marks(language)
-    words = (("rel", ()), ("tr", normal), ("cor", ()), ("tr", tangential))
+    words: tuple[tuple[str, tuple[Index, ...]], ...] = (
+        ("rel", ()), ("tr", normal), ("cor", ()), ("tr", tangential),
+    )  # fmt: skip
     for step, (word, upper) in zip(now.growing_acceleration(reach.point, reach.base), words, strict=True):
         plan.vectors.append(Vector(place, place + step, compound("a", word, reach.point, language, upper)))
         place += step

@@ -145,16 +145,12 @@ def as_denominator(denominator: Formula, flat: bool) -> bool:
 
 def as_base(base: Formula, flat: bool) -> bool:
     """The base of a power: ``(a · b)^2``; a letter with something above its index has no room for an exponent."""
-    if isinstance(base, Symbol):
-        return bool(base.upper)
-    if isinstance(base, Vector | Dotted):
-        return bool(base.symbol.upper)
-    return binding(base, flat) < Binding.WHOLE or starts_with_minus(base, flat)
+    return binding(base, flat) < Binding.WHOLE or starts_with_minus(base, flat) or _has_upper(base)
 
 
 def as_radicand(radicand: Formula, flat: bool) -> bool:
     """What stands under a root: in the line all but a letter or a number."""
-    return flat and (binding(radicand, flat) < Binding.WHOLE or starts_with_minus(radicand, flat))
+    return flat and as_base(radicand, flat)
 
 
 def as_argument(argument: Formula) -> bool:
@@ -224,6 +220,14 @@ def _letter(formula: Formula) -> Symbol | None:
             return _letter(base)
         case _:
             return None
+
+
+def _has_upper(formula: Formula) -> bool:
+    match formula:
+        case Symbol(upper=upper) | Vector(Symbol(upper=upper)) | Dotted(Symbol(upper=upper)):
+            return bool(upper)
+        case _:
+            return False
 
 
 def _is_letter(formula: Formula) -> bool:

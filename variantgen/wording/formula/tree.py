@@ -99,12 +99,20 @@ class Sum:
 
     terms: tuple[tuple[int, Formula], ...]
 
+    def __post_init__(self) -> None:
+        if not self.terms or any(sign not in (1, -1) for sign, _ in self.terms):
+            raise ValueError(f"terms with the signs +1 and −1, not {self.terms}")
+
 
 @dataclass(frozen=True)
 class Product:
     """``ω_OA · OA``, ``v_A cos 30°``, ``2 ω``: factors with a dot or a space, as :func:`precedence.between` says."""
 
     factors: tuple[Formula, ...]
+
+    def __post_init__(self) -> None:
+        if not self.factors:
+            raise ValueError("a product without factors")
 
 
 @dataclass(frozen=True)

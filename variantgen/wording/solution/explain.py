@@ -21,6 +21,7 @@ from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.statement import Text
+from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.vector_names import centre_letters
 
 WHOLE = Wish()
@@ -104,5 +105,6 @@ def _answer(
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
         number = language.rounded(value, digits) if digits else language.rounded(value)
-        parts += ["; " if position else "", Equation(symbol, Measured(number, unit))]
+        exact = None if digits else surd(value)
+        parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")

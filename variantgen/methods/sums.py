@@ -1,0 +1,103 @@
+"""Sums of lengths and of vectors of known direction, collected and simplified before they are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from variantgen.methods.angles import AngleForm
+from variantgen.methods.expression import Constant, Expression, Ratio, Times, Total
+
+Signed = tuple[int, Expression]
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A vector: its length (printed unit; a negative one points backwards) and its direction on paper."""
+
+    length: Expression
+    form: AngleForm
+
+    def reversed(self) -> Leg:
+        """The opposite vector."""
+        return Leg(self.length, self.form.turned(180.0))
+
+
+def terms_of(item: Expression, sign: int = 1) -> list[Signed]:
+    """The terms of a sum, of sums in it too; a product with a negative number is a negative term."""
+    if isinstance(item, Total):
+        return [found for s, term in item.terms for found in terms_of(term, sign * s)]
+    if isinstance(item, Times) and isinstance(item.factors[0], Constant) and item.factors[0].value < 0:
+        count, rest = -item.factors[0].value, item.factors[1:]
+        return [(-sign, _multiple(count, rest[0] if len(rest) == 1 else Times(rest)))]
+    if isinstance(item, Ratio) and isinstance(item.above, Total) and len(item.above.terms) == 1:
+        return [(sign * item.above.terms[0][0], Ratio(item.above.terms[0][1], item.below))]
+    if isinstance(item, Constant) and item.value < 0:
+        return [(-sign, Constant(-item.value, item.measure))]
+    return [(sign, item)]
+
+
+def summed(terms: Iterable[Signed]) -> Expression:
+    """The sum of terms: equal ones collected, opposite ones cancelled, positive ones first."""
+    found: list[tuple[float, Expression]] = []
+    for sign, item in terms:
+        for s, term in terms_of(item, sign):
+            count, core = _counted(term)
+            place = next((i for i, (_, other) in enumerate(found) if other is core or other == core), None)
+            if place is None:
+                found.append((s * count, core))
+            else:
+                found[place] = (found[place][0] + s * count, core)
+    kept = [(1 if count > 0 else -1, _multiple(abs(count), core)) for count, core in found if not _is_zero(count, core)]
+    kept.sort(key=lambda term: -term[0])
+    if not kept:
+        return Constant(0.0)
+    return kept[0][1] if len(kept) == 1 and kept[0][0] > 0 else Total(tuple(kept))
+
+
+def positive(item: Expression) -> tuple[int, Expression]:
+    """The sign of a number and the expression of its magnitude; (0, ...) for zero."""
+    number = item.number(True)
+    if number == 0:
+        return 0, item
+    return (1, summed([(1, item)])) if number > 0 else (-1, summed([(-1, item)]))
+
+
+def _counted(item: Expression) -> tuple[float, Expression]:
+    """A number before a quantity, and the quantity."""
+    if isinstance(item, Times) and isinstance(item.factors[0], Constant):
+        rest = item.factors[1:]
+        return float(item.factors[0].value), rest[0] if len(rest) == 1 else Times(rest)
+    return 1.0, item
+
+
+def _is_zero(count: float, item: Expression) -> bool:
+    return count == 0 or (isinstance(item, Constant) and item.value == 0)
+
+
+def _multiple(count: float, item: Expression) -> Expression:
+    return item if count == 1 else Constant(count) * item
+
+
+def collected(legs: Iterable[Leg], nothing: float) -> list[Leg]:
+    """Legs along the same line added, each of positive length; what is below ``nothing`` is left out."""
+    groups: list[tuple[AngleForm, list[Signed]]] = []
+    for leg in legs:
+        for form, terms in groups:
+            if form.is_along(leg.form):
+                same = abs((leg.form.constant - form.constant + 90.0) % 360.0 - 90.0) < 1.0
+                terms.append((1 if same else -1, leg.length))
+                break
+        else:
+            groups.append((leg.form, [(1, leg.length)]))
+    found = []
+    for form, terms in groups:
+        sign, length = positive(summed(terms))
+        if abs(length.number(True)) > nothing:
+            found.append(Leg(length, form if sign > 0 else form.turned(180.0)))
+    return found
+
+
+def squared(parts: Iterable[Expression]) -> Expression:
+    """The sum of squares; of zeros nothing is shown."""
+    return summed((1, part**2) for part in parts if part.number(True) != 0)

@@ -1,0 +1,26 @@
+"""Values of the form (p/q) sqrt(n) beside their decimals: ``v_B = 40 sqrt(3)/3 = 23.09 cm/s``."""
+
+from __future__ import annotations
+
+from variantgen.mechanism.closed_form import closed_form
+from variantgen.wording.formula import Chain, Equation, Surd
+from variantgen.wording.language import ANSWER_DIGITS
+
+
+def surd(value: float) -> Surd | None:
+    """The root or fraction that a computed value is (see :mod:`variantgen.mechanism.closed_form`), or None.
+
+    None also where a root or fraction tells nothing new: zero, and decimals of no more digits than are printed
+    (0.25 and 120 are none, 4/3 and 17/16 are).
+    """
+    found = closed_form(value)
+    if found is None or (found[2] == 1 and float(f"{value:.{ANSWER_DIGITS - 1}e}") == found[0] / found[1]):
+        return None
+    return Surd(*found)
+
+
+def with_surd(equation: Equation, exact: Surd | None) -> Equation | Chain:
+    """``symbol = value``, with the exact form before the rounded value if there is one."""
+    if exact is None:
+        return equation
+    return Chain((equation.left, exact, equation.right), ("=", "≈"))
