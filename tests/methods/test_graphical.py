@@ -13,8 +13,9 @@ import pytest
 from tests.calculator import evaluate
 from tests.figure.reading import FORMS, arrows, variants_of
 from tests.solved_cases import case_of, task
+from variantgen.families.quantities import parse_quantity
 from variantgen.figure.drawing import Layer
-from variantgen.figure.plans import COINCIDENT, scale_of_plan
+from variantgen.figure.plans import COINCIDENT, scale_of_plan, without_millimetres
 from variantgen.figure.solved import solved
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.methods import graphical
@@ -27,7 +28,9 @@ from variantgen.methods.name import Name
 from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, pole_letter
 from variantgen.methods.step import Derived, Sentence, Solution
 from variantgen.methods.task import Task, task_of
+from variantgen.single import one_variant
 from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import Line, Lines
@@ -209,6 +212,30 @@ def recomputed(line: Line) -> int:
 def fourth_digit(value: float) -> float:
     """One unit of the fourth significant digit."""
     return 10.0 ** (math.floor(math.log10(abs(value))) - 3) if value else 0.0
+
+
+def test_components_are_measured() -> None:
+    variant = one_variant("four_bar", {}, seed=3)
+    motion = solve_variants([variant], 2)
+    asked = [parse_quantity(text, variant.form.sample) for text in ("v_B.x", "v_B.y", "a_B.x", "v_A", "omega_AB")]
+    item = task_of(variant, motion, 0, asked)
+    found = solution(item, ["graphical"])
+    for quantity, (_, value) in zip(asked, found.answers, strict=True):
+        wanted = quantity.unit("cm").from_si(float(quantity.value(motion)[0]))
+        largest = max(abs(complex(v[0])) for v in (motion.v if quantity.order == 1 else motion.a).values())
+        scale = largest / 0.01 if quantity.is_vector else abs(wanted)
+        assert value.exact == pytest.approx(wanted, abs=1e-9 * scale)
+        assert value.shown == pytest.approx(wanted, abs=0.01 * scale)
+
+
+def test_a_plan_of_another_size_does_not_speak_of_millimetres() -> None:
+    item = tasks("four_bar", "crank")[0]
+    variants, motion, asked = variants_of("four_bar", "crank", SEEDS)
+    drawing = velocity_plan.draw(item.variant, motion, variants.index(item.variant), asked, EN)
+    left = without_millimetres(drawing)
+    gone = [to_plain(label.formula) for label in drawing.labels if label not in left.labels]
+    assert len(gone) == 1
+    assert gone[0].replace("\N{NO-BREAK SPACE}", " ").startswith("1 mm = ")
 
 
 def test_scales_are_round_and_fill_the_room() -> None:

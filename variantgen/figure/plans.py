@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import partial
 
@@ -230,6 +230,15 @@ def _draw_scale(sketch: Sketch, scale: PlanScale, language: Language) -> None:
     wide, high = label_size(meaning)
     below = np.array([start + 0.5 * wide - 1j * (0.5 * high + off) for off in (2.2, 3.2, 5.0)])
     sketch.label(_beside_bar(meaning, start, end, below))
+
+
+def without_millimetres(drawing: Drawing) -> Drawing:
+    """A drawing that will not be printed in the usual size: what a millimetre means there is left out."""
+    return replace(drawing, labels=tuple(label for label in drawing.labels if not _tells_millimetres(label.formula)))
+
+
+def _tells_millimetres(formula: Formula) -> bool:
+    return isinstance(formula, Equation) and isinstance(formula.left, Measured)
 
 
 def _beside_bar(formula: Formula, start: complex, end: complex, places: Places) -> Request:

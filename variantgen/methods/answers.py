@@ -7,7 +7,7 @@ from variantgen.mechanism.relative import sliding_points
 from variantgen.methods import acceleration_centre, velocity_centre
 from variantgen.methods.book import Book, Known, resultant
 from variantgen.methods.expression import Applied, Constant, Ratio, Total, Value
-from variantgen.methods.geometry import degrees
+from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.name import Name
 from variantgen.methods.points import components, is_translating, modulus, vector
 from variantgen.methods.step import Body, Derived, Point, VectorOf
@@ -82,8 +82,8 @@ def _component(book: Book, name: Name, terms: Known, axis: str) -> Value:
 
 def _angle(book: Book, name: Name, terms: Known) -> Value:
     """The direction of a vector: that of its only term, or by the arc tangent of its components."""
-    if len(terms) == 1:
-        return terms[0].angle
+    if len(terms) == 1 and terms[0].size is not None:
+        return terms[0].angle if terms[0].size.exact >= 0 else Geometry.turned(terms[0].angle, 180.0)
     x, y = (_component(book, name, terms, axis) for axis in ("x", "y"))
     exact = degrees(resultant(terms))
     if x.exact == 0 or y.exact == 0:

@@ -50,8 +50,8 @@ class Graphics(Protocol):
     def size(self, book: Book, name: Name, terms: Known) -> Value:
         """The magnitude of a known vector."""
 
-    def component(self, book: Book, name: Name, terms: Sequence[Term], upright: bool) -> Expression:
-        """A projection of a known vector on an axis of the paper."""
+    def component(self, book: Book, name: Name, terms: Sequence[Term]) -> Expression:
+        """A projection (``x`` or ``y`` in the name) of a known vector on an axis of the paper."""
 
 
 @dataclass

@@ -73,6 +73,12 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
         facts["other"] = Body(known.body)
     word = "rest" if known.is_rest else "same"
     book.say(f"{kind}.{word}_{book.letter}", False, **facts)
+    turning = [side for side in (known, sought) if side.lever]
+    if book.order == 2 and turning and not known.is_rest:
+        book.say("contact.normal")
+    if kind == "rope" and book.order == 1:
+        for side in turning:
+            book.say("rope.leaves", contact=Point(side.name), body=Body(side.body))
 
 
 def contact_name(book: Book, side: Side) -> Name:
@@ -90,8 +96,18 @@ def component(book: Book, side: Side) -> Component:
         name = contact_name(book, side)._replace(about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
         turning = book.derive(name, book.measure, rate.size * radius)
+        if parts:
+            _say_sum(book, side)
         parts.append((rate.sense * side.lever, turning))
     return combined(book, contact_name(book, side), parts)
+
+
+def _say_sum(book: Book, side: Side) -> None:
+    """The pole formula for the point at the contact, on the tangent."""
+    name = contact_name(book, side)
+    facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
+    facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
+    book.say(f"contact.sum_{book.letter}", **facts)
 
 
 def centre_parts(book: Book, side: Side) -> Parts:
@@ -139,8 +155,9 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
             found = renamed(book, found, sought)
         parts: Parts = [(found.sign, found.size)] if found.size else []
         carried = centre_parts(book, sought)
-        about = sought.centre if carried else ""
-        name = contact_name(book, sought)._replace(about=about)
+        if carried and not known.is_rest:
+            _say_sum(book, sought)
+        name = contact_name(book, sought)._replace(about=sought.centre if carried else "")
         if known.is_rest and len(carried) == 1 and isinstance(carried[0][1], Value):
             parts = [(-carried[0][0], carried[0][1])]  # v_KC is v_C turned back: no line of its own
         else:
@@ -230,7 +247,13 @@ def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, a
     book.say(f"contact.{key}_{book.letter}", False, **facts)
     size = signed_sum(difference, 1 if exact * gap > 0 else -1) if sense else None
     enter_rate(book, group.body, size, sense, _span(book, sides, arms))
-    enter_centre(book, group, sides[0], _centre(book, group, sides, arms, parts, moving))
+    found = _centre(book, group, sides, arms, parts, moving)
+    way = sum(sign * part.number(True) for sign, part in found)
+    enter_centre(book, group, sides[0], found)
+    leading = next((i for i, part in enumerate(parts) if part[0] * way > 0), None)
+    if leading is not None:
+        own = VectorOf(Name(book.letter, group.point))
+        book.say(f"contact.way_{book.letter}", True, vector=own, other=names[leading])
 
 
 def _span(book: Book, sides: Sequence[Side], arms: Sequence[float]) -> Value:

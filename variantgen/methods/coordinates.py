@@ -13,13 +13,12 @@ from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordi
 from variantgen.methods.coordinate_listing import listing
 from variantgen.methods.coordinate_model import Coordinate, Model
 from variantgen.methods.coordinate_places import locate
-from variantgen.methods.expression import Constant, Expression, LinearSolution, Ratio, Value
-from variantgen.methods.step import Derived, LinearSystem, Sentence, Statement
+from variantgen.methods.expression import Constant, Ratio, Value
+from variantgen.methods.linear_system import ZERO, coefficients, enter, enter_solution, system_of
+from variantgen.methods.step import Derived, Sentence, Statement
 from variantgen.methods.task import Task
 
 _LARGEST = 3  # unknowns of a system that is shown with its numbers
-_ZERO = Constant(0.0)
-_ROUNDING = 1e-10  # of the natural scale: what is smaller is zero
 
 
 def applies(task: Task) -> bool:
@@ -76,7 +75,7 @@ def _state(model: Model, blocks: list[Block], given: list[Coordinate]) -> None:
             if sentence not in said:
                 said.append(sentence)
                 book.items.append(sentence)
-            book.items.append(Statement(equation.left or _ZERO, equation.right or _ZERO))
+            book.items.append(Statement(equation.left or ZERO, equation.right or ZERO))
 
 
 Written = dict[int, tuple[Maybe, Maybe]]
@@ -98,60 +97,38 @@ def _differentiated(model: Model, written: Written, order: int) -> Written:
 
 def _solve_block(model: Model, block: Block, written: Written, order: int) -> None:
     """Show the equations of a block and find its unknown derivatives."""
+    book = model.book
     unknowns = [own.speed if order == 1 else own.gain for own in block.unknowns]
     for value in unknowns:
         value.exact = 1.0  # not zero, so that nothing is left out with it
     sides = [tuple(pruned(side) for side in written[id(e)]) for e in block.equations]
     if len(unknowns) == 1:
-        _solve_one(model, unknowns[0], *sides[0])
+        _solve_one(book, unknowns[0], *sides[0])
         return
-    model.book.items.extend(Statement(left or _ZERO, right or _ZERO) for left, right in sides)
+    book.items.extend(Statement(left or ZERO, right or ZERO) for left, right in sides)
     forms = [linear(added((1, left), (-1, right)), unknowns) for left, right in sides]
-    rows = [[found.get(value, _ZERO) for value in unknowns] for found, _ in forms]
-    right = [_ZERO if rest is None else added((-1, rest)) or _ZERO for _, rest in forms]
     if len(unknowns) <= _LARGEST:
-        model.book.say("coordinates.numbers", True)
-        system = _system(unknowns, rows, right)
-        model.book.items.append(system)
-        rows, right = [list(row) for row in system.rows], list(system.right)
-    model.book.say("coordinates.solved", True)
-    solutions = [LinearSolution(tuple(map(tuple, rows)), tuple(right), i) for i in range(len(unknowns))]
-    numbers = [solution.number(True) for solution in solutions]
-    for value, solution, number in zip(unknowns, solutions, numbers, strict=True):
-        _found(value, solution, number)
-        model.book.items.append(Derived(value, symbolic=False, numeric=False))
+        book.say("coordinates.numbers", True)
+        system = system_of(unknowns, forms)
+        book.items.append(system)
+        enter_solution(unknowns, system.rows, system.right)
+    else:
+        enter_solution(unknowns, *coefficients(unknowns, forms))
+    book.say("coordinates.solved", True)
+    book.items.extend(Derived(value, symbolic=False, numeric=False) for value in unknowns)
 
 
-def _system(unknowns: list[Value], rows: list[list[Expression]], right: list[Expression]) -> LinearSystem:
-    """The system with its coefficients as values."""
-    table = []
-    for row in rows:
-        scale = max(abs(item.number(True)) for item in row)
-        table.append(tuple(_number(item, scale) for item in row))
-    return LinearSystem(tuple(unknowns), tuple(table), tuple(_number(item, 0.0) for item in right))
-
-
-def _number(item: Expression, scale: float) -> Value:
-    return Value(None, "number", item.number(True), item, scale)
-
-
-def _found(value: Value, expression: Expression, number: float) -> None:
-    """Enter the number of an unknown."""
-    value.exact = 0.0 if abs(number) <= _ROUNDING * value.size else number
-    value.expression = expression
-
-
-def _solve_one(model: Model, value: Value, left: Maybe, right: Maybe) -> None:
+def _solve_one(book: Book, value: Value, left: Maybe, right: Maybe) -> None:
     """One equation with one unknown: ``x' = ...`` at once, or divided by the coefficient."""
     found, rest = linear(added((1, left), (-1, right)), [value])
-    expression = _ZERO if rest is None else added((-1, rest)) or _ZERO
+    expression = added((-1, rest)) or ZERO
     if left is value:
-        _found(value, expression, expression.number(True))
-        model.book.items.append(Derived(value))
+        enter(value, expression, expression.number(True))
+        book.items.append(Derived(value))
         return
     coefficient = found[value]
-    model.book.items.append(Statement(left or _ZERO, right or _ZERO))
+    book.items.append(Statement(left or ZERO, right or ZERO))
     if not (isinstance(coefficient, Constant) and coefficient.value == 1) and rest is not None:
         expression = Ratio(expression, coefficient)
-    _found(value, expression, expression.number(True))
-    model.book.items.append(Derived(value, symbolic=False))
+    enter(value, expression, expression.number(True))
+    book.items.append(Derived(value, symbolic=False))

@@ -16,7 +16,19 @@ from variantgen.methods.group import Coupled, Support
 from variantgen.methods.name import Name
 from variantgen.methods.points import vector
 from variantgen.methods.pole import about_pole
-from variantgen.methods.step import Body, Fact, LinearSystem, Point, Term, VectorOf
+from variantgen.methods.step import (
+    Body,
+    Derived,
+    Fact,
+    LinearSystem,
+    Point,
+    Projection,
+    Sentence,
+    Shown,
+    Statement,
+    Term,
+    VectorOf,
+)
 from variantgen.methods.tracks import on_track, settled
 from variantgen.methods.vector_equation import share_of, shares, write
 
@@ -41,14 +53,24 @@ def solve_coupled(book: Book, group: Coupled) -> None:
         book.say(f"coupled.choose_{book.letter}", **facts)
         known, path = on_track(book, group.track)
         rows = [_row(book, group, support, known, path) for support in group.supports]
-        book.say("coupled.system", True, vector=VectorOf(path.name), **facts)
         size, rate = _solved(book, body, path, rows)
-        book.items.append(
-            LinearSystem((size, rate), tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows))
-        )
+        book.say("coupled.rotation", True, body=Body(body), pole=Point(pole))
+        book.items.extend(Statement(*_turning(book, group, support, rate)) for support in group.supports)
+        book.say("coupled.system", True)
+        matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
+        book.items.append(LinearSystem((size, rate), matrix, right))
+        book.items.extend(Derived(value, symbolic=False) for value in (size, rate))
         book.vectors[pole] = (*known, *settled(path, size))
         _enter(book, body, rate)
     _keep_tracked(book, group)
+
+
+def _turning(book: Book, group: Coupled, support: Support, rate: Value) -> tuple[Value, Expression]:
+    """``v_QP = omega QP``, the vector of the rotation by the rate that is common to all points."""
+    pole = group.track.point
+    name = Name(book.letter, support.point, pole, "tau" if book.order == 2 else "")
+    expression = rate * book.geometry.length(support.point, pole)
+    return Value(name, book.measure, expression.number(True), expression), expression
 
 
 def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term) -> Row:
@@ -58,7 +80,9 @@ def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term)
     own, private, axis = _supported(book, support)
     turning, turn = about_pole(book, support.point, pole, body)
     write(book, (*own, private), (*known, path, *turning, turn), start)
-    book.say("coupled.axis", True, vector=VectorOf(private.name), point=Point(support.point), angle=axis)
+    words = Sentence("axes.across", {"vector": VectorOf(private.name), "angle": Shown(axis)})
+    sides = shares((*own, private), axis), shares((*known, path, *turning, turn), axis)
+    book.items.append(Projection(words, *sides))
     right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]
     right += [(-share.sign, _projection(share.term.size, share.angle)) for share in shares((*known, *turning), axis)]
     arm = book.geometry.length(support.point, pole)

@@ -87,9 +87,9 @@ class Plans:
         """Measure a known vector; see :meth:`PlanDrawing.size`."""
         return self._plan(book, name.kind).size(book, name, terms)
 
-    def component(self, book: Book, name: Name, terms: Sequence[Term], upright: bool) -> Expression:
+    def component(self, book: Book, name: Name, terms: Sequence[Term]) -> Expression:
         """Measure a projection; see :meth:`PlanDrawing.component`."""
-        return self._plan(book, name.kind).component(book, name, terms, upright)
+        return self._plan(book, name.kind).component(book, name, terms)
 
     def _plan(self, book: Book, letter: str) -> PlanDrawing:
         """The plan of a kind; begun in the step that is being written if it is new."""

@@ -12,9 +12,11 @@ Powers = dict[int, tuple[Expression, int]]  # by identity of the factor: the fac
 
 def simplified(item: Expression) -> Expression:
     """The same expression with its products in simplest form; sums are simplified term by term."""
-    if isinstance(item, Total):
+    if isinstance(item, Total) and len(item.terms) > 1:
         return Total(tuple((sign, simplified(term)) for sign, term in item.terms))
     number, powers = _parts(item, 1)
+    if number < 0:
+        return -simplified(Times((Constant(-1.0), item)))
     above = [_power(base, n) for base, n in powers.values() if n > 0]
     below = [_power(base, -n) for base, n in powers.values() if n < 0]
     top, bottom = _fraction(number)
@@ -48,6 +50,8 @@ def _parts(item: Expression, exponent: int) -> tuple[float, Powers]:
             return _merged([_parts(above, exponent), _parts(below, -exponent)])
         case Raised(base, power):
             return _parts(base, exponent * power)
+        case Total(((sign, term),)):
+            return _merged([(float(sign**exponent), {}), _parts(term, exponent)])
         case Value():
             return 1.0, {id(item): (item, exponent)}
     return 1.0, {id(item): (simplified(item) if isinstance(item, Total) else item, exponent)}

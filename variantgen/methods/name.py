@@ -23,7 +23,8 @@ class Name(NamedTuple):
 
     Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned),
     ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing``
-    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time.
+    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time. A rate with the
+    ``part`` ``z`` counts as positive counter-clockwise.
     """
 
     kind: str

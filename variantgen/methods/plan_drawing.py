@@ -83,10 +83,10 @@ class PlanDrawing:
             self._spot(book, name.of)
         return self._reading(book, name, resultant(terms))
 
-    def component(self, book: Book, name: Name, terms: Sequence[Term], upright: bool) -> Expression:
-        """A projection on an axis of the paper, measured."""
+    def component(self, book: Book, name: Name, terms: Sequence[Term]) -> Expression:
+        """A projection on an axis of the paper (``x`` or ``y`` in the name), measured."""
         whole = resultant(terms)
-        length = (whole.imag if upright else whole.real) / self.scale.exact
+        length = (whole.imag if "y" in name.part.split() else whole.real) / self.scale.exact
         if abs(length) * self.scale.exact <= _SAME * book.size_of(self.measure):
             return Constant(0.0)
         reading = self._drawn(name, abs(length))

@@ -68,7 +68,8 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
         if fixed:
             return body, fixed[0]
     for body in owners:
-        return body, next(p for p in bodies[body] if p in book.vectors)
+        known = [p for p in bodies[body] if p in book.vectors]
+        return body, next((p for p in known if p in _driven(book.task)), known[0])
     for body, members in bodies.items():
         if point in members and body in book.rates:
             reachable = (p for p in members if p != point and _is_carried(book, p, body))
@@ -88,6 +89,11 @@ def known_point(book: Book, body: str) -> str:
         written = next((p for p in members if _is_carried(book, p, body)), members[0])
         vector(book, written)
     return written
+
+
+def _driven(task: Task) -> set[str]:
+    """Points whose motion the statement gives: the poles that one takes first."""
+    return {p for driver in task.scene.drivers for s in driver.shapes() if len(s.points) == 1 for p in s.points}
 
 
 def _is_carried(book: Book, point: str, but: str) -> bool:
@@ -174,7 +180,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     for axis, word in ((RIGHT, "x"), (UP, "y")):
         parts = shares(terms, axis)
         own = name.component(word)
-        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, name, terms, word == "y")
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
         size = book.derive(own, book.measure, whole)
         if size.exact == 0:
             continue

@@ -68,7 +68,9 @@ def solve_spanned(book: Book, group: Spanned) -> None:
     at_point, at_pole = vector(book, point), vector(book, pole)
     if not is_rate_wanted(book.task, book.order, body, {point, pole}):
         return
-    with book.step(f"pole.spanned_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
+    facts: dict[str, Fact] = {"body": Body(body), "point": Point(point), "pole": Point(pole)}
+    with book.step(f"known_points.{book.letter}", **facts):
+        book.say(f"known_points.both_{book.letter}", **facts)
         start = len(book.items)
         turning, turn = about_pole(book, point, pole, body)
         right = (*at_pole, *turning, turn)

@@ -24,9 +24,8 @@ _LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v"
 _KINDS = {"direction": "phi", "rotation": "phi", "slide": "s", "arc": "psi", "swing": "theta", **_LETTERS}
 
 # What the programs call their own variables and functions.
-_TAKEN = frozenset(
-    ["q", "v", "a", "t", "f", "g", "e", "s", "np", "rate", "jacobian", "names", "circle", "bend", "Q", "V", "A"]
-) | set(keyword.kwlist)
+_OWN = ("q", "v", "a", "t", "f", "g", "e", "s", "np", "rate", "jacobian", "names", "circle", "bend", "Q", "V", "A")
+_TAKEN = {*_OWN, *keyword.kwlist}
 
 
 def identifier(name: Name) -> str:

@@ -187,10 +187,10 @@ class Route:
     def _slid(self) -> Iterator[Group]:
         for joint in self.scene.joints:
             path = joint.sliding()
-            if path is not None and (path.point, path.body) not in self.book.relative:
-                group = self._sliding(path)
-                if group is not None:
-                    yield group
+            if path is None or path.point not in self.task.needed.points:
+                continue
+            if (path.point, path.body) not in self.book.relative and (group := self._sliding(path)) is not None:
+                yield group
 
     def _sliding(self, path: Sliding) -> Group | None:
         """What the sliding of a point on a body tells, if one of the two is known well enough."""

@@ -19,6 +19,7 @@ from variantgen.methods.expression import (
 )
 from variantgen.methods.name import Name
 from variantgen.methods.step import (
+    ChainGraph,
     Derived,
     Fact,
     Item,
@@ -114,6 +115,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
                 found += [*parts(first), *parts(second)]
             case Listing(_, results):
                 found += results
+            case ChainGraph(_, legs):
+                found += [leg.angle for leg in legs]
     return found
 
 

@@ -173,7 +173,26 @@ class Listing:
     results: tuple[Value, ...]
 
 
-Item: TypeAlias = Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A link of a chain: its number, the direction from the last point to the next one, that point."""
+
+    number: int
+    angle: Value
+    end: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChainGraph:
+    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
+
+    start: str
+    legs: tuple[Leg, ...]
+
+
+Item: TypeAlias = (
+    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
+)
 
 
 @dataclass(slots=True)

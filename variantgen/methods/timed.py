@@ -40,7 +40,7 @@ def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:
     law = task.expressed(task.form.derived[name])
     if law is None:
         return None
-    sign = 1
+    sign, law = 1, simplified(law)
     while isinstance(law, Total) and len(law.terms) == 1:
         sign, law = sign * law.terms[0][0], law.terms[0][1]
     return sign, Ratio(simplified(Constant(180.0) * law), Pi())

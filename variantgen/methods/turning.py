@@ -34,7 +34,7 @@ def _tangential(book: Book, name: Name, terms: Known, ends: tuple[str, str], sen
     if sense == 0:
         return None
     sought = across(book, name, None, ends, sense)
-    book.say("turning.tangential", vector=VectorOf(name))
+    book.say("known_points.tangential", vector=VectorOf(name))
     size = book.derive(name, book.measure, sum_of(shares(terms, sought.angle)))
     return Term(name, size, sought.angle, sought.way)
 
@@ -78,8 +78,8 @@ def solve_rested(book: Book, group: Rested) -> None:
     contact, centre = group.contact, group.centre
     name = Name(book.letter, contact)
     facts: dict[str, Fact] = {"body": Body(group.body), "point": Point(contact), "centre": Point(centre)}
-    with book.step(f"rolling.contact_{book.letter}", **facts):
-        book.say(f"rolling.pole_{book.letter}", False, vector=VectorOf(name), **facts)
+    with book.step(f"rested.{book.letter}", **facts):
+        book.say(f"rested.pole_{book.letter}", False, vector=VectorOf(name), **facts)
         rate = book.omega.get(group.body)
         if book.order == 1 or rate is None or not rate.sense:
             book.vectors[contact] = ()

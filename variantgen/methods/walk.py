@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from variantgen.methods import acceleration_centre, given, projections, velocity_centre
+from variantgen.methods import acceleration_centre, closed_chain, given, projections, velocity_centre
 from variantgen.methods.book import Book
 from variantgen.methods.contact_motion import solve_joined
 from variantgen.methods.coupled import solve_coupled
@@ -34,7 +34,7 @@ Handler = Callable[[Book, Any], None]
 
 
 class DyadMethod(Protocol):
-    """A method for the velocities of dyads: a module with these functions."""
+    """A method for dyads: a module with these functions."""
 
     def applies(self, book: Book, group: Dyad) -> bool:
         """Whether it can solve the group."""
@@ -57,13 +57,16 @@ HANDLERS: dict[type, Handler] = {
     Coupled: solve_coupled,
 }
 
-_OF_DYADS: dict[str, DyadMethod] = {"velocity_centre": velocity_centre, "projections": projections}
+_OF_DYADS: dict[int, dict[str, DyadMethod]] = {
+    1: {"velocity_centre": velocity_centre, "projections": projections, "three_rates": closed_chain},
+    2: {"three_rates": closed_chain},
+}
 
 
 def velocities(book: Book) -> list[Group]:
     """Work out the velocities that are needed; returns the groups in their order."""
     book.order = 1
-    book.carry = None if book.style.velocities == "pole" else velocity_centre.carry
+    book.carry = None if book.style.velocities in ("pole", "three_rates") else velocity_centre.carry
     given.take(book)
     route, groups = Route(book), []
     while group := route.next():
@@ -95,8 +98,9 @@ def through(book: Book) -> list[Group]:
 
 def _solve(book: Book, group: Group) -> None:
     """Solve a group, a dyad by the method of the book's style if that applies and else by the vector equation."""
-    method = _OF_DYADS.get(book.style.velocities)
-    if book.order == 1 and isinstance(group, Dyad) and method is not None and method.applies(book, group):
+    style = book.style.velocities if book.order == 1 else book.style.accelerations
+    method = _OF_DYADS[book.order].get(style)
+    if isinstance(group, Dyad) and method is not None and method.applies(book, group):
         method.solve_dyad(book, group)
     else:
         HANDLERS[type(group)](book, group)

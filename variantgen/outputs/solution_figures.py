@@ -10,6 +10,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.plan_scale import MILLIMETRES
 from variantgen.outputs.typesetter import figure_data
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
@@ -19,7 +20,7 @@ from variantgen.wording.solution.phrases import load_phrases
 STATEMENT = "statement"
 _MOST = 3  # figures in a row
 _UNIT, _SMALLEST = 0.62, 0.5  # mm per unit of a figure of the mechanism: usual, and beside others at least
-_PLAN_UNIT = 0.8  # mm per unit of a plan: lengths that the text tells are measured in it
+_PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
 

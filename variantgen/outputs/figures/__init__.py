@@ -15,6 +15,7 @@ from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.plans import without_millimetres
 from variantgen.methods.plan_scale import MILLIMETRES
 
 
@@ -38,7 +39,8 @@ def write_figure(drawing: Drawing, path: Path, width_mm: float | None = None) ->
     suffix = path.suffix.lower()
     if suffix not in known:
         raise InputError(Problem("unknown format of a figure", value=path.name, remedy=nearest(suffix, known)))
-    write_whole(path, known[suffix].render(drawing, width_mm))
+    usual = drawing if width_mm is None else without_millimetres(drawing)
+    write_whole(path, known[suffix].render(usual, width_mm))
 
 
 def write_whole(path: Path, content: bytes, key: str = "") -> None:

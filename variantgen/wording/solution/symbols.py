@@ -54,7 +54,8 @@ class Symbols:
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
-                return Symbol(self.language.letter(name.kind), self._body_index(name.of))
+                index = [*self._body_index(name.of), *([Index("z")] if name.part == "z" else [])]
+                return Symbol(self.language.letter(name.kind), tuple(index))
             case "drawn":
                 return self._drawn(name)
             case "scale":

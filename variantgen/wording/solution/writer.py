@@ -10,6 +10,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.step import (
     Body,
     CentreOf,
+    ChainGraph,
     Derived,
     Fact,
     Item,
@@ -29,7 +30,18 @@ from variantgen.methods.step import (
     VectorOf,
     Word,
 )
-from variantgen.wording.formula import Formula, Function, Measured, Number, Product, Sum, Symbol, Vector, to_plain
+from variantgen.wording.formula import (
+    Formula,
+    Function,
+    Graph,
+    Measured,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    Vector,
+    to_plain,
+)
 from variantgen.wording.solution.document import (
     Block,
     Line,
@@ -94,6 +106,13 @@ class Writer:
                 return Lines((Line((("", write(left)), (_EQUALS, write(right)))),))
             case Listing(code, _):
                 return Program(self._commented(code))
+            case ChainGraph():
+                return Lines((Line((("", self._graph(item)),)),))
+
+    def _graph(self, chain: ChainGraph) -> Formula:
+        """A chain of links as a graph: numbers above its arrows, angles below."""
+        legs = [(Number(str(leg.number)), self.formulas.measured(leg.angle), Symbol(leg.end)) for leg in chain.legs]
+        return Graph(Symbol(chain.start), tuple(legs))
 
     def _commented(self, code: str) -> str:
         """A program with its comments in the language: ``#{listing.data}`` is the sentence of that key."""
