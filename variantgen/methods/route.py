@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
@@ -40,16 +39,10 @@ class Route:
         self.scene = book.task.scene
         self.taken: list[Group] = []
 
-    @cached_property
+    @property
     def translating(self) -> frozenset[str]:
-        """Bodies that are kept from turning."""
-        return frozenset(
-            body
-            for joint in self.scene.joints
-            for s in joint.shapes()
-            if not s.points and len(s.bodies) == 1
-            for body in s.bodies
-        )
+        """Bodies that do not turn."""
+        return self.task.translating
 
     def is_known(self, point: str) -> bool:
         """Whether the velocity of a point is known or can be had from a body whose motion is known."""

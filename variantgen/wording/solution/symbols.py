@@ -112,12 +112,15 @@ class Symbols:
         """A body in a case, ``link AB``, ``disc 2``; one without a name is called by its kind alone."""
         kind = self._kind(name)
         noun = self.phrases.bodies[kind][case or "name"]
-        called = self.form.symbols.get(name, name)
+        called = self.form.symbols.get(name, name.removeprefix(kind) if kind in name else name)
         if not called:
             return (self.phrases.words["the"] + noun,)
         return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
 
     def _kind(self, name: str) -> str:
+        """The kind of a body: by its name in the family (``wheel``, ``gear2``), or by how it is drawn."""
+        if (noun := name.rstrip("0123456789")) in self.phrases.bodies:
+            return noun
         if any(disc.body == name for disc in self.form.figure.discs):
             return "disc"
         return "plate" if name in self.form.figure.plates else "link"
