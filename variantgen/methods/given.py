@@ -64,8 +64,13 @@ def _straight(book: Book, template: Template, point: str) -> Known:
 
 
 def named(book: Book, name: Name, value: Value) -> Value:
-    """A given magnitude under the name of its vector: a line of its own where the statement calls it otherwise."""
+    """A given magnitude under the name of its vector: a line of its own where the statement calls it otherwise.
+
+    The vector of a point that the figure does not show keeps the name that the statement has.
+    """
     spelled = "_".join((name.kind, *name.part.split(), name.of))
+    if name.of in book.task.form.figure.hidden:
+        return value
     if value.name is None or value.name == name or value.name.of == spelled:
         return value
     return book.derive(name, value.measure, value)
