@@ -188,7 +188,8 @@ class Route:
     def _sliding(self, path: Sliding) -> Group | None:
         """What the sliding of a point on a body tells, if one of the two is known well enough."""
         point, carrier = path.point, path.body
-        moved = self.is_moved(carrier) or (carrier in self.book.omega and self.known_point(carrier) is not None)
+        turning = carrier in self.book.omega or carrier in self.translating
+        moved = self.is_moved(carrier) or (turning and self.known_point(carrier) is not None)
         if moved:
             pole = self.known_point(carrier) or ""
             if self._is_driven(path):

@@ -53,6 +53,8 @@ class Reader:
         whole = " = ".join(texts)
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
+        if len(texts) == 1:
+            return  # a chain of links
         result = line.pieces[-1][1]
         if not isinstance(result, Measured) or len(texts) < 2:
             self.waiting.append((texts[0], texts[1], whole))
