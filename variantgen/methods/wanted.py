@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from variantgen.methods.task import Task
 
-_FROM_RATE = {1: ("omega", "P"), 2: ("epsilon", "Q", "mu")}
+_FROM_RATE = {1: ("omega", "P", "Q", "mu"), 2: ("epsilon", "Q", "mu")}
 
 
 def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) -> bool:
