@@ -79,14 +79,16 @@ def metres(task: Task) -> Placement:
     return Placement({name: z * unit for name, z in task.now.z.items()}, task.scene.frame)
 
 
-def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int) -> str:
+def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int, end: int = 0) -> str:
     """The name of the point of the bodies at a place (printed unit), or a letter that no point has.
 
-    ``number`` tells places without a name apart: the number of the joint, of which a thread has two.
+    Places without a name are told apart by the ``number`` of the joint and the ``end``, of which a thread has two.
     """
     for body in bodies:
         for point in task.scene.bodies.get(body, ()):
             if abs(task.now.z[point] - place) < _NEAR * task.size:
                 return point
     free = [letter for letter in dict.fromkeys(_LETTERS) if letter not in task.scene.points]
-    return free[number % len(free)]
+    earlier = (joint.shapes()[0] for joint in task.scene.joints[:number] if joint.shapes())
+    rank = sum(bool(shape.points and shape.bodies) for shape in earlier)
+    return free[(2 * rank + end) % len(free)]

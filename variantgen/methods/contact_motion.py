@@ -16,8 +16,8 @@ from variantgen.methods.geometry import Geometry
 from variantgen.methods.group import Joined
 from variantgen.methods.law import touch_of
 from variantgen.methods.name import Name
-from variantgen.methods.points import vector
-from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.points import modulus, vector
+from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.tracks import on_track
 from variantgen.methods.vector_equation import share_of, shares
 
@@ -74,7 +74,8 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
     word = "rest" if known.is_rest else "same"
     book.say(f"{kind}.{word}_{book.letter}", False, **facts)
     turning = [side for side in (known, sought) if side.lever]
-    if book.order == 2 and turning and not known.is_rest:
+    said = any(isinstance(item, Sentence) and item.key == "contact.normal" for item in book.items)
+    if book.order == 2 and turning and not known.is_rest and not said:
         book.say("contact.normal")
     if kind == "rope" and book.order == 1:
         for side in turning:
@@ -185,12 +186,29 @@ def _solve_centre(book: Book, group: Joined, known: Side, sought: Side) -> None:
         say_same(book, group, group.joint, known, sought)
         found = component(book, known)
         parts: Parts = [(found.sign, found.size)] if found.size else []
+        names = [VectorOf(contact_name(book, sought))] if found.size else []
         if sought.lever and (rate := book.rates[sought.body]).sense:
             name = contact_name(book, sought)._replace(about=sought.centre)
             radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
+            _say_sum(book, sought)
             turning = book.derive(name, book.measure, rate.size * radius)
             parts.append((-rate.sense * sought.lever, turning))
-        enter_centre(book, group, sought, parts)
+        if sought.lever:
+            _enter_with_way(book, group, sought, parts, list(zip(names, parts, strict=False)))
+        else:
+            enter_centre(book, group, sought, parts)
+
+
+def _enter_with_way(
+    book: Book, group: Joined, side: Side, parts: Parts, named: Sequence[tuple[VectorOf, tuple[int, Expression]]]
+) -> None:
+    """The vector of the centre, and which of the ``named`` components it points along."""
+    way = sum(sign * part.number(True) for sign, part in parts)
+    enter_centre(book, group, side, parts)
+    other = next((name for name, (sign, _) in named if sign * way > 0), None)
+    if other is not None:
+        own = VectorOf(Name(book.letter, group.point))
+        book.say(f"contact.way_{book.letter}", True, vector=own, other=other)
 
 
 def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
@@ -211,6 +229,8 @@ def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
     size = book.derive(path.name, book.measure, whole if along.angle is None else whole / cos(along.angle))
     angle = path.angle if (exact > 0) == (along.sign > 0) else Geometry.turned(path.angle, 180.0)
     book.vectors[group.point] = (*normal, Term(path.name, size, angle, path.way))
+    if normal and any(q.point == group.point and q.kind == book.letter for q in book.task.asked):
+        modulus(book, Name(book.letter, group.point), book.vectors[group.point])
 
 
 def _solve_two(book: Book, group: Joined) -> None:
@@ -248,12 +268,7 @@ def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, a
     size = signed_sum(difference, 1 if exact * gap > 0 else -1) if sense else None
     enter_rate(book, group.body, size, sense, _span(book, sides, arms))
     found = _centre(book, group, sides, arms, parts, moving)
-    way = sum(sign * part.number(True) for sign, part in found)
-    enter_centre(book, group, sides[0], found)
-    leading = next((i for i, part in enumerate(parts) if part[0] * way > 0), None)
-    if leading is not None:
-        own = VectorOf(Name(book.letter, group.point))
-        book.say(f"contact.way_{book.letter}", True, vector=own, other=names[leading])
+    _enter_with_way(book, group, sides[0], found, list(zip(names, parts, strict=True)))
 
 
 def _span(book: Book, sides: Sequence[Side], arms: Sequence[float]) -> Value:

@@ -59,7 +59,16 @@ def _straight(book: Book, template: Template, point: str) -> Known:
         return ()
     size = amount(book, template, book.letter, book.measure)
     angle = Value(None, "angle", degrees(vector))
-    return (book.term(Name(book.letter, point), size, angle, "given", point=Point(point)),)
+    return (book.term(as_stated(Name(book.letter, point), size), size, angle, "given", point=Point(point)),)
+
+
+def as_stated(name: Name, size: Value) -> Name:
+    """The name of a given vector: the symbol that the statement gives to its magnitude, if that is another one."""
+    stated = size.name
+    if stated is None or stated.kind != "parameter":
+        return name
+    usual = {f"{name.kind}_{name.of}", f"{name.kind}_{name.part}_{name.of}"}
+    return name if stated.of in usual else stated
 
 
 def amount(book: Book, template: Template, key: str, measure: str) -> Value:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.methods.contact import Side, Touch
 from variantgen.methods.group import Track
-from variantgen.methods.points import is_kept_from_turning
 from variantgen.methods.task import Task
 
 _SIDEWAYS = 1e-9  # of a vector: what is smaller is rounding
@@ -15,14 +14,22 @@ def touch(task: Task, number: int) -> Touch | None:
     """The contact with the line; None where the line turns, because then it carries the contact along."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rolling)
-    if joint.on is not None and not is_kept_from_turning(task, joint.on):
+    if joint.on is not None and joint.on not in task.translating:
         return None
     arm = task.now.z[joint.contact] - task.now.z[joint.centre]
     line = 1j * arm / abs(arm)
     radial = (joint.centre, joint.contact)
     wheel = Side(joint.contact, joint.centre, line, joint.body, abs(arm), 1, radial)
-    rail = Side(joint.contact, joint.on_point or "", line, radial=radial)
+    rail = Side(joint.contact, _point_of(task, joint), line, radial=radial)
     return Touch("rack", wheel, rail, Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None)
+
+
+def _point_of(task: Task, joint: Rolling) -> str:
+    """A point of the translating line: one whose motion is given, if there is one. Empty for a line at rest."""
+    if joint.on is None or joint.on_point is None:
+        return ""
+    given = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    return next((point for point in task.scene.bodies[joint.on] if point in given), joint.on_point)
 
 
 def _is_along(task: Task, point: str, line: complex) -> bool:
