@@ -13,18 +13,15 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
+from variantgen.outputs.documents import Documents, problem_documents, problem_key, student_key
 from variantgen.outputs.folder import check_free, whole_folder
 from variantgen.outputs.join import join_pdfs
-from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.records import key_csv, manifest
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import solutions_data
 from variantgen.outputs.typesetter import Typesetter, typesetter
 
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
@@ -32,7 +29,6 @@ from variantgen.outputs.typesetter import Typesetter, typesetter
 # does not depend on the number of processes: the same parts give the same bytes.
 SHEETS_PER_PART = 8
 KEYS_PER_PART = 40
-SOLUTIONS_PER_PART = 3  # some six pages each
 
 Progress = Callable[[str, int, int], None]
 
@@ -52,30 +48,32 @@ class Built:
 
 @dataclass(frozen=True)
 class _Made:
-    """The PDF of a part, and the families of problems in it that have no worked solution."""
+    """The PDFs of a part by their targets, and the families of problems in it that have no worked solution."""
 
-    path: Path
+    paths: tuple[tuple[str, Path], ...]
     unexplained: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class _Part:
-    """One document of a few students, made in one go."""
+    """The documents of a few students that are made in one go."""
 
-    target: str
     number: int
-    template: str
-    data: Callable[[Exam, Sequence[Sheet], bool], dict[str, Any]]
+    documents: Documents
     exam: Exam
     sheets: tuple[Sheet, ...]
     first: bool
 
     def make(self, folder: Path, engine: Typesetter) -> _Made:
         """Typeset the part."""
-        path = folder / f"{self.target}-{self.number:07}.pdf"
-        data = self.data(self.exam, self.sheets, self.first)
-        path.write_bytes(engine.compile(self.template, data)[0])
-        return _Made(path, tuple(data.get("unexplained", ())))
+        paths: list[tuple[str, Path]] = []
+        unexplained: list[str] = []
+        for count, document in enumerate(self.documents(self.exam, self.sheets, self.first)):
+            path = folder / f"{self.number:07}-{count:03}.pdf"
+            path.write_bytes(engine.compile(document.template, document.data)[0])
+            paths.append((document.target, path))
+            unexplained += document.unexplained
+        return _Made(tuple(paths), tuple(unexplained))
 
 
 def build(
@@ -105,16 +103,16 @@ def build(
         parts_folder = folder / ".parts"
         parts_folder.mkdir()
         parts = _parts(exam, assembly.sheets)
-        paths: dict[str, list[Path]] = {part.target: [] for part in parts}
-        done: Counter[str] = Counter()
+        paths: dict[str, list[Path]] = {}
+        done = 0
         unexplained: set[str] = set()
         with _makers(jobs) as run:
             for part, made in run(parts, parts_folder):
-                paths[part.target].append(made.path)
+                for target, path in made.paths:
+                    paths.setdefault(target, []).append(path)
                 unexplained.update(made.unexplained)
-                done[part.target] += len(part.sheets)
-                if part.target != "key":
-                    progress(f"typesetting {part.target}", done[part.target], len(students))
+                done += len(part.sheets) if part.documents is problem_documents else 0
+                progress("typesetting", done, len(students))
         for target, made_paths in paths.items():
             language = exam.solutions.language if target == "solutions" else exam.language
             even = exam.duplex and target != "key"
@@ -132,18 +130,10 @@ def build(
 def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
     """All parts in the order in which they are joined."""
     parts: list[_Part] = []
-    wanted: list[tuple[str, str, Callable[[Exam, Sequence[Sheet], bool], dict[str, Any]], int]] = [
-        ("sheets", "sheets.typ", sheets_data, SHEETS_PER_PART),
-        ("key", "key.typ", key_by_student, KEYS_PER_PART),
-        ("key", "key.typ", key_by_problem, KEYS_PER_PART),
-    ]
-    if exam.solutions.wanted:
-        size = 1 if exam.solutions.for_students else SOLUTIONS_PER_PART
-        wanted.append(("solutions", "solutions.typ", solutions_data, size))
-    for target, template, data, size in wanted:
+    wanted = ((problem_documents, SHEETS_PER_PART), (student_key, KEYS_PER_PART), (problem_key, KEYS_PER_PART))
+    for documents, size in wanted:
         for i in range(0, len(sheets), size):
-            chunk = tuple(sheets[i : i + size])
-            parts.append(_Part(target, len(parts), template, data, exam, chunk, i == 0))
+            parts.append(_Part(len(parts), documents, exam, tuple(sheets[i : i + size]), i == 0))
     return parts
 
 

@@ -12,7 +12,7 @@ from variantgen.mechanism.drivers.extension import Extension
 from variantgen.methods.book import Book, Known, resultant
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry
-from variantgen.methods.given import amount, named
+from variantgen.methods.given import amount, as_stated
 from variantgen.methods.group import Extended
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, vector
@@ -56,8 +56,8 @@ def _along(book: Book, group: Extended) -> Known:
     rate = float(driver.rates(book.order)[0])
     if rate == 0:
         return ()
-    name = Name(book.letter, group.point, part="rel")
-    size = named(book, name, amount(book, template, book.letter, book.measure))
+    size = amount(book, template, book.letter, book.measure)
+    name = as_stated(Name(book.letter, group.point, part="rel"), size)
     ends = (group.base, group.point) if rate > 0 else (group.point, group.base)
     return (book.term(name, size, book.geometry.direction(*ends), "given", point=Point(group.point)),)
 

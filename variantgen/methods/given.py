@@ -46,7 +46,7 @@ def _take_travel(book: Book, template: Template, point: str) -> None:
     if abs(rest) < _REST * book.scale:
         book.vectors[point] = normal
         return
-    size = named(book, path.name, amount(book, template, book.letter, book.measure))
+    size = amount(book, template, book.letter, book.measure)
     ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
     angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
     book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))
@@ -57,23 +57,18 @@ def _straight(book: Book, template: Template, point: str) -> Known:
     vector = book.exact(point)
     if abs(vector) <= _REST * book.scale:
         return ()
-    name = Name(book.letter, point)
-    size = named(book, name, amount(book, template, book.letter, book.measure))
+    size = amount(book, template, book.letter, book.measure)
     angle = Value(None, "angle", degrees(vector))
-    return (book.term(name, size, angle, "given", point=Point(point)),)
+    return (book.term(as_stated(Name(book.letter, point), size), size, angle, "given", point=Point(point)),)
 
 
-def named(book: Book, name: Name, value: Value) -> Value:
-    """A given magnitude under the name of its vector: a line of its own where the statement calls it otherwise.
-
-    The vector of a point that the figure does not show keeps the name that the statement has.
-    """
-    spelled = "_".join((name.kind, *name.part.split(), name.of))
-    if name.of in book.task.form.figure.hidden:
-        return value
-    if value.name is None or value.name == name or value.name.of == spelled:
-        return value
-    return book.derive(name, value.measure, value)
+def as_stated(name: Name, size: Value) -> Name:
+    """The name of a given vector: the symbol that the statement gives to its magnitude, if that is another one."""
+    stated = size.name
+    if stated is None or stated.kind != "parameter":
+        return name
+    usual = {f"{name.kind}_{name.of}", f"{name.kind}_{name.part}_{name.of}"}
+    return name if stated.of in usual else stated
 
 
 def amount(book: Book, template: Template, key: str, measure: str) -> Value:

@@ -71,7 +71,7 @@ def carrier_of(book: Book, point: str) -> tuple[str, str]:
         known = [p for p in bodies[body] if p in book.vectors]
         return body, next((p for p in known if p in _driven(book.task)), known[0])
     for body, members in bodies.items():
-        if point in members and body in book.rates:
+        if point in members and (body in book.rates or is_translating(book, body)):
             reachable = (p for p in members if p != point and _is_carried(book, p, body))
             if pole := next(reachable, None):
                 return body, pole
@@ -110,13 +110,8 @@ def is_moved(book: Book, body: str) -> bool:
 
 
 def is_translating(book: Book, body: str) -> bool:
-    """Whether joints keep a body from turning."""
-    return is_kept_from_turning(book.task, body)
-
-
-def is_kept_from_turning(task: Task, body: str) -> bool:
-    """Whether a joint of the scene keeps a body from turning."""
-    return any(not s.points and s.bodies == (body,) for joint in task.scene.joints for s in joint.shapes())
+    """Whether a body is kept from turning."""
+    return body in book.task.translating
 
 
 def _carry(book: Book, point: str, body: str, pole: str) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
@@ -40,16 +39,10 @@ class Route:
         self.scene = book.task.scene
         self.taken: list[Group] = []
 
-    @cached_property
+    @property
     def translating(self) -> frozenset[str]:
-        """Bodies that are kept from turning."""
-        return frozenset(
-            body
-            for joint in self.scene.joints
-            for s in joint.shapes()
-            if not s.points and len(s.bodies) == 1
-            for body in s.bodies
-        )
+        """Bodies that do not turn."""
+        return self.task.translating
 
     def is_known(self, point: str) -> bool:
         """Whether the velocity of a point is known or can be had from a body whose motion is known."""
@@ -195,7 +188,8 @@ class Route:
     def _sliding(self, path: Sliding) -> Group | None:
         """What the sliding of a point on a body tells, if one of the two is known well enough."""
         point, carrier = path.point, path.body
-        moved = self.is_moved(carrier) or (carrier in self.book.omega and self.known_point(carrier) is not None)
+        turning = carrier in self.book.omega or carrier in self.translating
+        moved = self.is_moved(carrier) or (turning and self.known_point(carrier) is not None)
         if moved:
             pole = self.known_point(carrier) or ""
             if self._is_driven(path):

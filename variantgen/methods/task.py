@@ -6,6 +6,7 @@ import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import combinations
 
 from variantgen.families.expressions import CONSTANTS
 from variantgen.families.expressions import Expression as FamilyExpression
@@ -65,6 +66,27 @@ class Task:
         for quantity in self.asked:
             found.ask(quantity)
         return found
+
+    @cached_property
+    def translating(self) -> frozenset[str]:
+        """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
+        held = {
+            b for j in self.scene.joints for s in j.shapes() if not s.points for b in s.bodies if len(s.bodies) == 1
+        }
+        return frozenset(held | {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)})
+
+    def _is_on_parallel_cranks(self, body: str) -> bool:
+        """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
+        z, bodies = self.now.z, self.scene.bodies
+        cranks = [
+            z[point] - z[pivot]
+            for point in bodies[body]
+            for other, members in bodies.items()
+            if other != body and point in members and point not in self.fixed
+            for pivot in members
+            if pivot in self.fixed
+        ]
+        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(cranks, 2))
 
     @cached_property
     def size(self) -> float:

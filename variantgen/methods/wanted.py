@@ -15,11 +15,11 @@ def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) ->
     ``order`` 1 is the angular velocity, 2 the angular acceleration. For accelerations every angular velocity is needed,
     because of the normal components.
     """
-    if order < task.order:
-        return True
+    members = task.scene.bodies[body]
+    if order < task.order and not task.fixed & set(members):
+        return True  # for normal components; those of a point that turns about a fixed one follow from its velocity too
     if any(q.target == body and q.kind in _FROM_RATE[order] for q in task.asked):
         return True
-    members = task.scene.bodies[body]
     if any(p in task.needed.points and p not in known and p not in task.fixed for p in members):
         return True
     first_driver = len(task.scene.joints)

@@ -10,6 +10,7 @@ from variantgen.methods.wish import Wish
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single_page import page_format
 from variantgen.outputs.solution_data import problem_data, solution_words
+from variantgen.outputs.solution_figures import Figures
 from variantgen.outputs.typesetter import typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language
@@ -32,7 +33,7 @@ def write_explained(
         "title": variant.family.title(language.name),
         "remark": remark,
         "words": solution_words(language),
-        "problem": problem_data(variant, asked, motion, 0, text, language),
+        "problem": problem_data(Figures(variant, asked, language, (motion, 0)), text),
         "notes": sign_notes(asked, language),
     }
     with typesetter() as engine:

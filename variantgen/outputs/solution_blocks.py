@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from variantgen.outputs.sheet_data import text_data
-from variantgen.wording.formula import Formula, Fraction, Sum, to_plain, to_typst
+from variantgen.wording.formula import GREEK, Formula, Sum, to_typst
 from variantgen.wording.solution.document import Block, Line, Lines, Paragraph, Program, VectorTable
 
-# Letters of plain text, by which widths are guessed: what a row of the page holds, and what a piece may have before
+# Letters, by which widths are guessed: what a row of the page holds, and what a piece may have before
 # its sum is cut.
 _ROW, _PIECE = 100, 56
 _GAP = 6
+# What of the markup takes no room by itself, and what is one letter.
+_SILENT = re.compile(r'frac|sqrt|arrow|op|dot\.|thin|abs|display|["_^(){}\s]')
+_NAMES = re.compile("|".join(GREEK))
 _SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
 
 
@@ -29,7 +33,7 @@ def _block(item: Block) -> dict[str, Any]:
         case Paragraph(text):
             return {"kind": "text", "text": text_data(text)}
         case Lines(lines):
-            return {"kind": "formulas", "rows": [[_pieces(line) for line in row] for row in _rows(lines)]}
+            return {"kind": "formulas", "rows": list(_rows(lines))}
         case VectorTable(heads, unknown, rows):
             cells = [
                 [
@@ -44,36 +48,37 @@ def _block(item: Block) -> dict[str, Any]:
             return {"kind": "program", "code": code.strip("\n")}
 
 
-def _rows(lines: Sequence[Line]) -> Iterator[list[Line]]:
-    """Formulas that fit beside each other share a row."""
-    row: list[Line] = []
+def _rows(lines: Sequence[Line]) -> Iterator[list[list[list[str]]]]:
+    """Formulas as pieces; those that fit beside each other share a row."""
+    row: list[list[list[str]]] = []
     room = _ROW
     for line in lines:
-        length = sum(len(sign) + 2 + _letters(formula) for sign, formula in line.pieces) + _GAP
+        pieces = _pieces(line)
+        length = sum(len(sign) + 2 + _letters(markup) for sign, markup in pieces) + _GAP
         if row and length > room:
             yield row
             row, room = [], _ROW
-        row.append(line)
+        row.append(pieces)
         room -= length
     if row:
         yield row
 
 
-def _letters(formula: Formula) -> int:
-    """About how wide a formula is, in letters."""
-    if isinstance(formula, Fraction):
-        return max(len(to_plain(formula.numerator)), len(to_plain(formula.denominator)))
-    return len(to_plain(formula))
+def _letters(markup: str) -> int:
+    """About how wide a formula is, in letters; a fraction counts half of what stands above and below."""
+    letters = len(_SILENT.sub("", _NAMES.sub("x", markup)))
+    return letters // 2 if markup.startswith("frac(") else letters
 
 
 def _pieces(line: Line) -> list[list[str]]:
     """The pieces of a formula with the sign before each; a long sum may be broken before each of its terms."""
     found: list[list[str]] = []
     for sign, formula in line.pieces:
-        if isinstance(formula, Sum) and len(formula.terms) > 1 and len(to_plain(formula)) > _PIECE:
+        markup = to_typst(formula)
+        if isinstance(formula, Sum) and len(formula.terms) > 1 and _letters(markup) > _PIECE:
             found += _terms(sign, formula)
         else:
-            found.append([sign, to_typst(formula)])
+            found.append([sign, markup])
     return found
 
 

@@ -9,13 +9,10 @@ from typing import Any
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.families.quantities import Quantity
-from variantgen.mechanism.motion import Motion
 from variantgen.outputs.sheet_data import student_data, text_data
 from variantgen.outputs.solution_blocks import blocks_data
 from variantgen.outputs.solution_figures import Figures, view_order
 from variantgen.outputs.typesetter import equals_data
-from variantgen.variants.variant import Variant
 from variantgen.wording.formula import to_typst
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section, SolutionText
@@ -26,19 +23,25 @@ from variantgen.wording.statement import statement
 _WORDS = ("plan", "answer", "check", "solutions")
 
 
-def solutions_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict[str, Any]:
-    """Data for ``solutions.typ``; a first part is like the others.
+Drawn = dict[str, Any]
 
-    ``unexplained`` names the problems of which there is only the answer.
+
+def solutions_data(
+    exam: Exam, sheets: Sequence[Sheet], drawn: Sequence[Sequence[Drawn | None]] = ()
+) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Data for ``solutions.typ``, and the families of problems of which there is only the answer.
+
+    ``drawn`` are the figures of the problems of each student, where they are drawn already.
     """
     language = exam.explained
     items = [item for sheet in sheets for item in sheet.items]
     solved = iter(solve_all([item.variant for item in items], [item.asked for item in items]))
     unexplained: list[str] = []
     students = []
-    for sheet in sheets:
+    for number, sheet in enumerate(sheets):
         problems = []
-        for item in sheet.items:
+        known = drawn[number] if drawn else [None] * len(sheet.items)
+        for item, figure in zip(sheet.items, known, strict=True):
             motion, place = next(solved)
             try:
                 text = explain(item.variant, motion, place, item.asked, language, exam.wish(item.task))
@@ -48,18 +51,18 @@ def solutions_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> d
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)
-            number = {"number": str(item.task.number)}
-            problems.append(number | problem_data(item.variant, item.asked, motion, place, text, language))
+            figures = Figures(item.variant, item.asked, language, (motion, place), figure)
+            problems.append({"number": str(item.task.number), **problem_data(figures, text)})
         students.append(student_data(sheet, problems, language, sheet is sheets[-1]))
-    return {
+    data = {
         "lang": language.name,
         "title": exam.title,
         "course": exam.course,
         "duplex": exam.duplex,
         "words": solution_words(language),
         "students": students,
-        "unexplained": unexplained,
     }
+    return data, tuple(unexplained)
 
 
 def solution_words(language: Language) -> dict[str, str]:
@@ -68,12 +71,11 @@ def solution_words(language: Language) -> dict[str, str]:
     return {**language.words("sheet"), **{name: words[name] for name in _WORDS}}
 
 
-def problem_data(
-    variant: Variant, asked: Sequence[Quantity], motion: Motion, place: int, text: SolutionText, language: Language
-) -> dict[str, Any]:
-    """One problem with its solution; ``place`` is that of the variant in the batch ``motion``."""
-    said = statement(variant, asked, language)
-    figures = Figures(variant, asked, motion, place, language, view_order(text))
+def problem_data(figures: Figures, text: SolutionText) -> dict[str, Any]:
+    """One problem with its figures and its solution."""
+    variant, language = figures.variant, figures.language
+    said = statement(variant, figures.asked, language)
+    figures.draw(view_order(text))
     return {
         "title": variant.family.title(language.name),
         "text": text_data(said.text),

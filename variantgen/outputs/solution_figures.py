@@ -7,7 +7,6 @@ from typing import Any
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
-from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.plan_scale import MILLIMETRES
@@ -30,61 +29,72 @@ def view_order(text: SolutionText) -> list[str]:
 
 
 class Figures:
-    """The figures of one problem; ``numbers`` are those of the kinds that could be drawn, from 1 on."""
+    """The figures of one problem, drawn once each; ``place`` is its motion and its index in that batch.
+
+    ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement as data,
+    where it has been drawn before.
+    """
 
     def __init__(
         self,
         variant: Variant,
         asked: Sequence[Quantity],
-        motion: Motion,
-        place: int,
         language: Language,
-        names: Sequence[str],
+        place: tuple[Motion, int],
+        known: dict[str, Any] | None = None,
     ) -> None:
-        self._language = language
-        self._drawn: list[tuple[str, Drawing]] = []
+        self.variant, self.asked, self.language = variant, asked, language
+        self.numbers: dict[str, int] = {}
+        self._place = place
+        self._drawn: dict[str, dict[str, Any]] = {} if known is None else {STATEMENT: known}
+
+    def draw(self, names: Sequence[str]) -> None:
+        """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
         for name in names:
-            try:
-                drawing = view(name).draw(variant, motion, place, asked, language)
-            except InputError:
-                if name == STATEMENT:
-                    raise
-                continue  # there is nothing of the kind to draw (all velocities zero): the text says so
-            self._drawn.append((name, drawing))
-        self.numbers = {name: number for number, (name, _) in enumerate(self._drawn, start=1)}
+            if name not in self._drawn:
+                try:
+                    drawing = view(name).draw(self.variant, *self._place, self.asked, self.language)
+                except InputError:
+                    if name == STATEMENT:
+                        raise
+                    continue  # there is nothing of the kind to draw (all velocities zero): the text says so
+                self._drawn[name] = figure_data(drawing)
+            self.numbers[name] = len(self.numbers) + 1
 
     def rows(self) -> list[list[dict[str, Any]]]:
-        """Rows of figures with width in mm, millimetres per unit, and caption."""
-        rows: list[list[tuple[str, Drawing]]] = [[]]
-        for found in self._drawn:
-            if rows[-1] and not _fits([*rows[-1], found]):
+        """Rows of figures with millimetres per unit and caption."""
+        rows: list[list[str]] = [[]]
+        for name in self.numbers:
+            if rows[-1] and not self._fit([*rows[-1], name]):
                 rows.append([])
-            rows[-1].append(found)
-        return [[self._data(name, drawing, _shared(row)) for name, drawing in row] for row in rows]
+            rows[-1].append(name)
+        return [[self._data(name, self._shared(row)) for name in row] for row in rows]
 
-    def _data(self, name: str, drawing: Drawing, shared: float) -> dict[str, Any]:
-        phrases = load_phrases(self._language.name)
+    def _data(self, name: str, shared: float) -> dict[str, Any]:
+        phrases = load_phrases(self.language.name)
         title = "".join(part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str))
         return {
             "caption": f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. {title}",
-            "figure": figure_data(drawing),
+            "figure": self._drawn[name],
             "unit": _PLAN_UNIT if _is_plan(name) else round(shared, 3),
         }
+
+    def _shared(self, row: Sequence[str]) -> float:
+        """The scale of the figures of the mechanism in a row, mm per unit."""
+        plans = sum(_PLAN_UNIT * self._width(name) for name in row if _is_plan(name))
+        free = sum(self._width(name) for name in row if not _is_plan(name))
+        room = _WIDTH - _GUTTER * (len(row) - 1) - plans
+        return min(_UNIT, room / free) if free else (_UNIT if room >= 0 else 0.0)
+
+    def _fit(self, row: Sequence[str]) -> bool:
+        """Whether figures have room beside each other."""
+        return len(row) <= _MOST and self._shared(row) >= _SMALLEST
+
+    def _width(self, name: str) -> float:
+        """The width of a figure in its units."""
+        return float(self._drawn[name]["w"])
 
 
 def _is_plan(name: str) -> bool:
     """Whether lengths are read from a figure, so that its scale is not free."""
     return name.endswith("_plan")
-
-
-def _shared(row: Sequence[tuple[str, Drawing]]) -> float:
-    """The scale of the figures of the mechanism in a row, mm per unit."""
-    plans = sum(_PLAN_UNIT * drawing.width for name, drawing in row if _is_plan(name))
-    free = sum(drawing.width for name, drawing in row if not _is_plan(name))
-    room = _WIDTH - _GUTTER * (len(row) - 1) - plans
-    return min(_UNIT, room / free) if free else (_UNIT if room >= 0 else 0.0)
-
-
-def _fits(row: Sequence[tuple[str, Drawing]]) -> bool:
-    """Whether figures have room beside each other."""
-    return len(row) <= _MOST and _shared(row) >= _SMALLEST

@@ -50,9 +50,7 @@ class Language:
 
     def unit(self, measured: Unit) -> UnitText:
         """A unit as it is printed."""
-        text = self.tables["units"][measured.name]
-        parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
-        return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
+        return _unit_text(self.tables["units"][measured.name])
 
     def letter(self, kind: str) -> str:
         """The letter of a kind of quantity; where alpha is an angular acceleration, an angle alpha is written delta."""
@@ -99,6 +97,13 @@ def round_text(value: float, digits: int) -> str:
         return "0"
     # Rounding may carry into a new leading digit, so the exponent is taken after it.
     return f"{Decimal(f'{value:.{digits - 1}e}'):f}"
+
+
+@cache
+def _unit_text(text: str) -> UnitText:
+    """A unit as words with powers, from ``cm/s^2``."""
+    parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
+    return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
 
 
 def languages() -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -52,14 +53,22 @@ class Reader:
         whole = " = ".join(texts)
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
+        if len(texts) == 1:
+            return  # a chain of links
         result = line.pieces[-1][1]
         if not isinstance(result, Measured) or len(texts) < 2:
             self.waiting.append((texts[0], texts[1], whole))
+            if re.fullmatch("[a-zα-ω]", texts[0]):
+                self.known.setdefault(texts[0], evaluate(texts[1], self.known, self.mark))  # a law says what it is
+            self.settle()
             return
         number = result.number.text
         value = float(number.replace("−", "-").replace(self.mark, "."))
+        # Degrees have three decimals or more, of which zeros at the end are not printed.
+        decimals = len(number.partition(self.mark)[2])
+        unit = 10.0 ** -max(decimals, 3) if result.unit.tight else last_unit(number, self.mark)
         for text in texts[1:-1]:
-            self.compare(evaluate(text, self.known, self.mark), value, last_unit(number, self.mark), whole)
+            self.compare(evaluate(text, self.known, self.mark), value, unit, whole)
         self.known[texts[0]] = value
         self.settle()
         if value < 0 and texts[0][0] in "va" and not texts[0].endswith((" x", " y")):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.methods.contact import Side, Touch
 from variantgen.methods.group import Track
-from variantgen.methods.points import is_kept_from_turning
 from variantgen.methods.task import Task
 
 _SIDEWAYS = 1e-9  # of a vector: what is smaller is rounding
@@ -15,7 +14,7 @@ def touch(task: Task, number: int) -> Touch | None:
     """The contact with the line; None where the line turns, because then it carries the contact along."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rolling)
-    if joint.on is not None and not is_kept_from_turning(task, joint.on):
+    if joint.on is not None and joint.on not in task.translating:
         return None
     arm = task.now.z[joint.contact] - task.now.z[joint.centre]
     line = 1j * arm / abs(arm)

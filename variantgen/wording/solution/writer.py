@@ -32,11 +32,13 @@ from variantgen.methods.step import (
 )
 from variantgen.wording.formula import (
     Formula,
+    Fraction,
     Function,
     Graph,
     Measured,
     Number,
     Product,
+    Root,
     Sum,
     Symbol,
     Vector,
@@ -247,4 +249,6 @@ def _is_plain(expression: Expression) -> bool:
 
 def _is_number_of(piece: Formula, result: Formula) -> bool:
     """Whether a formula is the number of a result, without its unit."""
-    return isinstance(result, Measured) and to_plain(piece) in (to_plain(result), to_plain(result.number))
+    if not isinstance(result, Measured) or isinstance(piece, Fraction | Function | Product | Root):
+        return False
+    return to_plain(piece) in (to_plain(result), to_plain(result.number))

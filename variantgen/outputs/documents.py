@@ -1,0 +1,56 @@
+"""The documents of an exam for a few students: template and data, in the order in which they are made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.key_data import key_by_problem, key_by_student
+from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.solution_data import solutions_data
+
+# Students in a document with solutions, some six pages each: the engine keeps the layouts of its last documents.
+SOLUTIONS_PER_DOCUMENT = 3
+
+
+@dataclass(frozen=True)
+class Document:
+    """What the engine gets; ``target`` is the output that the document is a part of.
+
+    ``unexplained`` names the families of problems that have an answer, but no worked solution.
+    """
+
+    target: str
+    template: str
+    data: dict[str, Any]
+    unexplained: tuple[str, ...] = ()
+
+
+Documents = Callable[[Exam, Sequence[Sheet], bool], Iterator[Document]]
+
+
+def problem_documents(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Iterator[Document]:
+    """The sheets and, if the exam wants them, their solutions, which show the same figures of the problems."""
+    data = sheets_data(exam, sheets, first)
+    yield Document("sheets", "sheets.typ", data)
+    if not exam.solutions.wanted:
+        return
+    same = exam.solutions.language == exam.language
+    drawn = [[p["figure"] if same else None for p in student["problems"]] for student in data["students"]]
+    size = 1 if exam.solutions.for_students else SOLUTIONS_PER_DOCUMENT
+    for i in range(0, len(sheets), size):
+        solved, unexplained = solutions_data(exam, sheets[i : i + size], drawn[i : i + size])
+        yield Document("solutions", "solutions.typ", solved, unexplained)
+
+
+def student_key(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Iterator[Document]:
+    """The key by student."""
+    yield Document("key", "key.typ", key_by_student(exam, sheets, first))
+
+
+def problem_key(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Iterator[Document]:
+    """The key by problem."""
+    yield Document("key", "key.typ", key_by_problem(exam, sheets, first))
