@@ -65,7 +65,7 @@ def solve_coupled(book: Book, group: Coupled) -> None:
         book.say("coupled.system", True)
         matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
         book.items.append(LinearSystem((size, rate), matrix, right))
-        book.items.extend(Derived(value, symbolic=False) for value in (size, rate))
+        book.items.extend(Derived(value, symbolic=False, numeric=False) for value in (size, rate))
         book.items.extend(Derived(turn, detail=True) for turn in turns)
         book.vectors[pole] = (*known, *settled(path, size))
         _enter(book, body, rate)
