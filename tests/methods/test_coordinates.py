@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 
 import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
+from variantgen.mechanism.component import discover
 from variantgen.methods import coordinates
 from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.book import Book
@@ -16,6 +18,7 @@ from variantgen.methods.name import Name
 from variantgen.methods.step import Derived, LinearSystem
 
 SEEDS = 2
+JOINTS, DRIVERS = (discover(f"variantgen.mechanism.{folder}") for folder in ("joints", "drivers"))
 
 
 class TestProblem28:
@@ -101,3 +104,11 @@ def _is_zero(item: object, kind: str, point: str) -> bool:
     """Whether a vector has no direction: that of the contact of a wheel."""
     table = item.now.v if kind == "v" else item.now.a  # type: ignore[attr-defined]
     return abs(table[point]) < 1e-9 * max(abs(v) for v in table.values())
+
+
+@pytest.mark.parametrize("stem", [*JOINTS, *DRIVERS])
+def test_every_joint_and_driver_has_equations_of_the_same_stem(stem: str) -> None:
+    module = importlib.import_module(f"variantgen.methods.equations.{stem}")
+    assert module.__doc__
+    silent = {"pivot", "translation"}  # what they say, the model knows before any equation
+    assert stem in silent or hasattr(module, "state") or hasattr(module, "prepare")

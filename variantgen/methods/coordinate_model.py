@@ -12,7 +12,7 @@ from typing import Any
 
 from variantgen.mechanism.rows import Constraint
 from variantgen.methods import equations
-from variantgen.methods.algebra import Maybe, added, product
+from variantgen.methods.algebra import Maybe, added, forward, product
 from variantgen.methods.book import Book
 from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.expression import Constant, Expression, Value
@@ -220,7 +220,9 @@ class Model:
     def slide(self, point: str, body: str, exact: float) -> Value:
         """The way of a point along its line on a body."""
         if (point, body) not in self._slides:
-            self._slides[point, body] = self.coordinate(Name("slide", point), "length", exact)
+            taken = any(other == point for other, _ in self._slides)
+            name = Name("slide", point, (body or "1") if taken else "")
+            self._slides[point, body] = self.coordinate(name, "length", exact)
         return self._slides[point, body]
 
     def arc(self, point: str, body: str, exact: float) -> Value:
@@ -258,7 +260,7 @@ class Model:
 
     def add_distance(self, key: str, start: str, end: str, distance: Expression, **facts: Fact) -> None:
         """``(x_end - x_start)^2 + (y_end - y_start)^2 = distance^2``."""
-        squares = [None if d is None else d**2 for d in (self.shift(start, end, axis) for axis in (0, 1))]
+        squares = [None if d is None else forward(d)[1] ** 2 for d in (self.shift(start, end, axis) for axis in (0, 1))]
         self.add(key, added(*((1, square) for square in squares)), distance**2, **facts)
 
     def radius(self, centre: str, exact: float) -> Expression:
@@ -278,21 +280,12 @@ class Model:
     one = Constant(1.0)
     minus = Constant(-1.0)
 
-    def factor(self, number: float) -> Value:
-        """A number of the drawing without a unit."""
-        return fixed_number("number", number)
-
     def offset(self, number: float) -> Maybe:
         """A constant length of the drawing, with its sign."""
         if abs(number) < _LEVEL * self.task.size:
             return None
         value = fixed_number("length", abs(number))
         return value if number > 0 else product(self.minus, value)
-
-    def difference_now(self, start: str, end: str, axis: int) -> Maybe:
-        """The difference of coordinates of two points at the given instant, as a constant."""
-        step = self.now(start, end)
-        return self.offset((step.real, step.imag)[axis])
 
     def length(self, number: Any) -> float:
         """A length of the scene (m) in the printed unit."""

@@ -40,7 +40,7 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
             return None if own is value else own
         case "direction" if value in model.coordinates:
             return geometry.direction(name.of, name.about).expression
-        case "slide" if value in model.coordinates and name.about:
+        case "slide" if value in model.coordinates and name.about in model.task.now.z:
             return model.geometry.length(name.of, name.about)
         case "slide" | "arc" if value in model.coordinates and value.exact:
             return _slid(model, value, name)

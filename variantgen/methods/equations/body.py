@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from variantgen.methods.algebra import Maybe, added, product
 from variantgen.methods.expression import Expression
 from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import fixed_number
 from variantgen.methods.step import Body, Fact, Point, Segment
 
 if TYPE_CHECKING:
@@ -31,7 +32,8 @@ def _translation(model: Model, body: str, members: list[str]) -> None:
     for point in members[1:]:
         for axis in (0, 1):
             if not model.is_held(point, axis):
-                offset = model.difference_now(members[0], point, axis)
+                step = model.now(members[0], point)
+                offset = model.offset((step.real, step.imag)[axis])
                 right = added((1, model.of(members[0], axis)), (1, offset))
                 model.add("translation", model.of(point, axis), right, body=Body(body), point=Point(point))
 
@@ -69,7 +71,9 @@ def _rod(model: Model, body: str, members: list[str]) -> None:
 def _combined(model: Model, first: str, second: str, axis: int, share: complex) -> Maybe:
     """``p (x_B - x_A) - q (y_B - y_A)``, for y with the axes exchanged and the other sign."""
     own, other = model.shift(first, second, axis), model.shift(first, second, 1 - axis)
-    along, across = (None if abs(part) < _CLOSE else model.factor(abs(part)) for part in (share.real, share.imag))
+    along, across = (
+        None if abs(part) < _CLOSE else fixed_number("number", abs(part)) for part in (share.real, share.imag)
+    )
     signs = (1 if share.real > 0 else -1, (-1 if axis == 0 else 1) * (1 if share.imag > 0 else -1))
     parts: list[tuple[int, Expression | None]] = [
         (signs[0], None if along is None else product(along, own)),

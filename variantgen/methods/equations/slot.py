@@ -28,7 +28,7 @@ def state(model: Model, joint: Slot, template: None) -> None:
     facts: dict[str, Fact] = {"point": Point(joint.point), "body": Body(joint.body), "pole": Point(pole)}
     model.add_vector("slot", pole, joint.point, terms, **facts)
     if joint.sleeve is not None and joint.sleeve in model.task.needed.bodies:
-        turns = model.rotation(joint.sleeve), model.rotation(joint.body)
+        turns = model.swept(joint.sleeve), model.swept(joint.body)
         model.add("sleeve", *turns, first=Body(joint.sleeve), second=Body(joint.body))
 
 
