@@ -28,6 +28,7 @@ from variantgen.methods.group import (
     Turned,
 )
 from variantgen.methods.joined import joined
+from variantgen.methods.points import is_within_reach
 
 
 class Route:
@@ -236,7 +237,7 @@ class Route:
         for body in self.open_bodies:
             members = self.scene.bodies[body]
             pivot = next((p for p in members if p in self.task.fixed), None)
-            known = [p for p in members if p != pivot and self.is_known(p)]
+            known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])
 
