@@ -9,7 +9,7 @@ import pytest
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation
@@ -79,5 +79,5 @@ def test_what_a_form_asks_is_found_in_every_style(family: Family, form: Form) ->
 def test_every_single_quantity_is_found(family: Family, form: Form) -> None:
     variant, motion = drawn(family, SEEDS)
     for name in form.askable:
-        (quantity,) = read_ask(form, [name])
+        quantity = parse_quantity(name, form.sample)
         assert faults(variant, motion, [quantity], STYLES[0]) == [], name

@@ -215,7 +215,7 @@ def fourth_digit(value: float) -> float:
 
 
 def test_components_are_measured() -> None:
-    variant = one_variant("four_bar", {}, seed=3)
+    variant = one_variant("four_bar", {}, seed="3")
     motion = solve_variants([variant], 2)
     asked = [parse_quantity(text, variant.form.sample) for text in ("v_B.x", "v_B.y", "a_B.x", "v_A", "omega_AB")]
     item = task_of(variant, motion, 0, asked)

@@ -11,15 +11,16 @@ import numpy as np
 
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
-from variantgen.errors import VariantgenError
-from variantgen.families.family import Family, Form
+from variantgen.errors import InputError, VariantgenError
+from variantgen.families.family import Family, Form, Nice
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
 from variantgen.variants.attempts import Tally
 from variantgen.variants.counting import variety
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -27,6 +28,7 @@ from variantgen.variants.variant import Variant, solve_variants
 _LEAST_ACCEPTANCE = 0.02
 # An answer that this share of all students has in common is no individual answer.
 _COMMONEST = 0.5
+_NICE = 12  # hand-friendly variants that are drawn
 
 
 def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
@@ -64,6 +66,23 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     ]
     check_texts(variants, motion, report)
     check_quantities(variants[0], report)
+    _check_nice(family, form, found, where, report)
+
+
+def _check_nice(family: Family, form: Form, found: FormReport, where: str, report: Report) -> None:
+    """Draw hand-friendly variants; there must be some if the family says how they are drawn."""
+    single = replace(family, forms={form.name: form})
+    if not single.nice_forms:
+        return
+    keys = [(str(seed), *SINGLE) for seed in range(_NICE)]
+    try:
+        variants = draw(restrict(single, nice=True), None, keys)
+    except InputError as error:
+        if form.nice != Nice():
+            report.failures.append(f"{where}, hand-friendly variants: {error}")
+        return
+    found.nice = len({variant.identity for variant in variants})
+    found.nice_attempts = sum(variant.attempt for variant in variants) / len(variants)
 
 
 def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:

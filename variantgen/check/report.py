@@ -30,7 +30,11 @@ class Spread:
 
 @dataclass
 class FormReport:
-    """What the draws of one form showed."""
+    """What the draws of one form showed.
+
+    ``nice`` is the number of distinct variants among a few hand-friendly ones (0: there are none), each of which took
+    ``nice_attempts`` draws in the mean.
+    """
 
     name: str
     parameters: int
@@ -46,10 +50,13 @@ class FormReport:
     invariant: float = 0.0
     rejected: dict[str, int] = field(default_factory=dict)
     spread: list[Spread] = field(default_factory=list)
+    nice: int = 0
+    nice_attempts: float = 0.0
 
     def as_text(self) -> list[str]:
         """The lines of the report."""
         count = f"{self.valid}" if self.valid_exact else f"about {self.valid:.2g}"
+        nice = f"{self.nice} distinct, {self.nice_attempts:.0f} draws each" if self.nice else "none"
         worst = ", ".join(f"{name} {number}" for name, number in list(self.rejected.items())[:3] if number)
         return [
             f"    {self.name or 'variants'}: {self.variants} drawn, {self.distinct} distinct, acceptance"
@@ -58,6 +65,7 @@ class FormReport:
             f"        {self.parameters} parameters, blocks {'+'.join(map(str, self.blocks)) or 'none'};"
             f" independent computation within {self.deviation:.0e}, invariants within {self.invariant:.0e}",
             f"        rejected most: {worst or 'nothing'}",
+            f"        hand-friendly: {nice}",
             "        tenth .. half .. nine tenths: " + "; ".join(item.as_text() for item in self.spread),
         ]
 

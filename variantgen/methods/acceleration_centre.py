@@ -139,4 +139,7 @@ def asked_angle(book: Book, body: str) -> Value:
     if Name("mu", body) in book.values:
         return book.values[Name("mu", body)]
     with book.step("acceleration_centre.angle", "accelerations", body=Body(body)):
+        if is_translating(book, body):
+            book.say("acceleration_centre.infinite", False, body=Body(body), centre=Centre(body, "Q").fact)
+            return Value(Name("mu", body), "angle", 0.0)
         return angle(book, body)

@@ -33,6 +33,14 @@ def signed(item: Expression) -> tuple[int, Expression]:
     return 1, item
 
 
+def forward(item: Expression) -> tuple[int, Expression]:
+    """A sign and an expression, one that does not begin with a minus."""
+    sign, inner = signed(item)
+    if isinstance(inner, Total) and all(s < 0 for s, _ in inner.terms):
+        return -sign, Total(tuple((-s, term) for s, term in inner.terms))
+    return sign, inner
+
+
 def added(*terms: tuple[int, Maybe]) -> Maybe:
     """The sum of terms with signs: sums in it are opened, like terms put together, a positive term comes first."""
     flat: dict[Expression, float] = {}
@@ -80,13 +88,15 @@ def product(*items: Maybe) -> Maybe:
     for item in items:
         if item is None:
             return None
-        own, inner = signed(item)
+        own, inner = forward(item)
         sign *= own
         for factor in inner.factors if isinstance(inner, Times) else (inner,):
-            if isinstance(factor, Constant) and not factor.measure:
-                number *= factor.value
+            own, ahead = forward(factor)
+            sign *= own
+            if isinstance(ahead, Constant) and not ahead.measure:
+                number *= ahead.value
                 continue
-            base, exponent = (factor.base, factor.exponent) if isinstance(factor, Raised) else (factor, 1)
+            base, exponent = (ahead.base, ahead.exponent) if isinstance(ahead, Raised) else (ahead, 1)
             powers[base] = powers.get(base, 0) + exponent
     if number == 0:
         return None
@@ -196,6 +206,26 @@ def linear(item: Maybe, unknowns: Collection[Value]) -> tuple[dict[Value, Expres
             found, rest = linear(above, unknowns)
             return {v: Ratio(c, below) for v, c in found.items()}, None if rest is None else Ratio(rest, below)
     raise TypeError(f"not linear: {item!r}")
+
+
+def substituted(item: Expression, table: Mapping[Value, Expression]) -> Maybe:
+    """An expression with values replaced by what they stand for."""
+    match item:
+        case Value():
+            return table.get(item, item)
+        case Total(terms):
+            return added(*((sign, substituted(term, table)) for sign, term in terms))
+        case Times(factors):
+            return product(*(substituted(factor, table) for factor in factors))
+        case Raised(base, exponent):
+            inner = substituted(base, table)
+            return None if inner is None else Raised(inner, exponent)
+        case Ratio(above, below):
+            upper, lower = substituted(above, table), substituted(below, table)
+            return None if upper is None or lower is None else Ratio(upper, lower)
+        case Applied(function, argument):
+            return Applied(function, substituted(argument, table) or Constant(0.0))
+    return item
 
 
 def pruned(item: Maybe) -> Maybe:

@@ -11,6 +11,7 @@ import cmath
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeAlias
 
 from variantgen.families.expressions import Expression as FamilyExpression
@@ -75,7 +76,7 @@ class Angles:
         self._turn = degrees(complex(frame.turn))
 
     def read(self, expression: FamilyExpression | None) -> AngleForm:
-        """An angle of the scene; what is not a sum of printed angles is a number of degrees, read off the figure."""
+        """An angle of the scene; what is no sum of angles is a number of degrees, read off the figure."""
         if expression is None:
             return AngleForm()
         value = math.degrees(self._task.read(expression))
@@ -92,12 +93,18 @@ class Angles:
         return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
 
     def _sign(self, name: str) -> int:
-        """1 for a printed angle, the sign of a law of time, 0 for other quantities."""
+        """1 for an angle, printed or only drawn, the sign of a law of time, 0 for other quantities."""
         parameter = self._task.form.parameters.get(name)
         if parameter is None or parameter.unit is None:
             law = angle_law(self._task, name)
             return law[0] if law else 0
-        return int(parameter.given and parameter.unit.measures == "angle")
+        return int(parameter.unit.measures == "angle")
+
+    @cached_property
+    def silent(self) -> frozenset[str]:
+        """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
+        parameters = self._task.form.parameters
+        return frozenset(name for name, p in parameters.items() if p.silent)
 
     def value(self, name: str) -> Value:
         """A given angle, or the one that a law of time gives at the instant of the problem."""

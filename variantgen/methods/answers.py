@@ -27,6 +27,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
         return _component(book, name, terms, quantity.component)
     if quantity.component == "angle":
         return _angle(book, name, terms)
+    if len(terms) == 1 and terms[0].size is not None and terms[0].size.exact > 0:
+        return terms[0].size
     if len(terms) > 1 and name not in book.values:
         with book.step(f"answers.magnitude_{quantity.kind[0]}", point=Point(quantity.target)):
             return modulus(book, name, terms)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from variantgen.errors import InputError, Problem
-from variantgen.methods import graphical, walk
+from variantgen.methods import analytical, coordinates, graphical, three_rates, walk
 from variantgen.methods.book import Book
 from variantgen.methods.step import Sentence
 from variantgen.methods.style import Accelerations, Style, Velocities
@@ -33,7 +33,10 @@ class WholeMethod:
 
 
 WHOLE: dict[str, WholeMethod] = {
+    "analytical": WholeMethod(analytical.applies, analytical.solve),
+    "three_rates": WholeMethod(three_rates.applies, three_rates.solve),
     "graphical": WholeMethod(graphical.applies, graphical.solve, graphical.ANSWER_DIGITS),
+    "coordinates": WholeMethod(coordinates.applies, coordinates.solve),
 }
 
 

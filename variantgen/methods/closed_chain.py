@@ -141,8 +141,7 @@ def _enter(book: Book, body: str, value: Value) -> None:
     assert value.name is not None
     book.values[value.name] = value
     sense = (value.exact > 0) - (value.exact < 0)
-    size = Value(Name(kind, body), value.measure, abs(value.exact), value if sense >= 0 else -value, value.size)
-    rate = Rate(size, sense)
-    book.rates[body] = rate
-    key = f"rates.no_{kind}" if not sense else f"rates.{kind}_{rate.word}_sum"
+    size = value if sense >= 0 else book.derive(Name(kind, body), value.measure, -value)
+    book.rates[body] = Rate(size, sense)
+    key = f"rates.no_{kind}" if not sense else f"rates.{kind}_{book.rates[body].word}_sum"
     book.say(key, False, body=Body(body))

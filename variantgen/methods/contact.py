@@ -59,13 +59,15 @@ class Side:
 class Touch:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
-    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does.
+    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place`` is the
+    key of the sentence that says where on a turning body the point is, where that is not plain.
     """
 
     kind: str
     first: Side
     second: Side
     track: Track | None = None
+    place: str = ""
 
     @property
     def ways(self) -> tuple[tuple[Side, Side], tuple[Side, Side]]:
@@ -79,14 +81,16 @@ def metres(task: Task) -> Placement:
     return Placement({name: z * unit for name, z in task.now.z.items()}, task.scene.frame)
 
 
-def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int) -> str:
+def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int, end: int = 0) -> str:
     """The name of the point of the bodies at a place (printed unit), or a letter that no point has.
 
-    ``number`` tells places without a name apart: the number of the joint, of which a thread has two.
+    Places without a name are told apart by the ``number`` of the joint and the ``end``, of which a thread has two.
     """
     for body in bodies:
         for point in task.scene.bodies.get(body, ()):
             if abs(task.now.z[point] - place) < _NEAR * task.size:
                 return point
     free = [letter for letter in dict.fromkeys(_LETTERS) if letter not in task.scene.points]
-    return free[number % len(free)]
+    earlier = (joint.shapes()[0] for joint in task.scene.joints[:number] if joint.shapes())
+    rank = sum(bool(shape.points and shape.bodies) for shape in earlier)
+    return free[(2 * rank + end) % len(free)]

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from variantgen.mechanism.blocks import triangular_blocks
 from variantgen.methods.algebra import Maybe
-from variantgen.methods.coordinate_model import Coordinate, Equation, Model
+from variantgen.methods.coordinate import Coordinate, Equation
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Value
 from variantgen.methods.settle import parts
 

@@ -11,14 +11,16 @@ from collections.abc import Iterable, Iterator
 
 from variantgen.methods import coordinate_outputs as outputs
 from variantgen.methods.algebra import added, signed
+from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, given_coordinates
-from variantgen.methods.coordinate_model import Coordinate, Model
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.program import enclosed, identifier, number, written
 from variantgen.methods.settle import in_order, parts
 from variantgen.methods.step import Listing
 
 _WIDTH = 100
+_PAIR = 80  # columns of two equations in a line
 _ABREAST = 4  # numbers in a line of data
 _ROUGH = 4  # digits of the coordinates from which the program starts
 
@@ -27,7 +29,6 @@ _SOLVER = """\
 #{listing.derivative}
 def rate(g):
     return g(1e-20j).imag / 1e-20
-
 def jacobian(q):
     return np.array([rate(lambda s: f(q + s*e, 0)) for e in np.eye(len(q))]).T
 
@@ -77,7 +78,8 @@ class _Program:
         tables = [f"{table} = dict(zip(names, {table.lower()}))" for table in "QVA" if f'{table}["' in "".join(asked)]
         if tables:
             yield "; ".join(tables)
-        yield from asked
+        for line in asked:
+            yield from _wrapped(line, "    ")
 
     def _start(self) -> Iterator[str]:
         """The unknowns and rough values of them."""
@@ -94,7 +96,7 @@ class _Program:
         yield from ("", "#{listing.equations}", "def f(q, t):")
         yield from _wrapped(f"    {', '.join(names)}{',' if len(names) == 1 else ''} = q", "        ")
         yield "    return np.array(["
-        for row in rows:
+        for row in _paired(rows):
             yield from _wrapped(f"        {row},", "            ")
         yield "    ])"
 
@@ -167,6 +169,21 @@ class _Program:
         if value.expression is None or self._is_number(value):
             return number(value.exact, value.measure)
         return written(value.expression, self.names)
+
+
+def _paired(rows: list[str]) -> Iterator[str]:
+    """Two short equations in a line, as those for x and y of a point."""
+    waiting = ""
+    for row in rows:
+        if waiting.startswith("x_") and row.startswith("y_") and len(waiting) + len(row) < _PAIR:
+            yield f"{waiting}, {row}"
+            waiting = ""
+            continue
+        if waiting:
+            yield waiting
+        waiting = row
+    if waiting:
+        yield waiting
 
 
 def _rough(own: Coordinate) -> str:

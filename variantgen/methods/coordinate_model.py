@@ -8,13 +8,13 @@ are taken by :mod:`variantgen.methods.algebra`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from variantgen.mechanism.rows import Constraint
 from variantgen.methods import equations
 from variantgen.methods.algebra import Maybe, added, product
 from variantgen.methods.book import Book
+from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.geometry import degrees
 from variantgen.methods.heading import Heading, fixed_number
@@ -24,26 +24,6 @@ from variantgen.methods.step import Fact
 
 _LEVEL = 1e-9  # of the size, or of a unit vector: what is smaller is none
 _RATES = {"length": ("velocity", "acceleration"), "angle": ("angular velocity", "angular acceleration")}
-
-
-@dataclass(eq=False)
-class Coordinate:
-    """Something that changes: its value now, its first and second derivative; ``given`` if a driver prescribes it."""
-
-    place: Value
-    speed: Value
-    gain: Value
-    given: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Equation:
-    """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
-
-    key: str
-    left: Maybe
-    right: Maybe
-    facts: dict[str, Fact] = field(default_factory=dict)
 
 
 class Model:
@@ -118,11 +98,11 @@ class Model:
         """Something new that changes; unknown unless it is prescribed later."""
         size = self.task.size if measure == "length" else 1.0
         value = Value(name, measure, exact, None, size)
-        rates = [
+        speed, gain = (
             Value(name._replace(dots=dots), kind, 0.0, None, self.book.size_of(kind))
             for dots, kind in enumerate(_RATES[measure], 1)
-        ]
-        self.coordinates[value] = Coordinate(value, *rates)
+        )
+        self.coordinates[value] = Coordinate(value, speed, gain)
         return value
 
     def prescribe(self, value: Value, speed: Expression, gain: Expression) -> None:
@@ -130,7 +110,8 @@ class Model:
         own = self.coordinates[value]
         own.given = True
         for rate, source in ((own.speed, speed), (own.gain, gain)):
-            rate.exact, rate.expression = source.number(True), source
+            rate.exact = source.number(True)
+            rate.expression = source if rate.exact else Constant(0.0)
 
     def hold(self, point: str, axis: int) -> None:
         """Keep the coordinate x (0) or y (1) of a point."""
@@ -183,10 +164,8 @@ class Model:
     def reference(self, body: str) -> tuple[str, str] | None:
         """The ray of a body whose direction is its angle; None where the angle is that of turning from now on."""
         if body not in self._references:
-            members = [p for p in self.task.scene.bodies[body] if p in self.points or p in self.task.fixed]
             wheel = any(disc.body == body for disc in self.task.form.figure.discs)
-            fixed = [p for p in members if p in self.task.fixed]
-            ordered = [*fixed, *(p for p in members if p not in fixed)]
+            ordered = self.members(body)
             rod = len(ordered) > 1 and not wheel
             self._references[body] = (ordered[0], ordered[1]) if rod else None
         return self._references[body]
@@ -229,9 +208,14 @@ class Model:
 
     def pole(self, body: str) -> str:
         """The point of a body from which others are reached: one at rest, or the first that takes part."""
-        members = self.task.scene.bodies[body]
-        fixed = [p for p in members if p in self.task.fixed]
-        return next(iter([*fixed, *(p for p in members if p in self.points)]))
+        return self.members(body)[0]
+
+    def members(self, body: str) -> list[str]:
+        """The points of a body that take part: those at rest first, then those that drivers or wheels lead."""
+        led = [name for driver in self.task.scene.drivers for shape in driver.shapes() for name in shape.points[:1]]
+        led += [centre for joint in self.task.scene.joints if (centre := getattr(joint, "centre", ""))]
+        found = [p for p in self.task.scene.bodies[body] if p in self.points or p in self.task.fixed]
+        return sorted(found, key=lambda p: (p not in self.task.fixed, p not in led))
 
     def slide(self, point: str, body: str, exact: float) -> Value:
         """The way of a point along its line on a body."""

@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra import added, product
+from variantgen.methods.algebra import added, product, pruned
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.name import Name
 from variantgen.methods.settle import in_order, items_values
-from variantgen.methods.step import Statement
+from variantgen.methods.step import Derived, Sentence, Statement, Step
 
 
-def locate(model: Model) -> None:
-    """Give every position that the numbers of the steps use its value from the geometry."""
+def locate(model: Model, step: Step) -> None:
+    """Give every position that the numbers of the steps use its value from the geometry.
+
+    Angles and ways, which the geometry does not show, are shown at the end of ``step``.
+    """
     items = [item for step in model.book.steps for item in step.items if not isinstance(item, Statement)]
+    shown: list[Value] = []
     for value in in_order(items_values(items)):
+        if value.name is not None and value.name.kind == "offset":
+            shown.append(value)
         if value.expression is None and value.name is not None:
             value.expression = _place(model, value, value.name)
+            if value in model.coordinates and value.name.kind not in ("x", "y"):
+                shown.append(value)
+    known = {item.value.name for item in model.geometry.items if isinstance(item, Derived)}
+    lines = [Derived(value) for value in shown if value.name not in known]
+    if lines:
+        step.items.append(Sentence("coordinates.now", detail=False))
+        step.items.extend(lines)
 
 
 def _place(model: Model, value: Value, name: Name) -> Expression | None:
@@ -26,7 +39,7 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
             own = geometry.coordinates(name.of)["xy".index(name.kind)]
             return None if own is value else own
         case "direction" if value in model.coordinates:
-            return geometry.direction(name.of, name.about)
+            return geometry.direction(name.of, name.about).expression
         case "slide" if value in model.coordinates and name.about:
             return model.geometry.length(name.of, name.about)
         case "slide" | "arc" if value in model.coordinates and value.exact:
@@ -40,9 +53,10 @@ def _slid(model: Model, value: Value, name: Name) -> Expression:
     if name.kind == "arc":
         joint = next(s for j in model.task.scene.joints if (s := j.sliding()) and s.point == name.of and s.body == body)
         turn = model.rotation(body)
-        found = added((1, model.geometry.direction(joint.centre, name.of)), (-1, turn))
-        assert found is not None
-        return found
+        ray = model.geometry.direction(joint.centre, name.of)
+        found = pruned(added((1, ray), (-1, turn)))
+        shown = any(isinstance(item, Derived) and item.value is ray for item in model.geometry.items)
+        return found if shown and found is not None else Constant(value.exact)
     pole = model.pole(body)
     length = model.geometry.length(pole, name.of)
     if abs(length.exact - abs(value.exact)) > 1e-9 * model.task.size:

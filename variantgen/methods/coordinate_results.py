@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from variantgen.mechanism.relative import sliding_points
-from variantgen.methods.algebra import added, product
+from variantgen.methods.algebra import added, product, pruned, signed
 from variantgen.methods.book import Known, Rate
 from variantgen.methods.coordinate_blocks import Block
 from variantgen.methods.coordinate_model import Model
@@ -51,6 +53,12 @@ def _ends(model: Model, body: str) -> tuple[str, str]:
     return ends
 
 
+def say_start(model: Model, values: Iterable[Value]) -> None:
+    """Say from where angles of turning count, if there are any."""
+    if any(value.name is not None and value.name.kind in ("rotation", "swing") for value in values):
+        model.book.say("coordinates.start", False)
+
+
 def enter(model: Model, blocks: list[Block]) -> None:
     """Enter what has been found at the order of the book: all points of the equations, the rates that are asked."""
     book = model.book
@@ -96,19 +104,26 @@ def _enter_rate(model: Model, body: str) -> None:
     kind = "omega" if book.order == 1 else "epsilon"
     name = Name(kind, body)
     given = model.has_angle(body) and model.coordinates[model.angle(body)].given
-    signed: Expression = rate_of(model, model.angle(body)) if model.has_angle(body) else _by_points(model, body)
-    exact = signed.number(True)
+    rate: Expression = rate_of(model, model.angle(body)) if model.has_angle(body) else _by_points(model, body)
+    exact = rate.number(True)
     if abs(exact) <= 1e-10 * book.size_of(book.rate_measure):
         book.rates[body] = Rate(Value(name, book.rate_measure, 0.0), 0)
         book.say(f"rates.no_{kind}", False, body=Body(body))
         return
     sense = 1 if exact > 0 else -1
-    if given:
-        book.rates[body] = Rate(positive(rate_of(model, model.angle(body))), sense)
+    if given and (size := _given_size(model, body)) is not None:
+        book.rates[body] = Rate(size, sense)
         return
-    size = book.derive(name, book.rate_measure, signed)
-    book.rates[body] = Rate(positive(size), sense)
+    size = book.derive(name, book.rate_measure, rate if sense > 0 else Magnitude(rate))
+    book.rates[body] = Rate(size, sense)
     book.say(f"coordinates.{kind}_{book.rates[body].word}", body=Body(body))
+
+
+def _given_size(model: Model, body: str) -> Value | None:
+    """The datum behind the rate of a driven body, without its sign."""
+    expression = rate_of(model, model.angle(body)).expression
+    size = None if expression is None else signed(expression)[1]
+    return size if isinstance(size, Value) else None
 
 
 def _by_points(model: Model, body: str) -> Expression:
@@ -120,7 +135,7 @@ def _by_points(model: Model, body: str) -> Expression:
         ends = [model.unknown(point, axis) for point in (second, first)]
         found = [None if place is None else rate_of(model, place) for place in ends]
         rates.append(added((1, found[0]), (-1, found[1])))
-    above = added((1, product(shifts[0], rates[1])), (-1, product(shifts[1], rates[0])))
+    above = pruned(added((1, product(shifts[0], rates[1])), (-1, product(shifts[1], rates[0]))))
     return Ratio(above or Constant(0.0), Raised(model.geometry.length(first, second), 2))
 
 
@@ -133,10 +148,10 @@ def _enter_relative(model: Model, point: str, carrier: str) -> None:
     tangent = _tangent(model, point, carrier)
     name = Name(book.letter, point, part="rel")
     terms: Known = ()
-    signed: Expression = along
+    rate: Expression = along
     if path.centre:
         radius = book.geometry.length(path.centre, point)
-        signed = radius * along
+        rate = radius * along
         if book.order == 2:
             speed = model.coordinates[place].speed
             if speed.exact:
@@ -146,8 +161,8 @@ def _enter_relative(model: Model, point: str, carrier: str) -> None:
                 terms = (book.term(normal.name or name, normal, angle, "towards", **facts),)
             name = name.component("tau")
     if along.exact:
-        ahead = signed.number(True) > 0
-        size = book.derive(name, book.measure, signed if ahead else Magnitude(signed))
+        ahead = rate.number(True) > 0
+        size = book.derive(name, book.measure, rate if ahead else Magnitude(rate))
         way = Value(None, "angle", degrees(tangent if ahead else -tangent))
         terms = (*terms, book.term(name, size, way, "track", point=Point(point)))
     table = book.relative if book.order == 1 else book.relative_acceleration

@@ -9,9 +9,10 @@ from __future__ import annotations
 from variantgen.methods import coordinate_results as results
 from variantgen.methods.algebra import Maybe, added, derivative, linear, pruned, reduced
 from variantgen.methods.book import Book
+from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinate_listing import listing
-from variantgen.methods.coordinate_model import Coordinate, Model
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.coordinate_places import locate
 from variantgen.methods.expression import Constant, Ratio, Value
 from variantgen.methods.linear_system import ZERO, coefficients, enter, enter_solution, system_of
@@ -36,7 +37,7 @@ def applies(task: Task) -> bool:
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
     book.order = 1
-    with book.step("coordinates.equations"):
+    with book.step("coordinates.equations") as first:
         book.say("coordinates.idea", True)
         model = Model(book)
         targets = results.targets(model)
@@ -53,7 +54,7 @@ def solve(book: Book) -> None:
             for block in blocks:
                 _solve_block(model, block, written, order)
             results.enter(model, blocks)
-    locate(model)
+    locate(model, first)
     with book.step("coordinates.listing"):
         book.say("coordinates.program", False)
         book.items.append(listing(model, blocks, targets))
@@ -68,6 +69,7 @@ def _state(model: Model, blocks: list[Block], given: list[Coordinate]) -> None:
     if not unknowns:
         return
     book.say("coordinates.unknowns", False, unknowns=unknowns)
+    results.say_start(model, [own.place for own in (*given, *(own for block in blocks for own in block.unknowns))])
     said: list[Sentence] = []
     for block in blocks:
         for equation in block.equations:
@@ -124,11 +126,11 @@ def _solve_one(book: Book, value: Value, left: Maybe, right: Maybe) -> None:
     expression = added((-1, rest)) or ZERO
     if left is value:
         enter(value, expression, expression.number(True))
-        book.items.append(Derived(value))
+        book.items.append(Derived(value, symbolic=value.exact != 0, numeric=value.exact != 0))
         return
     coefficient = found[value]
     book.items.append(Statement(left or ZERO, right or ZERO))
     if not (isinstance(coefficient, Constant) and coefficient.value == 1) and rest is not None:
         expression = Ratio(expression, coefficient)
     enter(value, expression, expression.number(True))
-    book.items.append(Derived(value, symbolic=False))
+    book.items.append(Derived(value, symbolic=False, numeric=value.exact != 0))

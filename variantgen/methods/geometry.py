@@ -16,7 +16,7 @@ from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.layout import Layout
 from variantgen.methods.name import Name
 from variantgen.methods.placed import ORIGIN, Pair, placed
-from variantgen.methods.step import Derived, Fact, Item, Sentence
+from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence
 from variantgen.methods.sums import Leg, Signed, collected, summed
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.ways import Ways
@@ -68,11 +68,20 @@ class Geometry(Layout):
         return self._lengths[key]
 
     def _length(self, start: str, end: str) -> Expression:
-        stated = self.stated(start, end)
+        stated = self._radius(start, end) or self.stated(start, end)
         if stated is None:
             low, high = self.ordered(start, end)
             stated = self.places[high].share(low)
         return self._worked_length(start, end) if stated is None else stated
+
+    def _radius(self, start: str, end: str) -> Value | None:
+        """The distance of a point of a disc from its centre, if that is the radius in the figure."""
+        exact = abs(self.vector(start, end))
+        for disc in self.task.form.figure.discs:
+            on_disc = disc.centre in (start, end) and {start, end} <= set(self.task.form.bodies.get(disc.body, ()))
+            if on_disc and abs(self.read_length(disc.radius).number(True) - exact) < CLOSE * exact:
+                return self.radius(disc.centre, exact, disc.body)
+        return None
 
     def _worked_length(self, start: str, end: str) -> Expression:
         """A length that is not given: of its construction, or of a triangle."""
@@ -112,10 +121,20 @@ class Geometry(Layout):
             return self.turned(self._directions[end, start], 180.0, name)
         form = self.form(start, end)
         if form.parts == (((start, end), 1.0),) and form.constant % 360.0 == 0:
+            if self.is_drawn(start, end):
+                return self._drawn(name)
             return self._entered(name, "angle", self._worked_direction(start, end))
         if len(form.parts) == 1 and form.constant % 180.0 == 0 and not isinstance(form.parts[0][0], str):
             return self.turned(self.direction(*form.parts[0][0]), form.constant, name)
         return self._given_direction(name, form)
+
+    def _drawn(self, name: Name) -> Value:
+        """A direction that only the drawing shows."""
+        number = self.bearing(name.of, name.about)
+        value = Value(name, "angle", number, Constant(number, "angle"))
+        self.say("drawn", segment=Segment(name.of, name.about))
+        self.items.append(Derived(value, symbolic=False, numeric=False))
+        return value
 
     def _given_direction(self, name: Name, form: AngleForm) -> Value:
         """A direction by given angles, or by a direction that was shown before and fewer angles."""
@@ -161,6 +180,15 @@ class Geometry(Layout):
     def atom(self, atom: Atom) -> Value:
         """A given angle or the direction of a ray."""
         return self._taken(self.angles.value(atom)) if isinstance(atom, str) else self.direction(*atom)
+
+    def without_numbers(self, form: AngleForm) -> AngleForm:
+        """A sum of angles with directions that are plain numbers, along an axis, counted as such."""
+        for atom, coefficient in form.parts:
+            if not isinstance(atom, str) and self.direction(*atom).expression is None:
+                value = self.direction(*atom)
+                if value.name is not None and value.name.kind == "direction":
+                    form = form.minus(AngleForm(((atom, coefficient),))).turned(coefficient * value.exact)
+        return form
 
     def trigonometric(self, function: str, form: AngleForm) -> tuple[int, Expression | None]:
         """A cosine or sine: its sign and its expression, None for one; sign 0 for zero."""
@@ -225,7 +253,7 @@ class Geometry(Layout):
     def differences(second: Pair, first: Pair) -> tuple[Expression, Expression]:
         """Differences of coordinates; zeros are left out."""
         x, y = (
-            summed((sign, value) for sign, value in ((1, b), (-1, a)) if value.exact != 0 or value.expression)
+            summed((sign, value) for sign, value in ((1, b), (-1, a)) if value.exact != 0)
             for b, a in zip(second, first, strict=True)
         )
         return x, y

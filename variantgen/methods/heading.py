@@ -25,7 +25,8 @@ class Heading:
             quarter, number = 0, normal_angle(self.constant)
             sign = 1 if number > 0 or angle is None else -1
             angle = added((1, angle), (sign, fixed_number("angle", sign * number)))
-        x, y = (Constant(1.0), None) if angle is None else (cos(angle), sin(angle))
+        x: Maybe = Constant(1.0) if angle is None else cos(angle)
+        y: Maybe = None if angle is None else sin(angle)
         for _ in range(quarter % 4):
             x, y = product(Constant(-1.0), y), x
         return product(x, length), product(y, length)

@@ -12,10 +12,10 @@ from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import Line
 from variantgen.methods.angles import AngleForm, Angles, Atom, degrees, normal_angle
-from variantgen.methods.expression import Constant, Expression
+from variantgen.methods.expression import Constant, Expression, Total
 from variantgen.methods.lines import Lines
-from variantgen.methods.placed import ORIGIN, Placed
-from variantgen.methods.sums import Leg, collected
+from variantgen.methods.placed import ORIGIN, Placed, Ray
+from variantgen.methods.sums import Leg, collected, summed
 from variantgen.methods.task import CLOSE, Task
 
 _NOTHING = 1e-10  # of the size: a length below it is none
@@ -33,6 +33,7 @@ class Layout:
         self.places: dict[str, Placed] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
+        self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
 
     def read(self, places: Mapping[str, Placed]) -> None:
@@ -40,7 +41,7 @@ class Layout:
         for name, place in places.items():
             self.places[name] = place
             for ray in place.rays():
-                self._lines.add(ray.start, ray.end, ray.form)
+                self._lines.add(ray.start, ray.end, self._based(ray))
             self._read_marks(name)
             self._stated |= {frozenset(pair): length for pair, length in place.lengths().items()}
         for condition in self.task.form.conditions:
@@ -50,6 +51,27 @@ class Layout:
             if condition.component is Line and fields.get("towards") is None:
                 angle = self.angles.on_paper(self.angles.read(fields.get("angle")))
                 self._lines.add(fields["through"], fields["point"], angle)
+
+    def _based(self, ray: Ray) -> AngleForm:
+        """The direction of a ray; the first one by an angle that only the drawing shows is the base of the others."""
+        form = self.on_bases(ray.form)
+        if len(form.parts) == 1 and (name := form.parts[0][0]) in self.angles.silent and isinstance(name, str):
+            low, high = self.ordered(ray.start, ray.end)
+            here = AngleForm((((low, high), 1.0),), 0.0 if low == ray.start else 180.0)
+            self._bases[name] = here.turned(-form.constant).times(1.0 / form.parts[0][1])
+            return here
+        return form
+
+    def on_bases(self, form: AngleForm) -> AngleForm:
+        """A sum of angles with those that only the drawing shows replaced by directions in it."""
+        for atom, coefficient in form.parts:
+            if isinstance(atom, str) and atom in self._bases:
+                form = form.minus(AngleForm(((atom, coefficient),))).plus(self._bases[atom], coefficient)
+        return form
+
+    def is_drawn(self, start: str, end: str) -> bool:
+        """Whether a direction is a base: only the drawing shows it."""
+        return any(base.parts[0][0] == (start, end) for base in self._bases.values())
 
     def _read_marks(self, newest: str) -> None:
         """Angles that the figure shows between a known ray and another one, with the newest point."""
@@ -100,7 +122,9 @@ class Layout:
     def read_length(self, expression: FamilyExpression) -> Expression:
         """A length of the family in the printed unit; one that cannot be written out is a number of the drawing."""
         found = self.task.expressed(expression)
-        return Constant(self.task.read(expression) / self.task.length_unit, "length") if found is None else found
+        if found is None:
+            return Constant(self.task.read(expression) / self.task.length_unit, "length")
+        return summed([(1, found)]) if isinstance(found, Total) else found
 
     def stated(self, start: str, end: str) -> Expression | None:
         """The given distance of two points: of a construction, or a parameter named or dimensioned like it."""

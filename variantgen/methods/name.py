@@ -22,9 +22,10 @@ class Name(NamedTuple):
     the carrier below it.
 
     Coordinates of a method that differentiates: ``rotation`` (angle through which the body ``of`` has turned),
-    ``slide`` (way of the point ``of`` along a line), ``arc`` (angle of the point ``of`` on a circle), ``swing``
-    (direction of a piece of rope or of a line of centres); ``dots`` counts derivatives by time. A rate with the
-    ``part`` ``z`` counts as positive counter-clockwise.
+    ``slide`` (way of the point ``of`` along a line), ``offset`` (how far that line passes by the pole), ``arc`` (angle
+    of the point ``of`` on a circle), ``swing`` (direction of a piece of rope or of a line of centres); ``dots`` counts
+    derivatives by time. A rate with the ``part`` ``z`` counts as positive counter-clockwise. ``cosine`` is that of the
+    angle between the vector ``body`` (``v``, ``a``) of a point and the axis ``part``.
     """
 
     kind: str

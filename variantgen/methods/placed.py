@@ -88,7 +88,8 @@ class Placed:
         target = self.fields.get(towards)
         if target is not None:
             return self.geometry.form(start, target)
-        return self.geometry.angles.on_paper(self.geometry.angles.read(self.fields.get(angle)))
+        angles = self.geometry.angles
+        return self.geometry.on_bases(angles.on_paper(angles.read(self.fields.get(angle))))
 
 
 def placed(geometry: Geometry, point: str) -> Placed:

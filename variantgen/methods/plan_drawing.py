@@ -115,7 +115,7 @@ class PlanDrawing:
         index = next(i for i, term in enumerate(sides[1]) if term is first)
         start = self._chain(book, sides[1][:index])
         end = self._chain(book, sides[0])
-        for term in reversed(sides[1][index + 1 :]):
+        for term in sides[1][index + 1 :]:
             if term.size is not None and term.size.exact:
                 end = self._lay_back(book, end, term)
         self._say_line(book, start, first)

@@ -62,7 +62,8 @@ def _accelerations(chain: Chain, now: Instant) -> list[complex]:
         start = transport + coriolis if slip.carried else transport
         speed = now.v[slip.point] - now.transport_velocity(slip.point, slip.body)
         relative = now.relative_acceleration(slip.point, slip.body)
-        ends += [transport, start, start + relative, start + complex(slip.path.curvature(now.z)) * abs(speed) ** 2]
+        normal = complex(slip.path.curvature(now.z)) * abs(speed) ** 2
+        ends += [transport, start, start + relative, start + (normal if slip.carried else relative - normal)]
     return ends
 
 

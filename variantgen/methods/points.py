@@ -96,6 +96,17 @@ def _driven(task: Task) -> set[str]:
     return {p for driver in task.scene.drivers for s in driver.shapes() if len(s.points) == 1 for p in s.points}
 
 
+def is_within_reach(book: Book, point: str) -> bool:
+    """Whether the vector of a point is written, or follows from a body whose motion is known."""
+    if point in book.vectors:
+        return True
+    try:
+        carrier_of(book, point)
+    except LookupError:
+        return False
+    return True
+
+
 def _is_carried(book: Book, point: str, but: str) -> bool:
     """Whether a point belongs to another body whose motion is known."""
     return any(

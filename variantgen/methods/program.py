@@ -21,7 +21,15 @@ from variantgen.methods.name import Name
 
 _FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
 _LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v", "a": "a", "radius": "r"}
-_KINDS = {"direction": "phi", "rotation": "phi", "slide": "s", "arc": "psi", "swing": "theta", **_LETTERS}
+_KINDS = {
+    "direction": "phi",
+    "rotation": "psi",
+    "slide": "s",
+    "offset": "h",
+    "arc": "chi",
+    "swing": "theta",
+    **_LETTERS,
+}
 
 # What the programs call their own variables and functions.
 _OWN = ("q", "v", "a", "t", "f", "g", "e", "s", "np", "rate", "jacobian", "names", "circle", "bend", "Q", "V", "A")

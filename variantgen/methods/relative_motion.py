@@ -14,7 +14,7 @@ from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.methods.book import Book, Known
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry
-from variantgen.methods.given import amount
+from variantgen.methods.given import amount, as_stated
 from variantgen.methods.group import Slid
 from variantgen.methods.name import Name
 from variantgen.methods.points import (
@@ -44,6 +44,7 @@ class _Sides:
     path: Term | None = None
     carried: Term | None = None
     relative: Term | None = None
+    slip: Known = ()  # what is known of the relative vector
 
 
 def solve_slid(book: Book, group: Slid) -> None:
@@ -84,8 +85,8 @@ def _sides(book: Book, group: Slid) -> _Sides:
     if book.order == 2:
         book.coriolis[point, group.carrier] = coriolis
     sides.right += coriolis
-    known, sides.relative = _relative(book, group)
-    sides.right += [*known, *([sides.relative] if sides.relative else [])]
+    sides.slip, sides.relative = _relative(book, group)
+    sides.right += [*sides.slip, *([sides.relative] if sides.relative else [])]
     return sides
 
 
@@ -168,6 +169,7 @@ def _given(book: Book, group: Slid, name: Name) -> Known:
         if rate == 0:
             return ()
         size = amount(book, template, book.letter, book.measure)
+        name = as_stated(name, size)
         sign = 1 if rate > 0 else -1
         if path.line is None:
             turn = sign * round(float(book.task.scene.frame.sense))
@@ -183,7 +185,7 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
     if group.driven:
         name = Name(book.letter, point)
         slips = book.relative if book.order == 1 else book.relative_acceleration
-        slips[point, carrier] = tuple(t for t in sides.right if t.name.part.startswith("rel"))
+        slips[point, carrier] = sides.slip
         book.vectors[point] = summed(book, name, sides.right)
         modulus(book, name, book.vectors[point])
         return
@@ -210,9 +212,8 @@ def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> 
     """Note what was found, and the rates that follow."""
     point, carrier = group.path.point, group.carrier
     slips = book.relative if book.order == 1 else book.relative_acceleration
-    known = tuple(t for t in sides.right if t.size is not None and t.name.part.startswith("rel"))
     term = sides.relative
-    slips[point, carrier] = (*known, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
+    slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
     if sides.carried is not None and group.carried is not None:
         known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
         book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))

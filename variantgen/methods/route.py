@@ -28,6 +28,7 @@ from variantgen.methods.group import (
     Turned,
 )
 from variantgen.methods.joined import joined
+from variantgen.methods.points import is_within_reach
 
 
 class Route:
@@ -188,7 +189,8 @@ class Route:
     def _sliding(self, path: Sliding) -> Group | None:
         """What the sliding of a point on a body tells, if one of the two is known well enough."""
         point, carrier = path.point, path.body
-        moved = self.is_moved(carrier) or (carrier in self.book.omega and self.known_point(carrier) is not None)
+        turning = carrier in self.book.omega or carrier in self.translating
+        moved = self.is_moved(carrier) or (turning and self.known_point(carrier) is not None)
         if moved:
             pole = self.known_point(carrier) or ""
             if self._is_driven(path):
@@ -235,7 +237,7 @@ class Route:
         for body in self.open_bodies:
             members = self.scene.bodies[body]
             pivot = next((p for p in members if p in self.task.fixed), None)
-            known = [p for p in members if p != pivot and self.is_known(p)]
+            known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])
 

@@ -83,6 +83,8 @@ def collected(legs: Iterable[Leg], nothing: float) -> list[Leg]:
     """Legs along the same line added, each of positive length; what is below ``nothing`` is left out."""
     groups: list[tuple[AngleForm, list[Signed]]] = []
     for leg in legs:
+        if abs(leg.length.number(True)) <= nothing:
+            continue
         for form, terms in groups:
             if form.is_along(leg.form):
                 same = abs((leg.form.constant - form.constant + 90.0) % 360.0 - 90.0) < 1.0
@@ -99,5 +101,7 @@ def collected(legs: Iterable[Leg], nothing: float) -> list[Leg]:
 
 
 def squared(parts: Iterable[Expression]) -> Expression:
-    """The sum of squares; of zeros nothing is shown."""
-    return summed((1, part**2) for part in parts if part.number(True) != 0)
+    """The sum of squares, without a minus before what is squared."""
+    kept = (terms_of(part) for part in parts)
+    bare = (terms[0][1] if len(terms) == 1 else Total(tuple(terms)) for terms in kept)
+    return summed((1, part**2) for part in bare if part != Constant(0.0))

@@ -2,7 +2,8 @@
 
 The chains of three links between fixed pivots are solved by it (:mod:`variantgen.methods.closed_chain`), the rest of
 the mechanism by the vector equation with a pole and by relative motion. It does not apply to a mechanism without such a
-chain: a slider in the place of a link moves on a line and has no angular velocity of its own.
+chain: a slider in the place of a link moves on a line and has no angular velocity of its own. Nor does it apply to a
+parallelogram, whose coupler is known to translate.
 """
 
 from __future__ import annotations
@@ -19,7 +20,10 @@ STYLE = Style("three_rates", "three_rates")
 def applies(task: Task) -> bool:
     """Whether a chain of three links between fixed pivots leads to what is asked."""
     book = Book(task, style=STYLE)
-    groups = walk.velocities(book)
+    try:
+        groups = walk.velocities(book)
+    except LookupError:  # the rest of the mechanism cannot be solved group by group
+        return False
     return any(isinstance(group, Dyad) and closed_chain.applies(book, group) for group in groups)
 
 

@@ -22,6 +22,7 @@ _QUARTERS = {
 
 def angle_of(geometry: Geometry, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
     """A sum of angles and of further terms as an expression between -180 and 180 degrees."""
+    form = geometry.without_numbers(form)
     terms = [*_terms(geometry, form), *extra]
     total = form.constant + sum(sign * term.number(True) for sign, term in terms)
     return _sum_of(terms, form.constant + 360.0 * round((normal_angle(total) - total) / 360.0))
@@ -34,12 +35,12 @@ def _terms(geometry: Geometry, form: AngleForm) -> list[Signed]:
 def _sum_of(terms: Sequence[Signed], constant: float) -> Expression:
     """Terms with a number of degrees, what is positive first."""
     constant = tidy(constant)
+    if not terms:
+        return Constant(constant, "angle")
     ordered = sorted(terms, key=lambda term: -term[0])
     if constant:
         own = (1 if constant > 0 else -1, Constant(abs(constant), "angle"))
         ordered = [own, *ordered] if constant > 0 else [*ordered, own]
-    if not ordered:
-        return Constant(0.0, "angle")
     return ordered[0][1] if len(ordered) == 1 and ordered[0][0] > 0 else Total(tuple(ordered))
 
 
@@ -57,7 +58,7 @@ def reduced(geometry: Geometry, function: str, form: AngleForm) -> tuple[int, Ex
         return 0, None
     if abs(other) < _NOTHING:
         return (1 if value > 0 else -1), None
-    sign = 1
+    sign, form = 1, geometry.without_numbers(form)
     quarter = round(form.constant / 90.0)
     if abs(form.constant - 90.0 * quarter) < 1e-9:
         function, sign = _QUARTERS[function][quarter % 4]
@@ -95,6 +96,8 @@ def direction_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
         return angle_of(geometry, axis if ahead > 0 else axis.turned(180.0))
     if geometry.is_nothing(along):
         return angle_of(geometry, axis.turned(90.0 * left))
+    if along == across:
+        return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
     corner = Applied("arctan", Ratio(across, along))
     if ahead > 0:
         return angle_of(geometry, axis, ((left, corner),))
@@ -117,11 +120,13 @@ def length_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
     sign, cosine = reduced(geometry, "cos", turn)
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
-    if cosine is not None and (first is second or first == second):
+    if cosine is not None and first == second:
         wrapped = turn.turned(geometry.number(turn) - geometry.total(turn))
         half = reduced(geometry, "cos", wrapped.times(0.5))[1]
         return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
-    terms: list[Signed] = [(1, first**2), (1, second**2)]
-    if cosine is not None:
-        terms.append((sign, Constant(2.0) * first * second * cosine))
-    return SquareRoot(Total(tuple(terms)))
+    if first == second:
+        return SquareRoot(Constant(2.0)) * first
+    squares = squared((first, second))
+    if cosine is None:
+        return SquareRoot(squares)
+    return SquareRoot(summed(((1, squares), (sign, Constant(2.0) * first * second * cosine))))

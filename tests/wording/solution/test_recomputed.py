@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 
 import pytest
 
@@ -53,6 +54,8 @@ class Reader:
         whole = " = ".join(texts)
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
+        if len(texts) == 1:
+            return  # a chain of links
         result = line.pieces[-1][1]
         if not isinstance(result, Measured) or len(texts) < 2:
             self.waiting.append((texts[0], texts[1], whole))
@@ -81,6 +84,9 @@ class Reader:
         """Put what has been found back into the equations that led to it."""
         for item in list(self.waiting):
             left, right, whole = item
+            if left not in self.known and re.fullmatch(r"[va]_\S+", left):
+                with suppress(ValueError):
+                    self.known[left] = evaluate(right, self.known, self.mark)  # v_BC = ω_BCD · BC
             try:
                 sides = [evaluate(side, self.known, self.mark) for side in (left, right)]
             except ValueError:

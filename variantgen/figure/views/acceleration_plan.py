@@ -69,11 +69,9 @@ def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, marks: S
         plan.lines.append((now.a[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
 
 
-def _add_pair(
-    plan: VectorPlan, start: complex, normal: complex, tangential: complex, names: Sequence[Symbol]
-) -> complex:
+def _add_pair(plan: VectorPlan, start: complex, first: complex, second: complex, names: Sequence[Symbol]) -> complex:
     """Two components one after the other; returns the end of the second."""
-    middle, end = start + normal, start + normal + tangential
+    middle, end = start + first, start + first + second
     plan.vectors += [Vector(start, middle, names[0]), Vector(middle, end, names[1])]
     return end
 
@@ -116,7 +114,10 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
         return start + relative
     normal = bend * speed**2
     names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
-    return _add_pair(plan, start, normal, relative - normal, names)
+    if slip.carried:
+        return _add_pair(plan, start, normal, relative - normal, names)
+    # The unknown vectors meet, so what is known comes last.
+    return _add_pair(plan, start, relative - normal, normal, names[::-1])
 
 
 def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:

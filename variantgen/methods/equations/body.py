@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from variantgen.methods.algebra import Maybe, added, product
 from variantgen.methods.expression import Expression
 from variantgen.methods.geometry import degrees
-from variantgen.methods.step import Body, Point, Segment
+from variantgen.methods.step import Body, Fact, Point, Segment
 
 if TYPE_CHECKING:
     from variantgen.methods.coordinate_model import Model
@@ -17,19 +17,13 @@ _CLOSE = 1e-9  # of a length: an offset below it is none
 
 def state_body(model: Model, body: str) -> None:
     """The equations by which the points of a body belong together."""
-    members = [p for p in model.task.scene.bodies[body] if p in model.points or p in model.task.fixed]
+    members = model.members(body)
     if not model.is_turning(body):
         _translation(model, body, members)
-    elif model.has_angle(body):
+    elif model.has_angle(body) and members:
         _turning(model, body, members)
     elif len(members) > 1:
         _rod(model, body, members)
-
-
-def _ordered(model: Model, members: list[str]) -> list[str]:
-    """Points at rest first."""
-    fixed = [p for p in members if p in model.task.fixed]
-    return [*fixed, *(p for p in members if p not in fixed)]
 
 
 def _translation(model: Model, body: str, members: list[str]) -> None:
@@ -44,7 +38,7 @@ def _translation(model: Model, body: str, members: list[str]) -> None:
 
 def _turning(model: Model, body: str, members: list[str]) -> None:
     """``x_M = x_P + b cos(phi + beta)``: every point by the first one."""
-    pole, *others = _ordered(model, members) if members else ("",)
+    pole, *others = members
     for point in others:
         heading = model.turned(body, degrees(model.now(pole, point)))
         arm = heading.ray(model.geometry.length(pole, point))
@@ -53,7 +47,7 @@ def _turning(model: Model, body: str, members: list[str]) -> None:
 
 def _rod(model: Model, body: str, members: list[str]) -> None:
     """The distance of two points is kept; each other point is a combination of these."""
-    first, second, *others = _ordered(model, members)
+    first, second, *others = members
     if second in model.task.fixed:
         return
     model.add_distance(
@@ -63,7 +57,12 @@ def _rod(model: Model, body: str, members: list[str]) -> None:
     for point in others:
         share = model.now(first, point) / base
         rows = [_combined(model, first, second, axis, share) for axis in (0, 1)]
-        facts = {"body": Body(body), "point": Point(point), "first": Point(first), "second": Point(second)}
+        facts: dict[str, Fact] = {
+            "body": Body(body),
+            "point": Point(point),
+            "first": Point(first),
+            "second": Point(second),
+        }
         model.add_vector("plate", first, point, [(rows[0], rows[1])], **facts)
 
 

@@ -16,20 +16,20 @@ if TYPE_CHECKING:
 
 
 def state(model: Model, joint: Gears, template: None) -> None:
-    """``r (phi - psi) = -R (Phi - psi)`` outside, ``r (phi - psi) = R (Phi - psi)`` inside; psi: line of centres."""
+    """``r phi + R Phi = (r + R) psi`` outside, ``r phi - R Phi = (r - R) psi`` inside; psi: the line of centres."""
     d = abs(model.now(joint.other_centre, joint.centre))
     exact = model.length(joint.radius)
     small = model.radius(joint.centre, exact)
     large = model.radius(joint.other_centre, d + exact if joint.inside else d - exact)
-    line = _line_of_centres(model, joint)
+    sign = -1 if joint.inside else 1
     other = model.swept(joint.other) if joint.other is not None else None
-    left = product(small, added((1, model.swept(joint.body)), (-1, line)))
-    right = product(large, added((1, other), (-1, line)))
+    left = added((1, product(small, model.swept(joint.body))), (sign, product(large, other)))
+    right = product(added((1, small), (sign, large)), _line_of_centres(model, joint))
     facts: dict[str, Fact] = {"first": Body(joint.body)}
     if joint.other is not None:
         facts["second"] = Body(joint.other)
     key = "gears" if joint.other is not None else "gear_fixed"
-    model.add(key, left, right if joint.inside else product(model.minus, right), **facts)
+    model.add(key, left, right, **facts)
 
 
 def _line_of_centres(model: Model, joint: Gears) -> Maybe:

@@ -8,7 +8,7 @@ from variantgen.methods.algebra import added, product
 from variantgen.methods.expression import Ratio
 from variantgen.methods.geometry import degrees
 from variantgen.methods.heading import Heading
-from variantgen.methods.step import Body, Point
+from variantgen.methods.step import Body, Fact, Point
 
 if TYPE_CHECKING:
     from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
@@ -28,5 +28,5 @@ def state(model: Model, joint: RollingOnCircle, template: None) -> None:
         other = product(Ratio(model.radius(around, exact), distance), model.swept(joint.on))
     angle = added((-1 if joint.inside else 1, own), (1, other))
     arm = Heading(angle, degrees(d)).ray(distance)
-    facts = {"body": Body(joint.body), "centre": Point(centre), "around": Point(around)}
+    facts: dict[str, Fact] = {"body": Body(joint.body), "centre": Point(centre), "around": Point(around)}
     model.add_vector("rolling_on_circle", around, centre, [arm], **facts)

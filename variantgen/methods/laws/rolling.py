@@ -20,8 +20,16 @@ def touch(task: Task, number: int) -> Touch | None:
     line = 1j * arm / abs(arm)
     radial = (joint.centre, joint.contact)
     wheel = Side(joint.contact, joint.centre, line, joint.body, abs(arm), 1, radial)
-    rail = Side(joint.contact, joint.on_point or "", line, radial=radial)
+    rail = Side(joint.contact, _point_of(task, joint), line, radial=radial)
     return Touch("rack", wheel, rail, Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None)
+
+
+def _point_of(task: Task, joint: Rolling) -> str:
+    """A point of the translating line: one whose motion is given, if there is one. Empty for a line at rest."""
+    if joint.on is None or joint.on_point is None:
+        return ""
+    given = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    return next((point for point in task.scene.bodies[joint.on] if point in given), joint.on_point)
 
 
 def _is_along(task: Task, point: str, line: complex) -> bool:

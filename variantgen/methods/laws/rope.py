@@ -22,10 +22,10 @@ def touch(task: Task, number: int) -> Touch | None:
         return None
     ends = (joint.path[0], joint.path[-1])
     first, second = (
-        _side(task, bend, ray, 2 * number + i)
+        _side(task, bend, ray, number, i)
         for i, (bend, ray) in enumerate(zip(ends, (pieces[0], pieces[-1]), strict=True))
     )
-    return Touch("rope", first, second)
+    return Touch("rope", first, second, place="rope.leaves")
 
 
 def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
@@ -40,7 +40,7 @@ def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
     return all(swing <= _STILL * top for swing in swings)
 
 
-def _side(task: Task, bend: Bend, ray: complex, number: int) -> Side:
+def _side(task: Task, bend: Bend, ray: complex, number: int, end: int) -> Side:
     """An end of the thread, whose straight piece there has the direction ``ray``."""
     if bend.fixed:
         return Side(bend.point, "", ray)
@@ -49,4 +49,4 @@ def _side(task: Task, bend: Bend, ray: complex, number: int) -> Side:
     turn = float(task.scene.frame.sense) * float(bend.side)
     radius = float(bend.radius) / task.length_unit
     place = task.now.z[bend.point] + 1j * turn * radius * ray
-    return Side(letter_at(task, place, (bend.body,), number), bend.point, ray, bend.body, radius, -round(turn))
+    return Side(letter_at(task, place, (bend.body,), number, end), bend.point, ray, bend.body, radius, -round(turn))

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from variantgen.mechanism.conditions.distance import Distance
+from variantgen.mechanism.conditions.line import Line
 from variantgen.methods.angles import AngleForm
-from variantgen.methods.expression import Expression, cos, sin
+from variantgen.methods.expression import Constant, Expression, Value, cos, sin
 from variantgen.methods.name import Name
 from variantgen.methods.placed import ORIGIN, Pair, Placed
-from variantgen.methods.step import Point, Statement
+from variantgen.methods.step import Derived, Point, Statement
 from variantgen.methods.sums import Leg, squared, summed
 
 
@@ -33,41 +34,69 @@ class Construction(Placed):
         geometry = self.geometry
         together = [name for name, item in geometry.task.form.points.items() if item.component is type(self.item)]
         known = {name: geometry.coordinates(name) for name in _others(geometry.task.form.conditions, together)}
+        geometry.say("together", points=tuple(Point(name) for name in together))
+        led = self._led(known)
         z = geometry.task.now.z
         found = {
-            name: (geometry.solution(Name("x", name), z[name].real), geometry.solution(Name("y", name), z[name].imag))
+            name: (
+                led.get(Name("x", name)) or geometry.solution(Name("x", name), z[name].real),
+                led.get(Name("y", name)) or geometry.solution(Name("y", name), z[name].imag),
+            )
             for name in together
         }
-        equations = [self._equation(item, known | found) for item in geometry.task.form.conditions]
-        geometry.say("together", points=tuple(Point(name) for name in together))
-        geometry.items += equations
+        free = (item for item in geometry.task.form.conditions if self._axis(item, known) is None)
+        geometry.items += [self._equation(item, known | found) for item in free]
         geometry.say("chosen", False)
         for name, pair in found.items():
-            geometry.show(pair)
+            sought = (value for value in pair if value not in led.values())
+            geometry.items += [Derived(value, symbolic=False, numeric=False) for value in sought]
             geometry.enter(name, pair)
         return found[self.point]
+
+    def _led(self, known: Mapping[str, Pair]) -> dict[Name, Value]:
+        """Coordinates that lines along an axis of the paper through known points give at once, with their lines."""
+        found = {}
+        for condition in self.geometry.task.form.conditions:
+            axis = self._axis(condition, known)
+            if axis is None:
+                continue
+            fixed = known[condition.fields["through"]][axis]
+            name = Name("xy"[axis], condition.fields["point"])
+            value = found[name] = self.geometry.located(name, fixed)
+            self.geometry.items.append(Derived(value, symbolic=bool(value.exact), numeric=bool(value.exact)))
+        return found
+
+    def _axis(self, condition: Any, known: Mapping[str, Pair]) -> int | None:
+        """Which coordinate (0 x, 1 y) a line along an axis keeps constant; None for other conditions."""
+        fields = condition.fields
+        if condition.component is not Line or fields.get("towards") is not None or fields["through"] not in known:
+            return None
+        angle = self.geometry.number(self.geometry.angles.on_paper(self.geometry.angles.read(fields.get("angle"))))
+        return None if angle % 90.0 else (1 if angle % 180.0 == 0 else 0)
 
     def _equation(self, condition: Any, at: Mapping[str, Pair]) -> Statement:
         """A distance as the equation of a circle, a line as proportional differences of coordinates."""
         geometry, fields = self.geometry, condition.fields
         if condition.component is Distance:
-            squares = squared(geometry.differences(at[fields["end"]], at[fields["start"]]))
+            squares = squared(_gap(at[fields["end"]], at[fields["start"]]))
             return Statement(squares, geometry.read_length(fields["length"]) ** 2)
         start = at[fields["through"]]
-        right, up = geometry.differences(at[fields["point"]], start)
+        right, up = _gap(at[fields["point"]], start)
         if fields.get("towards") is not None:
-            run, rise = geometry.differences(at[fields["towards"]], start)
+            run, rise = _gap(at[fields["towards"]], start)
             return Statement(right * rise, up * run)
         line = geometry.angles.on_paper(geometry.angles.read(fields.get("angle")))
-        return Statement(*_on_line(right, up, geometry.angle(line), geometry.number(line)))
+        angle = geometry.angle(line)
+        return Statement(right * sin(angle), up * cos(angle))
 
 
-def _on_line(right: Expression, up: Expression, angle: Expression, number: float) -> tuple[Expression, Expression]:
-    """``dx sin theta = dy cos theta``; along an axis one difference is zero."""
-    nothing = summed(())
-    if number % 180.0 == 0:
-        return up, nothing
-    return (right, nothing) if number % 90.0 == 0 else (right * sin(angle), up * cos(angle))
+def _gap(second: Pair, first: Pair) -> tuple[Expression, Expression]:
+    """Differences of coordinates; what is still unknown is written even where it turns out to be zero."""
+    x, y = (
+        summed((sign, v) for sign, v in ((1, b), (-1, a)) if v.exact != 0 or isinstance(v.expression, Constant))
+        for b, a in zip(second, first, strict=True)
+    )
+    return x, y
 
 
 def _others(conditions: Any, together: list[str]) -> list[str]:

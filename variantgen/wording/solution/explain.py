@@ -9,7 +9,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.step import Sentence, Solution
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.task import CLOSE, Task, task_of
 from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
@@ -79,7 +79,13 @@ def _centres(task: Task) -> dict[str, Symbol]:
     form = task.form
     names = {body: form.symbols.get(body, body) for body in form.bodies}
     plane = {body: name for body, name in names.items() if not task.fixed & set(form.bodies[body])}
-    letters = centre_letters(plane, shown_points(task.variant, task.asked))
+    now = task.now
+    centres = [now.z[m[0]] + 1j * now.v[m[0]] / now.omega[b] for b in plane if (m := form.bodies[b]) and now.omega[b]]
+    # A named point that is such a centre (the contact of a wheel) bears the letter already.
+    others = [
+        p for p in shown_points(task.variant, task.asked) if all(abs(now.z[p] - c) > CLOSE * task.size for c in centres)
+    ]
+    letters = centre_letters(plane, others)
     return {**{body: Symbol("P") for body in names}, **letters}
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from variantgen.families.family import Form
 from variantgen.methods.name import Name
-from variantgen.wording.formula import Dotted, Index, Symbol
+from variantgen.wording.formula import Dotted, Formula, Function, Index, Listing, Symbol, Vector
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
 from variantgen.wording.vector_names import COMPONENTS, image, transport_image
@@ -24,8 +24,11 @@ class Symbols:
     phrases: Phrases
     centres: Mapping[str, Symbol]
 
-    def of(self, name: Name) -> Symbol | Dotted:
-        """The symbol of a name; a derivative by time has dots."""
+    def of(self, name: Name) -> Formula:
+        """The symbol of a name; a derivative by time has dots, a direction cosine is a function."""
+        if name.kind == "cosine":
+            vector = self._vector(Name(name.body, name.of))
+            return Function(self.phrases.functions["cos"], Listing((Vector(vector), Symbol(name.part))))
         return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
 
     def letter(self, name: Name) -> Symbol:
@@ -42,9 +45,9 @@ class Symbols:
             case "length" | "direction":
                 return self._of_points(name)
             case "rotation":
-                return Symbol("phi", self._body_index(name.of))
-            case "slide" | "arc" | "swing":
-                letters = {"slide": "s", "arc": "psi", "swing": "theta"}
+                return Symbol("psi", self._body_index(name.of))
+            case "slide" | "arc" | "swing" | "offset":
+                letters = {"slide": "s", "arc": "chi", "swing": "theta", "offset": "h"}
                 return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))

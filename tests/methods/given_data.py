@@ -1,0 +1,29 @@
+"""Variants of the catalogue with data chosen by hand, in the pose of the family (not mirrored, not turned)."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from variantgen.families.load import load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.methods.book import Book
+from variantgen.methods.compose import work_out
+from variantgen.methods.task import task_of
+from variantgen.variants.variant import Variant, solve_variants
+
+
+def results(family_name: str, form_name: str, ask: str, **data: float) -> dict[str, float]:
+    """Values of the quantities named in ``ask``, found by the steps of the solution.
+
+    ``data`` are parameters in their printed units, for choices the number behind the word; others take the first value
+    of their grid.
+    """
+    family = load_family(family_name)
+    form = family.forms[form_name]
+    assert set(data) <= set(form.parameters)
+    printed = {name: parameter.printed[0] for name, parameter in form.parameters.items()}
+    printed |= {name: Decimal(repr(value)) for name, value in data.items()}
+    variant = Variant(family, form, printed)
+    quantities = [parse_quantity(name, form.sample) for name in ask.split()]
+    book = Book(task_of(variant, solve_variants([variant], 2), 0, quantities))
+    return {name: value.exact for name, value in work_out(book).items()}
