@@ -13,7 +13,7 @@ from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.solution_data import solutions_data
 
 # Students in a document with solutions, some six pages each: the engine keeps the layouts of its last documents.
-SOLUTIONS_PER_DOCUMENT = 3
+SOLUTIONS_PER_DOCUMENT = 2
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ _ROW, _PIECE = 100, 56
 _GAP = 6
 # What of the markup takes no room by itself, and what is one letter.
 _SILENT = re.compile(r'frac|sqrt|arrow|op|dot\.|thin|abs|display|["_^(){}\s]')
-_NAMES = re.compile("|".join(GREEK))
+_NAMES = re.compile("|".join((*GREEK, "angle", "perp", "parallel")))
 _SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
 
 
