@@ -59,7 +59,7 @@ class Figures:
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
                 self._drawn[name] = figure_data(drawing)
-            self.numbers[name] = len(self.numbers) + 1
+            self.numbers.setdefault(name, len(self.numbers) + 1)
 
     def rows(self) -> list[list[dict[str, Any]]]:
         """Rows of figures with millimetres per unit and caption."""

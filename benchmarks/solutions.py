@@ -1,0 +1,204 @@
+"""Cost of worked solutions: CPU of every stage per student of a class, and by family, beside the typesetting engine.
+
+    python benchmarks/solutions.py [--students N] [--variants N] [--family NAME ...]
+
+Prints Markdown tables and, run on the whole catalogue, writes them to ``benchmarks/solutions.md``. The first variant of
+every form is made beforehand, so that what is worked out once for a form is not counted. Ratios within one run are
+meaningful, absolute times depend on the machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from variantgen.builder import build
+from variantgen.exam.blueprint import Exam, read_exam
+from variantgen.exam.confirm import confirm
+from variantgen.exam.roster import numbered
+from variantgen.exam.sheets import Sheet, assemble, solve_all
+from variantgen.families.load import family_names
+from variantgen.figure.build import statement_figure
+from variantgen.methods.compose import solution
+from variantgen.methods.task import task_of
+from variantgen.outputs.documents import problem_documents, problem_key, student_key
+from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.solution_data import problem_data
+from variantgen.outputs.solution_figures import Figures, view_order
+from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.wording.solution.explain import written
+
+CLASS = ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")
+SOLVING, METHODS, TEXT, FIGURES, DATA, JSON = "solving again", "methods", "text", "figures", "data", "JSON"
+STAGES = (SOLVING, METHODS, TEXT, FIGURES, DATA, JSON)
+STATEMENT = "a statement figure"
+SHEETS, KEY, SOLUTIONS = "sheets", "key", "solutions"
+FAMILY_HEAD = """\
+| family | statement figure | methods | text | figures | data, JSON | solution but Typst | in statement figures | Typst, sheet | \
+Typst, solution |
+|---|---|---|---|---|---|---|---|---|---|"""
+
+
+class Clock(Counter[str]):
+    """CPU milliseconds of this process by stage."""
+
+    @contextmanager
+    def measuring(self, stage: str) -> Iterator[None]:
+        """Add what happens inside the block to a stage."""
+        start = time.process_time()
+        yield
+        self[stage] += 1e3 * (time.process_time() - start)  # type: ignore[assignment]
+
+
+def exam_of(families: Sequence[str], folder: Path) -> Exam:
+    """An exam with one problem of each family, all answers asked, with full solutions."""
+    path = folder / "exam.toml"
+    tables = "".join(f'[[problem]]\nfamily = "{name}"\n' for name in families)
+    path.write_text('title = "T"\nlanguage = "ru"\n' + tables, "utf-8")
+    return read_exam(path)
+
+
+def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None:
+    """The stages of the solutions of some sheets, and their statement figures."""
+    language = exam.explained
+    items = [item for sheet in sheets for item in sheet.items]
+    with clock.measuring(SOLVING):
+        solved = solve_all([item.variant for item in items], [item.asked for item in items])
+    made: list[dict[str, Any]] = []
+    for item, (motion, place) in zip(items, solved, strict=True):
+        with clock.measuring(STATEMENT):
+            drawn = figure_data(statement_figure(item.variant, motion, place, item.asked, language))
+        with clock.measuring(METHODS):
+            task = task_of(item.variant, motion, place, item.asked)
+            found = solution(task)
+        with clock.measuring(TEXT):
+            text = written(task, found, language)
+        figures = Figures(item.variant, item.asked, language, (motion, place), drawn)
+        with clock.measuring(FIGURES):
+            figures.draw(view_order(text))
+        with clock.measuring(DATA):
+            made.append(problem_data(figures, text))
+    with clock.measuring(JSON):
+        json.dumps(made, ensure_ascii=False, separators=(",", ":"))
+
+
+def typesetting_cost(exam: Path, students: int) -> Clock:
+    """The engine alone on the sheets, the key and the solutions of an exam, everything else being prepared."""
+    plan = read_exam(exam)
+    sheets = assemble(plan, numbered(students), "0").sheets
+    clock = Clock()
+    with typesetter() as engine:
+        for documents, size in ((problem_documents, 8), (student_key, 40), (problem_key, 40)):
+            for i in range(0, students, size):
+                for document in documents(plan, sheets[i : i + size], i == 0):
+                    with clock.measuring(document.target):
+                        engine.compile(document.template, document.data)
+    return clock
+
+
+def in_fresh_process(task: str, exam: Path, students: int) -> Clock:
+    """What :func:`typesetting_cost` or :func:`building_cost` measure (the engine remembers what it has laid out)."""
+    command = [sys.executable, __file__, "--only", task, "--exam", str(exam), "--students", str(students)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    return Clock(json.loads(done.stdout))
+
+
+def building_cost(exam: Path, students: int) -> Clock:
+    """A whole build."""
+    clock = Clock()
+    with tempfile.TemporaryDirectory() as folder, clock.measuring("build"):
+        build(exam, numbered(students), Path(folder) / "out")
+    return clock
+
+
+def class_table(students: int) -> list[str]:
+    """What a class costs, by stage, in milliseconds of CPU for each student."""
+    clock = Clock()
+    with tempfile.TemporaryDirectory() as name:
+        exam = exam_of(CLASS, Path(name))
+        sheets = assemble(exam, numbered(students), "0").sheets
+        measure_solutions(exam, sheets[:1], Clock())
+        with clock.measuring("drawing variants, answers, confirmation"):
+            assemble(exam, numbered(students), "0")
+        _confirm(sheets, clock)
+        with clock.measuring("text and figures of the sheets"):
+            sheets_data(exam, sheets)
+        measure_solutions(exam, sheets, clock)
+        engine = in_fresh_process("typesetting", exam.path, students)
+        whole = in_fresh_process("building", exam.path, students)["build"]
+    clock["solutions but for Typst"] = sum(clock[stage] for stage in STAGES)  # type: ignore[assignment]
+    clock |= Clock({f"Typst alone, {target}": engine[target] for target in (SHEETS, KEY, SOLUTIONS)})
+    clock["Typst alone, all"] = engine.total()
+    clock["whole build"] = whole
+    clock[STATEMENT] /= len(CLASS)  # type: ignore[assignment]
+    rows = [f"| {stage} | {value / students:.2f} |" for stage, value in clock.items()]
+    ratios = [
+        "",
+        f"The whole build takes {whole / engine.total():.2f} times the CPU of Typst alone on the same input; solutions "
+        f"but for Typst take {clock['solutions but for Typst'] / clock[STATEMENT]:.1f} statement figures a student.",
+    ]
+    return ["| stage | CPU per student, ms |", "|---|---|", *rows, *ratios]
+
+
+def _confirm(sheets: Sequence[Sheet], clock: Clock) -> None:
+    items = [item for sheet in sheets for item in sheet.items]
+    variants, asked = [item.variant for item in items], [item.asked for item in items]
+    solved = solve_all(variants, asked)
+    with clock.measuring("of these: confirmation by all methods"):
+        confirm(variants, asked, solved, [()] * len(items))
+
+
+def family_row(family: str, variants: int) -> str:
+    """One line of the table by family, in milliseconds of CPU for each problem."""
+    clock = Clock()
+    with tempfile.TemporaryDirectory() as name:
+        exam = exam_of([family], Path(name))
+        sheets = assemble(exam, numbered(variants), "0").sheets
+        known = {item.variant.form.name: sheet for sheet in sheets for item in sheet.items}
+        measure_solutions(exam, list(known.values()), Clock())
+        measure_solutions(exam, sheets, clock)
+        engine = in_fresh_process("typesetting", exam.path, variants)
+    whole = sum(clock[stage] for stage in STAGES)
+    values = [clock[STATEMENT], clock[METHODS], clock[TEXT], clock[FIGURES], clock[DATA] + clock[JSON], whole]
+    cells = [f"{value / variants:.2f}" for value in values]
+    cells += [f"{whole / clock[STATEMENT]:.2f}", *(f"{engine[t] / variants:.1f}" for t in (SHEETS, SOLUTIONS))]
+    return f"| {family} | {' | '.join(cells)} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--students", type=int, default=100)
+    parser.add_argument("--variants", type=int, default=24, help="of each family")
+    parser.add_argument("--family", nargs="*", help="only these, without the class")
+    parser.add_argument("--only", choices=("typesetting", "building"), help=argparse.SUPPRESS)
+    parser.add_argument("--exam", type=Path, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.only:
+        cost = typesetting_cost if options.only == "typesetting" else building_cost
+        print(json.dumps(cost(options.exam, options.students)))
+        return
+    note = f"{options.students} students, {options.variants} variants of a family, Python {platform.python_version()}"
+    lines = [f"# Worked solutions, their cost\n\n`python benchmarks/solutions.py`: {note}, {platform.machine()}.", ""]
+    if options.family is None:
+        lines += [*class_table(options.students), ""]
+    lines.append(FAMILY_HEAD)
+    print(*lines, sep="\n", flush=True)
+    for name in family_names() if options.family is None else options.family:
+        lines.append(family_row(name, options.variants))
+        print(lines[-1], flush=True)
+    if options.family is None:
+        Path(__file__).with_suffix(".md").write_text("\n".join(lines) + "\n", "utf-8")
+
+
+if __name__ == "__main__":
+    main()
