@@ -99,7 +99,7 @@ def _plan(headings: Sequence[Text]) -> Text:
 
 def _preface(found: Solution, writer: Writer) -> Text:
     """What is said before answers that were measured."""
-    return writer.text(Sentence("graphical.answer")) if found.approximate else ()
+    return (*writer.text(Sentence("graphical.answer")), " ") if found.approximate else ()
 
 
 def _answer(
