@@ -59,13 +59,15 @@ class Side:
 class Touch:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
-    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does.
+    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place`` is the
+    key of the sentence that says where on a turning body the point is, where that is not plain.
     """
 
     kind: str
     first: Side
     second: Side
     track: Track | None = None
+    place: str = ""
 
     @property
     def ways(self) -> tuple[tuple[Side, Side], tuple[Side, Side]]:

@@ -7,9 +7,11 @@ magnitude of ``v_P`` and the rate of the body; for accelerations with the normal
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import NamedTuple
 
-from variantgen.methods.book import Book, Known, Rate
+from variantgen.methods.book import Book, Known, Rate, resultant
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.group import Coupled, Support
@@ -23,9 +25,9 @@ from variantgen.methods.step import (
     LinearSystem,
     Point,
     Projection,
+    Segment,
     Sentence,
     Shown,
-    Statement,
     Term,
     VectorOf,
 )
@@ -52,25 +54,37 @@ def solve_coupled(book: Book, group: Coupled) -> None:
     with book.step(f"coupled.{book.measure}", view, **facts):
         book.say(f"coupled.choose_{book.letter}", **facts)
         known, path = on_track(book, group.track)
+        path = _ahead(path, (book.exact(pole) - resultant(known)) * cmath.rect(1.0, -math.radians(path.angle.exact)))
         rows = [_row(book, group, support, known, path) for support in group.supports]
         size, rate = _solved(book, body, path, rows)
-        book.say("coupled.rotation", True, body=Body(body), pole=Point(pole))
-        book.items.extend(Statement(*_turning(book, group, support, rate)) for support in group.supports)
+        turns = [_turning(book, group, support, rate) for support in group.supports]
+        for support, turn in zip(group.supports, turns, strict=True):
+            assert turn.name is not None and rate.name is not None, "both stand for something"
+            arm = Segment(support.point, pole)
+            book.say("coupled.rotation", True, vector=turn.name, rate=rate.name, segment=arm)
         book.say("coupled.system", True)
         matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
         book.items.append(LinearSystem((size, rate), matrix, right))
-        book.items.extend(Derived(value, symbolic=False, numeric=False) for value in (size, rate))
+        book.items.extend(Derived(value, symbolic=False) for value in (size, rate))
+        book.items.extend(Derived(turn, detail=True) for turn in turns)
         book.vectors[pole] = (*known, *settled(path, size))
         _enter(book, body, rate)
     _keep_tracked(book, group)
 
 
-def _turning(book: Book, group: Coupled, support: Support, rate: Value) -> tuple[Value, Expression]:
+def _turning(book: Book, group: Coupled, support: Support, rate: Value) -> Value:
     """``v_QP = omega QP``, the vector of the rotation by the rate that is common to all points."""
     pole = group.track.point
     name = Name(book.letter, support.point, pole, "tau" if book.order == 2 else "")
     expression = rate * book.geometry.length(support.point, pole)
-    return Value(name, book.measure, expression.number(True), expression), expression
+    return Value(name, book.measure, expression.number(True), expression)
+
+
+def _ahead(term: Term, way: complex) -> Term:
+    """An unknown vector in its true direction; ``way`` is the true one seen along the assumed one."""
+    if way.real >= 0:
+        return term
+    return Term(term.name, None, Geometry.turned(term.angle, 180.0), term.way)
 
 
 def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term) -> Row:
@@ -79,6 +93,7 @@ def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term)
     start = len(book.items)
     own, private, axis = _supported(book, support)
     turning, turn = about_pole(book, support.point, pole, body)
+    turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
     words = Sentence("axes.across", {"vector": VectorOf(private.name), "angle": Shown(axis)})
     sides = shares((*own, private), axis), shares((*known, path, *turning, turn), axis)
@@ -148,9 +163,7 @@ def _enter(book: Book, body: str, found: Value) -> None:
         book.rates[body] = Rate(found, 0)
         book.say(f"rates.no_{kind}", False, body=Body(body))
         return
-    sense = 1 if found.exact > 0 else -1
-    size = found if sense > 0 else Value(found.name, found.measure, -found.exact, -found, found.size)
-    rate = Rate(size, sense)
+    rate = Rate(found, 1 if book.exact_rate(body) > 0 else -1)
     book.rates[body] = rate
     book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body))
 

@@ -13,7 +13,7 @@ from variantgen.methods.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.monomial import simplified
 from variantgen.methods.name import Name
 from variantgen.methods.route import Route
-from variantgen.methods.step import Body, Fact, Point, Statement
+from variantgen.methods.step import Body, Fact, Point
 from variantgen.methods.timed import law_behind
 from variantgen.methods.tracks import on_track
 
@@ -101,7 +101,7 @@ def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
     book.say(f"given.law_{name}", False, **facts)
-    book.items.append(Statement(Value(Name("parameter", name), measure, law.number(True), law), law))
+    book.derive(Name("parameter", name), measure, law)
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:

@@ -29,6 +29,7 @@ from variantgen.methods.pole import solve_crossing, solve_dyad, solve_spanned
 from variantgen.methods.relative_motion import solve_slid
 from variantgen.methods.route import Route
 from variantgen.methods.turning import solve_composed, solve_rested, solve_rolled, solve_turned
+from variantgen.methods.wanted import is_accelerated
 
 Handler = Callable[[Book, Any], None]
 
@@ -83,7 +84,8 @@ def accelerations(book: Book, groups: list[Group]) -> None:
     book.carry = acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None
     given.take(book)
     for group in groups:
-        _solve(book, group)
+        if is_accelerated(book.task, group):
+            _solve(book, group)
     for point in _asked_points(book, 2):
         vector(book, point)
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import fields
 
+from variantgen.methods.group import Group, Joined, Rested, Rolled, Slid
 from variantgen.methods.task import Task
 
 _FROM_RATE = {1: ("omega", "P", "Q", "mu"), 2: ("epsilon", "Q", "mu")}
@@ -35,3 +37,23 @@ def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection
     """Whether a joint of a body couples something that is needed."""
     others = [other for other in bodies if other != body]
     return any(other in task.needed.bodies for other in others) or any(p in task.needed.points for p in points)
+
+
+def is_accelerated(task: Task, group: Group) -> bool:
+    """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
+    needed = task.accelerated
+    named = [getattr(group, field.name) for field in fields(group)]
+    bodies = {name for item in named for name in (item if isinstance(item, tuple) else (item,))} & needed.bodies
+    return bool(bodies) or bool(_given_points(group) & needed.points)
+
+
+def _given_points(group: Group) -> set[str]:
+    """The points whose vectors a group gives by itself, without the rotation of a body."""
+    match group:
+        case Slid(path=path, carried=carried):
+            return {path.point, *([carried.point] if carried else [])}
+        case Rolled(centre=centre) | Rested(centre=centre):
+            return {centre}
+        case Joined(point=point):
+            return {point}
+    return set()

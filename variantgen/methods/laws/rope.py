@@ -25,7 +25,7 @@ def touch(task: Task, number: int) -> Touch | None:
         _side(task, bend, ray, number, i)
         for i, (bend, ray) in enumerate(zip(ends, (pieces[0], pieces[-1]), strict=True))
     )
-    return Touch("rope", first, second)
+    return Touch("rope", first, second, place="rope.leaves")
 
 
 def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
