@@ -44,8 +44,8 @@ STAGES = (SOLVING, METHODS, TEXT, FIGURES, DATA, JSON)
 STATEMENT = "a statement figure"
 SHEETS, KEY, SOLUTIONS = "sheets", "key", "solutions"
 FAMILY_HEAD = """\
-| family | statement figure | methods | text | figures | data, JSON | solution but Typst | in statement figures | Typst, sheet | \
-Typst, solution |
+| family | statement figure | methods | text | figures | data, JSON | solution but Typst | in statement figures \
+| Typst, sheet | Typst, solution |
 |---|---|---|---|---|---|---|---|---|---|"""
 
 

@@ -49,7 +49,8 @@ VIEWS = (
 RULER = 0.15  # mm
 TENTH = 0.1  # mm, the last digit of a length on paper
 # Groups of the third class: no two lines cross in them before all is known.
-WITHOUT_PLAN = frozenset({"three_rod_plate", "guided_plate"})
+# Groups of the third class have no such construction; of a body in translation there is nothing to construct.
+WITHOUT_PLAN = frozenset({"three_rod_plate", "guided_plate", "parallelogram_with_disc"})
 
 
 @cache

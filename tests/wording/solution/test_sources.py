@@ -25,7 +25,7 @@ from variantgen.wording.solution.explain import explain
 
 @dataclass(frozen=True)
 class Reading:
-    """One example: family, case, method, what is asked, the laws in order (keys of sentences), the numbers it prints."""
+    """One example: family, case, method, what is asked, laws in order (keys of sentences), the numbers it prints."""
 
     family: str
     case: str
@@ -46,7 +46,7 @@ READINGS = [
         ("three_rates.equations_omega", "three_rates.equations_epsilon"),
         {"ω_AB z": (3, 5e-4), "ω_BC z": (-4, 5e-4), "ε_AB z": (32, 5e-3), "ε_BC z": (3, 5e-3)},
     ),
-    # v_rel = 2/sqrt(5), v_CB = 1/sqrt(5), omega_BC = 1/5, a_CB^n = (1/5)^2 sqrt(5), a_rel = 6 sqrt(5)/25; l = 100, omega = 1.
+    # v_rel = 2/sqrt(5), v_CB = 1/sqrt(5), omega = 1/5, a_CB^n = (1/5)^2 sqrt(5), a_rel = 6 sqrt(5)/25; l = 100 cm.
     Reading(
         "sleeve_on_crank",
         "K27",
