@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.methods import walk
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
-from variantgen.methods.check import equal_projections
+from variantgen.methods.check import all_constraints, equal_projections
 from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
 from variantgen.methods.settle import DIGITS, settle
@@ -25,7 +25,7 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     if choice.whole:
         return _by_one_method(book, WHOLE[choice.whole])
     found = work_out(book)
-    check = tuple(equal_projections(book))
+    check = (*equal_projections(book), *all_constraints(task, found))
     steps = _with_position(book)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution(tuple(steps), tuple(found.items()), check)
