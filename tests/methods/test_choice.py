@@ -13,8 +13,8 @@ from variantgen.methods.style import Style
 # Points that slide on moving bodies.
 SLIDING = {
     "arc_yoke", "cam_disc", "four_bar_with_sleeve", "hydraulic_hoist", "oscillating_cylinder",
-    "parallelogram_with_disc", "point_on_rotating_disc", "quick_return_shaper", "scotch_yoke", "sleeve_on_crank", "sliding_block_on_rotating_rod",
-    "slotted_rocker", "wedge_and_rod",
+    "parallelogram_with_disc", "point_on_rotating_disc", "quick_return_shaper", "scotch_yoke", "sleeve_on_crank",
+    "sliding_block_on_rotating_rod", "slotted_rocker", "wedge_and_rod",
 }  # fmt: skip
 # Rods with one known point and another of known direction.
 RODS = {
