@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.methods.expression import Constant, Expression, Value
+from variantgen.methods.expression import Constant, Expression, Value, rounded
 from variantgen.methods.name import Name
+from variantgen.methods.settle import FEWEST
 from variantgen.methods.step import (
     Body,
     CentreOf,
@@ -40,6 +41,7 @@ from variantgen.wording.formula import (
     Product,
     Root,
     Sum,
+    Surd,
     Symbol,
     Vector,
     to_plain,
@@ -206,8 +208,8 @@ class Writer:
         """The root or fraction that a value is; none where its decimal, computed from rounded numbers, is another."""
         if not self.closed or value.measure == "angle":
             return None
-        decimals = len(repr(value.shown).partition(".")[2])
-        found = surd(value.exact) if round(value.exact, decimals) == value.shown else None
+        digits = max(FEWEST, len(repr(value.shown).strip("-0.").replace(".", "")))
+        found = surd(value.exact) if rounded(value.exact, digits) == value.shown else None
         return found if found is not None and (found.radicand > 1 or found.denominator <= _PLAIN_FRACTION) else None
 
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
