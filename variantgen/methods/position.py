@@ -1,4 +1,4 @@
-"""The step of the position: of what was worked out there, only what the solution uses, and the axes that it is told in."""
+"""The step of the position: of what was worked out there, only what the solution uses, and the axes it is told in."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
     """The items of the position without the lines of values that no other item is computed from."""
     roots = [value for item in later for value in _read(item)]
     roots += items_values(item for item in items if not isinstance(item, Derived))
-    needed = {id(value) for value in in_order([*roots, *results])}
+    needed = {value.name for value in in_order([*roots, *results])}
     kept: list[Item] = []
     for item in items:
-        if not isinstance(item, Derived) or id(item.value) in needed:
+        if not isinstance(item, Derived) or item.value.name in needed:
             kept.append(item)
         elif kept and isinstance(kept[-1], Sentence) and kept[-1].key == "position.drawn":
             kept.pop()
