@@ -147,6 +147,16 @@ class Book:
         """Add a sentence; a short solution leaves out a ``detail``."""
         self.items.append(Sentence(key, facts, detail))
 
+    def has_said(self, key: str, /, **facts: Fact) -> bool:
+        """Whether a sentence with these facts (and perhaps others) has been said in any step."""
+        said = (item for step in self.steps for item in step.items if isinstance(item, Sentence) and item.key == key)
+        return any(all(item.facts.get(name) == fact for name, fact in facts.items()) for item in said)
+
+    def say_once(self, key: str) -> None:
+        """Add a detail that need not be repeated in further steps."""
+        if not self.has_said(key):
+            self.say(key)
+
     def derive(self, name: Name, measure: str, expression: Expression, *, detail: bool = False) -> Value:
         """A new value by an expression, with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))

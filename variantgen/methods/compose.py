@@ -10,8 +10,9 @@ from variantgen.methods.book import Book
 from variantgen.methods.check import all_constraints, equal_projections
 from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
-from variantgen.methods.settle import DIGITS, settle
-from variantgen.methods.step import Sentence, Solution, Step
+from variantgen.methods.position import with_position
+from variantgen.methods.settle import DIGITS, items_values, settle
+from variantgen.methods.step import Solution
 from variantgen.methods.task import Task
 
 
@@ -26,7 +27,8 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
         return _by_one_method(book, WHOLE[choice.whole])
     found = work_out(book)
     check = (*equal_projections(book), *all_constraints(task, found))
-    steps = _with_position(book)
+    results = [*found.values(), *items_values(check)]
+    steps = with_position(book.geometry.items, book.steps, results)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution(tuple(steps), tuple(found.items()), check)
 
@@ -38,7 +40,7 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     for quantity in book.task.asked:
         book.order = quantity.order
         found[quantity.name] = answer(book, quantity)
-    steps = _with_position(book)
+    steps = with_position(book.geometry.items, book.steps, found.values())
     digits = (method.digits + 1,) if method.digits else DIGITS
     settle((item for step in steps for item in step.items), list(found.values()), digits)
     return Solution(tuple(steps), tuple(found.items()), approximate=method.digits)
@@ -53,9 +55,3 @@ def work_out(book: Book) -> dict[str, Value]:
         walk.accelerations(book, groups)
         found |= {q.name: answer(book, q) for q in task.asked if q.order == 2}
     return {q.name: found[q.name] for q in task.asked}
-
-
-def _with_position(book: Book) -> list[Step]:
-    """The steps that say something, after the one of the position if anything had to be worked out there."""
-    first = [Step(Sentence("position.heading"), book.geometry.items)] if book.geometry.items else []
-    return [*first, *(step for step in book.steps if step.items)]

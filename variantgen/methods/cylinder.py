@@ -29,7 +29,9 @@ def solve_extended(book: Book, group: Extended) -> None:
     facts: dict[str, Fact] = {"point": Point(point), "segment": Segment(base, point), "base": Point(base)}
     view = "velocities" if book.order == 1 else "accelerations"
     with book.step(f"cylinder.{book.measure}", view, body=Body(group.body), **facts):
-        book.say("cylinder.compound", **facts)
+        if not book.has_said("cylinder.compound", **facts):
+            book.say("cylinder.compound", **facts)
+        book.say(f"relative.sum_{book.letter}")
         start = len(book.items)
         known, turn = about_pole(book, point, group.pivot, group.body)
         sliding = _along(book, group)

@@ -163,7 +163,9 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     name, about = Name(book.letter, point), Name(book.letter, point, pole)
     known = vector(book, pole)
     key = "wheel" if book.order == 2 and _is_rolling(book, body) else book.letter
-    book.say(f"points.sum_{key}", body=Body(body), pole=Point(pole), point=Point(point), vector=VectorOf(name))
+    known_way = book.has_said(f"points.sum_{key}", body=Body(body), pole=Point(pole))
+    phrase = f"points.again_{book.letter}" if known_way else f"points.sum_{key}"
+    book.say(phrase, body=Body(body), pole=Point(pole), point=Point(point), vector=VectorOf(name))
     start = len(book.items)
     turning = rotation(book, point, pole, body, about)
     sought = book.term(name, None, RIGHT, "unknown")

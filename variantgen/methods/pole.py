@@ -48,7 +48,8 @@ def solve_crossing(book: Book, group: Crossed) -> None:
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"first": Body(first), "second": Body(second), "point": Point(point)}
     with book.step(f"pole.crossing_{book.letter}", view, **facts):
-        book.say("pole.two_poles", pole=Point(group.poles[0]), other=Point(group.poles[1]), **facts)
+        poles: dict[str, Fact] = {"pole": Point(group.poles[0]), "other": Point(group.poles[1])}
+        book.say(f"pole.two_poles_{book.letter}", **poles, **facts)
         start = len(book.items)
         sides: list[tuple[Term, ...]] = []
         turns: list[Term] = []
@@ -112,4 +113,4 @@ def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]], start:
     """Write the equation whose known magnitudes begin at the item ``start``, and how it is solved."""
     write(book, *sides, start)
     if book.graphics is None:
-        book.say(f"pole.two_unknowns_{book.letter}")
+        book.say_once(f"pole.two_unknowns_{book.letter}")

@@ -7,7 +7,7 @@ vector is that of the point of the body below the sliding one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
@@ -49,6 +49,7 @@ class _Sides:
 
 def solve_slid(book: Book, group: Slid) -> None:
     """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
+    group = _seen(book, group)
     point, carrier = group.path.point, group.carrier
     needed = [name for name in (group.pole, group.own_pole) if name]
     needed += [point] if group.track is None and not group.body and not group.driven else []
@@ -57,11 +58,39 @@ def solve_slid(book: Book, group: Slid) -> None:
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"point": Point(point), "carrier": Body(carrier)}
     with book.step(f"relative.{book.measure}", view, **facts):
-        book.say("relative.compound", **facts)
+        _say_law(book, group, facts)
         start = len(book.items)
         sides = _sides(book, group)
         write(book, sides.left, sides.right, start)
         _solve(book, group, sides)
+
+
+def _seen(book: Book, group: Slid) -> Slid:
+    """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
+    track, hidden = group.carried, book.task.form.figure.hidden
+    if track is None or track.point not in hidden or not track.straight or not is_translating(book, group.carrier):
+        return group
+    shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
+    return replace(group, carried=replace(track, point=next(shown, track.point)))
+
+
+def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
+    """What is the relative and what the transport motion, and by which theorem their vectors are added."""
+    if not book.has_said("relative.compound", **facts):
+        book.say("relative.compound", **facts)
+    if not is_translating(book, group.carrier):
+        book.say(f"relative.sum_{book.letter}")
+        return
+    lead = group.carried.point if group.carried is not None else group.pole
+    if lead not in book.task.fixed:
+        facts = {"vector": VectorOf(_named_as_given(book, lead)), "carrier": facts["carrier"]}
+        book.say(f"relative.translation_{book.letter}", **facts)
+
+
+def _named_as_given(book: Book, point: str) -> Name:
+    """The name of the vector of a point: its own, or under which it is given."""
+    terms = book.vectors.get(point, ())
+    return terms[0].name if len(terms) == 1 else Name(book.letter, point)
 
 
 def _sides(book: Book, group: Slid) -> _Sides:
@@ -156,6 +185,8 @@ def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
     if path.line is None:
         return known, across(book, name, None, (point, path.centre), 1)
     angle = book.geometry.direction(*path.line)
+    if set(path.line) & set(book.task.form.figure.hidden):
+        return known, book.term(name, None, angle, "path")
     return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
 
 

@@ -98,16 +98,16 @@ def items_values(items: Iterable[Item]) -> list[Value]:
     for item in items:
         match item:
             case Sentence():
-                found += _facts(item)
+                found += facts_values(item)
             case Derived(value):
                 found.append(value)
             case VectorLine():
                 pass
             case TermTable(terms):
                 for term in terms:
-                    found += [term.angle, *([term.size] if term.size is not None else []), *_facts(term.way)]
+                    found += [term.angle, *([term.size] if term.size is not None else []), *facts_values(term.way)]
             case Projection(axis, left, right):
-                found += _facts(axis)
+                found += facts_values(axis)
                 found += [share.angle for share in (*left, *right) if share.angle is not None]
             case LinearSystem(unknowns, rows, right_side):
                 found += [*unknowns, *(value for row in rows for value in row), *right_side]
@@ -120,7 +120,7 @@ def items_values(items: Iterable[Item]) -> list[Value]:
     return found
 
 
-def _facts(sentence: Sentence) -> list[Value]:
+def facts_values(sentence: Sentence) -> list[Value]:
     """Values among the facts of a sentence."""
     found: list[Value] = []
     waiting: list[Fact] = list(sentence.facts.values())

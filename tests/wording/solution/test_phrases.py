@@ -8,7 +8,7 @@ import pytest
 
 from variantgen.resources import templates_dir
 from variantgen.wording.language import languages
-from variantgen.wording.solution.phrases import Field, Phrases, cut, load_phrases
+from variantgen.wording.solution.phrases import Field, Letter, Phrases, cut, load_phrases
 
 CASES = {"", "of", "to", "by", "on", "what"}
 
@@ -55,4 +55,5 @@ def test_bodies_have_a_name_in_every_case(name: str) -> None:
 
 def test_a_sentence_is_cut_at_its_fields() -> None:
     assert cut("a {b} c{d.of}.") == ("a ", Field("b"), " c", Field("d", "of"), ".")
+    assert cut("axis {=x}") == ("axis ", Letter("x"))
     assert cut("plain") == ("plain",)

@@ -1,7 +1,7 @@
 """The sentences of solutions in a language, read from ``templates/solution/<language>/*.toml``.
 
 A sentence is text with fields in braces, ``{vector}`` or ``{body.of}``; what follows the point is the grammatical case
-of a body. Sentences are cut into text and fields once and filled often.
+of a body, and letters, ``{=x}``. Sentences are cut into text, fields and letters once and filled often.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 
-_FIELD = re.compile(r"\{(\w+)(?:\.(\w+))?\}")
+_FIELD = re.compile(r"\{(=?)(\w+)(?:\.(\w+))?\}")
 TABLES = ("words", "bodies", "functions")
 
 
@@ -27,17 +27,24 @@ class Field:
     case: str = ""
 
 
-Phrase = tuple[str | Field, ...]
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """A letter set as in a formula: an axis, an angle."""
+
+    name: str
+
+
+Phrase = tuple[str | Field | Letter, ...]
 
 
 def cut(text: str) -> Phrase:
-    """A sentence as text and fields."""
-    parts: list[str | Field] = []
+    """A sentence as text, fields and letters."""
+    parts: list[str | Field | Letter] = []
     last = 0
     for match in _FIELD.finditer(text):
         if match.start() > last:
             parts.append(text[last : match.start()])
-        parts.append(Field(match[1], match[2] or ""))
+        parts.append(Letter(match[2]) if match[1] else Field(match[2], match[3] or ""))
         last = match.end()
     if last < len(text):
         parts.append(text[last:])

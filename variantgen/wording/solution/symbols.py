@@ -26,7 +26,10 @@ class Symbols:
     _known: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
 
     def of(self, name: Name) -> Formula:
-        """The symbol of a name; a derivative by time has dots, a direction cosine is a function."""
+        """The symbol of a name; a derivative by time has dots; direction cosines and projections are functions."""
+        if name.kind == "projection":
+            vector = self._vector(name._replace(kind=name.body, body=""))
+            return Function(self.phrases.functions["projection"], Vector(vector))
         if name.kind == "cosine":
             vector = self._vector(Name(name.body, name.of))
             return Function(self.phrases.functions["cos"], Listing((Vector(vector), Symbol(name.part))))
@@ -57,9 +60,6 @@ class Symbols:
                 return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
                 return Symbol("r", self._body_index(name.of))
-            case "projection":
-                vector = self._vector(name._replace(kind=name.body, body=""))
-                return Symbol("pr", vector.index, vector.upper)
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":

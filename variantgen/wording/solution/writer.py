@@ -57,7 +57,7 @@ from variantgen.wording.solution.document import (
     VectorTable,
 )
 from variantgen.wording.solution.formulas import Formulas
-from variantgen.wording.solution.phrases import Field
+from variantgen.wording.solution.phrases import Field, Letter
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.statement import Text
 from variantgen.wording.surds import surd
@@ -136,6 +136,8 @@ class Writer:
         for part in self.phrases.sentence(sentence.key):
             if isinstance(part, Field):
                 parts += self._fact(sentence.facts[part.name], part.case)
+            elif isinstance(part, Letter):
+                parts.append(Symbol(part.name))
             else:
                 parts.append(part)
         if capital and parts and isinstance(parts[0], str):
