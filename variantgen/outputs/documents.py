@@ -20,13 +20,15 @@ SOLUTIONS_PER_DOCUMENT = 3
 class Document:
     """What the engine gets; ``target`` is the output that the document is a part of.
 
-    ``unexplained`` names the families of problems that have an answer, but no worked solution.
+    ``unexplained`` names the families of problems that have an answer, but no worked solution. ``tagged`` is one that
+    is handed out as it is: the tags of parts are lost when they are joined.
     """
 
     target: str
     template: str
     data: dict[str, Any]
     unexplained: tuple[str, ...] = ()
+    tagged: bool = False
 
 
 Documents = Callable[[Exam, Sequence[Sheet], bool], Iterator[Document]]
@@ -40,10 +42,11 @@ def problem_documents(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Itera
         return
     same = exam.solutions.language == exam.language
     drawn = [[p["figure"] if same else None for p in student["problems"]] for student in data["students"]]
-    size = 1 if exam.solutions.for_students else SOLUTIONS_PER_DOCUMENT
+    alone = exam.solutions.for_students
+    size = 1 if alone else SOLUTIONS_PER_DOCUMENT
     for i in range(0, len(sheets), size):
         solved, unexplained = solutions_data(exam, sheets[i : i + size], drawn[i : i + size])
-        yield Document("solutions", "solutions.typ", solved, unexplained)
+        yield Document("solutions", "solutions.typ", solved, unexplained, alone)
 
 
 def student_key(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Iterator[Document]:
