@@ -102,7 +102,7 @@ def typesetting_cost(exam: Path, students: int) -> Clock:
             for i in range(0, students, size):
                 for document in documents(plan, sheets[i : i + size], i == 0):
                     with clock.measuring(document.target):
-                        engine.compile(document.template, document.data)
+                        engine.compile(document.template, document.data, tagged=document.tagged)
     return clock
 
 

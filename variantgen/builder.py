@@ -70,7 +70,7 @@ class _Part:
         unexplained: list[str] = []
         for count, document in enumerate(self.documents(self.exam, self.sheets, self.first)):
             path = folder / f"{self.number:07}-{count:03}.pdf"
-            path.write_bytes(engine.compile(document.template, document.data)[0])
+            path.write_bytes(engine.compile(document.template, document.data, tagged=document.tagged)[0])
             paths.append((document.target, path))
             unexplained += document.unexplained
         return _Made(tuple(paths), tuple(unexplained))

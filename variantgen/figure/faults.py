@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from variantgen.figure.drawing import Drawing, Label, Layer, Line, Path
-from variantgen.figure.ink import gaps_to_box, segments_of
+from variantgen.figure.ink import crosses, gaps_to_box, segments_of
 from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
@@ -63,8 +63,7 @@ def count_label_faults(drawing: Drawing) -> int:
     overlaps = (int(np.sum(covers)) - len(places)) // 2
     segments, weights = _weighted(drawing.lines)
     middle, reach = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
-    near = np.abs(middle.real - places[:, None].real) <= half[:, :1] + np.abs(reach.real) + weights
-    near &= np.abs(middle.imag - places[:, None].imag) <= half[:, 1:] + np.abs(reach.imag) + weights
+    near = crosses(middle - places[:, None], reach, (half[:, :1] + weights, half[:, 1:] + weights))
     own = leaders(drawing)
     crossed = sum(
         _free_space(drawing.labels[i], segments[near[i]], weights[near[i]], own) <= 0

@@ -35,7 +35,7 @@ def boxes_crossed(
     The half sides are the same for all boxes or arrays of shape (P, 1).
     """
     middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
-    result: NDArray[np.int64] = np.sum(_crossing(middle, 0.5 * (segments[:, 1] - segments[:, 0]), half_sides), axis=1)
+    result: NDArray[np.int64] = np.sum(crosses(middle, 0.5 * (segments[:, 1] - segments[:, 0]), half_sides), axis=1)
     return result
 
 
@@ -43,13 +43,13 @@ def box_crossings(
     place: complex, half_sides: tuple[float, float], starts: NDArray[np.complex128], ends: NDArray[np.complex128]
 ) -> NDArray[np.bool_]:
     """Which segments cross one box, shape of the segments."""
-    return _crossing(0.5 * (starts + ends) - place, 0.5 * (ends - starts), half_sides)
+    return crosses(0.5 * (starts + ends) - place, 0.5 * (ends - starts), half_sides)
 
 
-def _crossing(
+def crosses(
     middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.bool_]:
-    """Which segments (middle from the centre of the box, half their vector) cross a box."""
+    """Which segments (middle from the centre of the box, half their vector) cross a box; shapes broadcast."""
     hx, hy = half_sides
     dx, dy = np.abs(half.real), np.abs(half.imag)
     crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
@@ -73,4 +73,4 @@ def gaps_to_box(place: complex, half_sides: tuple[float, float], segments: Segme
     for corner in (hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy):
         part = np.clip(((corner - start) * np.conj(step)).real / length**2, 0, 1)
         gaps = np.minimum(gaps, np.abs(start + part * step - corner))
-    return np.where(_crossing(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)
+    return np.where(crosses(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)

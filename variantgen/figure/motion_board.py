@@ -84,12 +84,16 @@ class MotionBoard(Board):
     def _aside(self, start: complex, vector: complex) -> complex:
         """The least shift across the vector with which it does not lie on what is drawn already."""
         way = vector / abs(vector)
-        shifts = [step * side * way for step in _ASIDE for side in ((1j, -1j) if step else (1j,))]
-        lanes = np.array([start + shift + _SAMPLES * vector for shift in shifts])
-        taken = self.sketch.crossings(lanes.ravel(), (_HALF_LANE, _HALF_LANE)).reshape(lanes.shape) > 0
-        covered = np.mean(taken, axis=1)
-        free = np.flatnonzero(covered <= _COVERED)
-        return complex(shifts[int(free[0]) if free.size else int(np.argmin(covered))])
+        best = (math.inf, 0j)
+        for step in _ASIDE:
+            for side in (1j, -1j) if step else (1j,):
+                lane = start + step * side * way + _SAMPLES * vector
+                covered = float(np.mean(self.sketch.crossings(lane, (_HALF_LANE, _HALF_LANE)) > 0))
+                if covered <= _COVERED:
+                    return step * side * way
+                if covered < best[0]:
+                    best = (covered, step * side * way)
+        return best[1]
 
 
 def draw_on_mechanism(

@@ -17,13 +17,15 @@ from variantgen.outputs.solution_data import solutions_data
 class Document:
     """What the engine gets; ``target`` is the output that the document is a part of.
 
-    ``unexplained`` names the families of problems that have an answer, but no worked solution.
+    ``unexplained`` names the families of problems that have an answer, but no worked solution. ``tagged`` is one that
+    is handed out as it is: the tags of parts are lost when they are joined.
     """
 
     target: str
     template: str
     data: dict[str, Any]
     unexplained: tuple[str, ...] = ()
+    tagged: bool = False
 
 
 Documents = Callable[[Exam, Sequence[Sheet], bool], Iterator[Document]]
@@ -39,9 +41,10 @@ def problem_documents(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Itera
     drawn = [[p["figure"] if same else None for p in student["problems"]] for student in data["students"]]
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.
+    alone = exam.solutions.for_students
     for i in range(len(sheets)):
         solved, unexplained = solutions_data(exam, sheets[i : i + 1], drawn[i : i + 1])
-        yield Document("solutions", "solutions.typ", solved, unexplained)
+        yield Document("solutions", "solutions.typ", solved, unexplained, alone)
 
 
 def student_key(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Iterator[Document]:
