@@ -109,3 +109,21 @@ def test_small_grids_are_counted_exactly() -> None:
     found = variety(family, form, asked, 1, 1)
     by_hand = sum(0.35 * R < r < 0.75 * R for r in (20, 22, 24) for R in (40, 42, 44))
     assert (found.grid, found.valid, found.exact) == (9, by_hand, True)
+
+
+def test_hand_friendly_variants_are_told() -> None:
+    (straight, _) = check_family("scotch_yoke", seeds=5).forms
+    # Two of the seven angles are left; velocities are simple where the product of two data has three digits at most.
+    assert 0.1 * straight.grid * 2 / 7 < straight.nice < 0.6 * straight.grid * 2 / 7
+    assert f"hand-friendly: about {straight.nice:.2g}, " in "\n".join(straight.as_text())
+    (without,) = check_family("guided_plate", seeds=5).forms
+    assert without.nice == 0
+    assert "        hand-friendly: none" in without.as_text()
+
+
+def test_a_family_that_promises_hand_friendly_variants_has_them(tmp_path: Path) -> None:
+    path = new_family("own", tmp_path)
+    table = '\n[nice]\nrequire = ["1 < 0"]\n'
+    (path / "family.toml").write_text((path / "family.toml").read_text("utf-8") + table, "utf-8")
+    failures = check_family(str(path), seeds=5).failures
+    assert any("hand-friendly variants" in failure and "require 1 < 0" in failure for failure in failures)

@@ -28,7 +28,7 @@ from variantgen.variants.variant import Variant, solve_variants
 _LEAST_ACCEPTANCE = 0.02
 # An answer that this share of all students has in common is no individual answer.
 _COMMONEST = 0.5
-_NICE = 12  # hand-friendly variants that are drawn
+_NICE = 24  # hand-friendly variants that are drawn
 
 
 def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
@@ -76,13 +76,14 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
         return
     keys = [(str(seed), *SINGLE) for seed in range(_NICE)]
     try:
-        variants = draw(restrict(single, nice=True), None, keys)
+        narrowed = restrict(single, nice=True)
+        variants = draw(narrowed, None, keys)
     except InputError as error:
         if form.nice != Nice():
             report.failures.append(f"{where}, hand-friendly variants: {error}")
         return
-    found.nice = len({variant.identity for variant in variants})
     found.nice_attempts = sum(variant.attempt for variant in variants) / len(variants)
+    found.nice = max(1, round(narrowed.forms[form.name].grid_size / found.nice_attempts))
 
 
 def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:

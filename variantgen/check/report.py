@@ -32,7 +32,7 @@ class Spread:
 class FormReport:
     """What the draws of one form showed.
 
-    ``nice`` is the number of distinct variants among a few hand-friendly ones (0: there are none), each of which took
+    ``nice`` is an estimate of the number of hand-friendly variants (0: none were found), each of which took
     ``nice_attempts`` draws in the mean.
     """
 
@@ -56,7 +56,7 @@ class FormReport:
     def as_text(self) -> list[str]:
         """The lines of the report."""
         count = f"{self.valid}" if self.valid_exact else f"about {self.valid:.2g}"
-        nice = f"{self.nice} distinct, {self.nice_attempts:.0f} draws each" if self.nice else "none"
+        nice = f"about {self.nice:.2g}, {self.nice_attempts:.0f} draws each" if self.nice else "none"
         worst = ", ".join(f"{name} {number}" for name, number in list(self.rejected.items())[:3] if number)
         return [
             f"    {self.name or 'variants'}: {self.variants} drawn, {self.distinct} distinct, acceptance"

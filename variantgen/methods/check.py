@@ -1,13 +1,19 @@
-"""The check at the end of a solution: equal projections of the velocities of two points of a body on their line."""
+"""The check at the end of a solution: equal projections of velocities, and the equations of all constraints at once."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import combinations
 
+import numpy as np
+
+from variantgen.mechanism.dense import DenseSystem
+from variantgen.mechanism.motion import Motion
 from variantgen.methods.book import Book
-from variantgen.methods.expression import Value, cos
+from variantgen.methods.expression import Constant, Value, cos
 from variantgen.methods.name import Name
 from variantgen.methods.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
+from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import share_of
 
 
@@ -23,6 +29,33 @@ def equal_projections(book: Book) -> list[Item]:
             if items:
                 return items
     return []
+
+
+def all_constraints(task: Task, found: Mapping[str, Value]) -> list[Item]:
+    """Asked accelerations by the coordinate method: all constraint equations, differentiated twice and solved at once.
+
+    Only rates and magnitudes are compared, which the method gives without more ado.
+    """
+    asked = [q for q in task.asked if q.order == 2 and q.kind in ("a", "epsilon") and not q.component]
+    if not asked:
+        return []
+    system = DenseSystem(_placed(task))
+    gains = system.solve(2, system.solve(1))
+    values = []
+    for quantity in asked:
+        if quantity.kind == "a":
+            number = float(abs(gains.points[quantity.target][0])) / task.length_unit
+        else:
+            number = float(gains.bodies[quantity.target][0])
+        shown = found[quantity.name]
+        values.append(Derived(Value(Name(quantity.kind, quantity.target), shown.measure, number, Constant(number))))
+    return [Sentence("check.constraints", {}, detail=False), *values]
+
+
+def _placed(task: Task) -> Motion:
+    """The position of the variant as a batch of one (SI), without velocities."""
+    places = {name: np.array([place * task.length_unit]) for name, place in task.now.z.items()}
+    return Motion(task.scene, np.zeros(1, dtype=np.int8), np.ones(1), places, {}, {}, {}, {})
 
 
 def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:

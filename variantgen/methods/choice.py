@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 
 from variantgen.errors import InputError, Problem
 from variantgen.methods import analytical, coordinates, graphical, three_rates, walk
@@ -59,8 +60,24 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
     return Choice(Style(velocities, accelerations), whole)
 
 
+@dataclass(frozen=True)
+class _Problem:
+    """What decides which methods apply; the task is any one of the kind."""
+
+    family: str
+    form: str
+    asked: tuple[str, ...]
+    task: Task = field(compare=False)
+
+
+@lru_cache(maxsize=512)
+def _fitting(problem: _Problem) -> tuple[str, ...]:
+    return tuple(applicable(problem.task))
+
+
 def _check(task: Task, wished: Sequence[str]) -> None:
-    fit = applicable(task)
+    asked = tuple(quantity.name for quantity in task.asked)
+    fit = _fitting(_Problem(task.variant.family.name, task.form.name, asked, task))
     wrong = [name for name in wished if name not in fit]
     if wrong:
         remedy = "it can be solved by: " + ", ".join(fit)

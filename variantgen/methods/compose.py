@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.methods import walk
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
-from variantgen.methods.check import equal_projections
+from variantgen.methods.check import all_constraints, equal_projections
 from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
 from variantgen.methods.position import with_position
@@ -26,7 +26,7 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     if choice.whole:
         return _by_one_method(book, WHOLE[choice.whole])
     found = work_out(book)
-    check = tuple(equal_projections(book))
+    check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
     steps = with_position(book.geometry.items, book.steps, results)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))

@@ -12,6 +12,7 @@ from variantgen.methods.step import Body, Point, Share, Term, VectorOf
 from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import shares, write
 
+VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
 RIGHT = Value(None, "angle", 0.0)
 UP = Value(None, "angle", 90.0)
 
@@ -140,7 +141,9 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     elif book.carry is not None:
         book.carry(book, point, body, pole)
     else:
-        with book.step(f"points.by_pole_{book.letter}", body=Body(body), point=Point(point), pole=Point(pole)):
+        with book.step(
+            f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
+        ):
             by_pole(book, point, body, pole)
 
 

@@ -13,6 +13,9 @@ from variantgen.families.asking import read_ask
 from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.choice import applicable
+from variantgen.methods.task import task_of
+from variantgen.methods.wish import Wish
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
@@ -126,3 +129,17 @@ def test_every_printed_equation_comes_out(name: str, form: str) -> None:
         reader.read(found)
         assert not reader.wrong, "\n".join(reader.wrong)
         assert reader.checked >= 3
+
+
+@pytest.mark.parametrize("method", ["projections", "velocity_pole", "acceleration_centre"])
+@pytest.mark.parametrize(("name", "form"), FORMS, ids=["-".join(item) for item in FORMS])
+def test_other_methods_come_out_as_well(name: str, form: str, method: str) -> None:
+    """The other methods by groups of links; those for whole problems have tests of their own."""
+    drawn, motion = variants(name, form)
+    variant, asked = drawn[0], read_ask(drawn[0].form)
+    if method not in applicable(task_of(variant, motion, 0, asked)):
+        return  # choice.applicable is tested against lists of its own
+    found = explain(variant, motion, 0, asked, load_language("en"), Wish((method,)))
+    reader = Reader(*known_data(variant, asked, "en"))
+    reader.read(found)
+    assert not reader.wrong, "\n".join(reader.wrong)

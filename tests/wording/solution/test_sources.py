@@ -329,11 +329,11 @@ def test_same_laws_and_same_numbers_as_the_source(reading: Reading) -> None:
     variant, asked = variant_of(family, case), quantities(case, reading.ask)
     text = explain(variant, case.motion(), 0, asked, load_language("en"), Wish((reading.method,)))
     lines = [[to_plain(formula) for _, formula in line.pieces] for line in lines_of(text)]
-    printed = {
-        pieces[0]: float(line.pieces[-1][1].number.text.replace("−", "-"))
-        for pieces, line in zip(lines, lines_of(text), strict=True)
-        if isinstance(line.pieces[-1][1], Measured) and not pieces[0].startswith("pr_")
-    }
+    printed: dict[str, float] = {}
+    for pieces, line in zip(lines, lines_of(text), strict=True):
+        # The check at the end repeats names; what counts is where a number is first found.
+        if isinstance(line.pieces[-1][1], Measured):
+            printed.setdefault(pieces[0], float(line.pieces[-1][1].number.text.replace("−", "-")))
     for symbol, (value, tolerance) in reading.numbers.items():
         assert symbol in printed, (symbol, sorted(printed))
         assert printed[symbol] == pytest.approx(value, abs=tolerance), symbol

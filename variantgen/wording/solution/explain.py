@@ -60,7 +60,9 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
     """A solution in a language."""
     phrases = load_phrases(language.name)
     symbols = Symbols(task.form, language, phrases, _centres(task))
-    writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short)
+    # Where no answer is a simple root, results on the way to it seldom are.
+    closed = not found.approximate and any(surd(value.exact) is not None for _, value in found.answers)
+    writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short, closed)
     answers = [
         (q, value.shown if found.approximate else value.exact)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.methods.expression import Constant, Expression, Value
+from variantgen.methods.expression import Constant, Expression, Value, rounded
 from variantgen.methods.name import Name
+from variantgen.methods.settle import FEWEST
 from variantgen.methods.step import (
     Body,
     CentreOf,
@@ -40,6 +41,7 @@ from variantgen.wording.formula import (
     Product,
     Root,
     Sum,
+    Surd,
     Symbol,
     Vector,
     to_plain,
@@ -58,20 +60,26 @@ from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import Field, Letter
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.statement import Text
+from variantgen.wording.surds import surd
 
 _NOTHING = Number("0")
-_EQUALS = "="
+_EQUALS, _NEARLY = "=", "≈"
+_PLAIN_FRACTION = 9  # largest denominator of a fraction that is worth showing on the way
 _COMMENT = re.compile(r"#\{([\w.]+)\}")
 
 
 class Writer:
-    """Writes the steps of one variant. A ``short`` text leaves out the sentences that only explain, and the tables."""
+    """Writes the steps of one variant. A ``short`` text leaves out the sentences that only explain, and the tables.
 
-    def __init__(self, symbols: Symbols, formulas: Formulas, short: bool = False) -> None:
+    ``closed``: simple roots and fractions stand beside their decimals.
+    """
+
+    def __init__(self, symbols: Symbols, formulas: Formulas, short: bool = False, closed: bool = False) -> None:
         self.symbols = symbols
         self.formulas = formulas
         self.phrases = symbols.phrases
         self.short = short
+        self.closed = closed
 
     def section(self, step: Step) -> Section:
         """A step with its heading; formulas that follow each other are set together."""
@@ -194,7 +202,17 @@ class Writer:
         for piece in pieces:
             if piece not in kept and not _is_number_of(piece, result):
                 kept.append(piece)
-        return Line((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in (*kept, result))))
+        closed = self._closed_form(value)
+        end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((_EQUALS, result),)
+        return Line((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in kept), *end))
+
+    def _closed_form(self, value: Value) -> Surd | None:
+        """The root or fraction that a value is; none where its decimal, computed from rounded numbers, is another."""
+        if not self.closed or value.measure == "angle":
+            return None
+        digits = max(FEWEST, len(repr(value.shown).strip("-0.").replace(".", "")))
+        found = surd(value.exact) if rounded(value.exact, digits) == value.shown else None
+        return found if found is not None and (found.radicand > 1 or found.denominator <= _PLAIN_FRACTION) else None
 
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
         if not terms:
