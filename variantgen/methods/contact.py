@@ -16,6 +16,7 @@ from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.group import Track
 from variantgen.methods.task import Task
+from variantgen.variants.needed import shown_points
 
 _NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
 _LETTERS = "KLNSTUVWXYZQ" + ascii_uppercase
@@ -94,3 +95,21 @@ def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int, 
     earlier = (joint.shapes()[0] for joint in task.scene.joints[:number] if joint.shapes())
     rank = sum(bool(shape.points and shape.bodies) for shape in earlier)
     return free[(2 * rank + end) % len(free)]
+
+
+def resting_letter(task: Task, body: str, letter: str) -> str:
+    """The name of a point of a wheel at a contact with something at rest: P, where that means its velocity centre.
+
+    The figure names the centre so if no point has that letter, and no index tells the centres of several bodies apart.
+    """
+    form = task.form
+    if letter in shown_points(task.variant, task.asked):
+        return letter
+    plane = [name for name, members in form.bodies.items() if not task.fixed & set(members)]
+    alone = plane == [body] or not form.symbols.get(body, body)
+    return "P" if alone and "P" not in task.scene.points else letter
+
+
+def place_of(task: Task, side: Side) -> complex:
+    """Where the material point of a side is (printed unit of length)."""
+    return task.now.z[side.centre] - 1j * side.line * side.radius * side.lever

@@ -20,6 +20,7 @@ from variantgen.methods.contact_parts import (
     renamed,
     say_same,
     say_sum,
+    views_of,
     way_of,
 )
 from variantgen.methods.expression import Value
@@ -47,7 +48,7 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
     """``omega = v_KC / r`` with ``v_KC = v_K - v_C`` along the tangent."""
     kind = "omega" if book.order == 1 else "epsilon"
     vector(book, sought.centre)
-    with book.step(f"contact.{kind}", body=Body(group.body)):
+    with book.step(f"contact.{kind}", *views_of(book), body=Body(group.body)):
         say_same(book, group, group.joint, known, sought)
         found = component(book, known)
         if not known.is_rest:
@@ -68,7 +69,7 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
 
 def _solve_centre(book: Book, group: Joined, known: Side, sought: Side) -> None:
     """``v_C = v_K - v_CK`` along the tangent; of a load or a point of a guide simply the velocity of the thread."""
-    with book.step(f"contact.{book.letter}", point=Point(group.point)):
+    with book.step(f"contact.{book.letter}", *views_of(book), point=Point(group.point)):
         say_same(book, group, group.joint, known, sought)
         found = component(book, known)
         parts: Parts = [(found.sign, found.size)] if found.size else []

@@ -30,6 +30,11 @@ class Component(NamedTuple):
 ZERO = Component(None, 0)
 
 
+def views_of(book: Book) -> tuple[str, ...]:
+    """The figure that shows the points at the contacts: that of the velocities."""
+    return ("velocities",) if book.order == 1 else ()
+
+
 def way_of(book: Book, number: int, group: Joined) -> tuple[Side, Side]:
     """The known and the sought side of a contact."""
     touch = _touch(book, number)

@@ -9,18 +9,23 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 
 from variantgen.mechanism.rows import Placement
 from variantgen.methods.book import Book, Rate
 from variantgen.methods.centre import Centre, Ray, named_place
+from variantgen.methods.contact import place_of
 from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry, between, normal_angle
+from variantgen.methods.law import touches
 from variantgen.methods.name import Name
 from variantgen.methods.perpendiculars import facts_of_two, perpendicular
 from variantgen.methods.points import is_translating
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.task import Task
 from variantgen.methods.whole_vector import whole
 
+_TELLING = ("contact.by_rest_v", "gears.rest_v")  # sentences that say already which point is the centre
 _SAME = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
@@ -55,27 +60,39 @@ def _found(book: Book, body: str) -> Centre:
 
 
 def _contact(book: Book, body: str) -> Centre | None:
-    """The contact with something at rest of a wheel whose centre is known; None where there is none."""
+    """The contact of a wheel of known motion with something at rest; None where there is none."""
     task = book.task
-    metre = task.length_unit
-    at = Placement({name: place * metre for name, place in task.now.z.items()}, task.scene.frame)
-    for joint in task.scene.joints:
-        touch = joint.contact_at(at)
-        if touch is None or touch.other is not None or touch.body[0] != body or not book.velocity.get(touch.body[1]):
+    told = any(book.has_said(key, body=Body(body)) for key in _TELLING)
+    for axle, place in _resting(task, body, told):
+        if not book.velocity.get(axle):
             continue
-        axle, place = touch.body[1], complex(touch.place) / metre
         name = named_place(book, place)
         centre = Centre(body, at=name)
         facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact}
+        if not told:
+            named: dict[str, Fact] = {"at": Point(name)} if name else {}
+            book.say("known_centre.named_contact" if name else "known_centre.contact", False, **named, **facts)
         if name:
-            book.say("known_centre.named_contact", False, at=Point(name), **facts)
             centre.rays[axle] = Ray(book.geometry.length(axle, name), book.geometry.direction(axle, name))
         else:
-            book.say("known_centre.contact", False, **facts)
             ahead = perpendicular(book, whole(book, axle, book.velocity[axle]), place - task.now.z[axle])
             centre.rays[axle] = Ray(_radius(book, body, axle, abs(place - task.now.z[axle])), ahead)
         return centre
     return None
+
+
+def _resting(task: Task, body: str, told: bool) -> Iterator[tuple[str, complex]]:
+    """Centres and places of the contacts of a body with something at rest, of those with a tied thread if ``told``."""
+    metre = task.length_unit
+    at = Placement({name: place * metre for name, place in task.now.z.items()}, task.scene.frame)
+    for joint in task.scene.joints:
+        touch = joint.contact_at(at)
+        if touch is not None and touch.other is None and touch.body[0] == body:
+            yield touch.body[1], complex(touch.place) / metre
+    for thread in touches(task).values() if told else ():
+        for known, side in thread.ways:
+            if known.is_rest and side.lever and side.body == body:
+                yield side.centre, place_of(task, side)
 
 
 def _radius(book: Book, body: str, axle: str, exact: float) -> Value:

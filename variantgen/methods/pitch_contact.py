@@ -6,7 +6,7 @@ from typing import Protocol
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.contact import Side, Touch, letter_at, metres
+from variantgen.methods.contact import Side, Touch, letter_at, metres, resting_letter
 from variantgen.methods.group import Track
 from variantgen.methods.task import Task
 
@@ -35,6 +35,7 @@ def circles(task: Task, number: int, joint: Circle, around: str, other: str, kin
     step, part = complex(d) / task.length_unit, float(k)
     line = 1j * step / abs(step)
     name = letter_at(task, task.now.z[joint.centre] - part * step, (joint.body, other), number)
+    name = name if other else resting_letter(task, joint.body, name)
     radial = (around, joint.centre)
     first = _side(name, joint.centre, joint.body, -part * step, line, radial)
     second = _side(name, around if other else "", other, (1.0 - part) * step, line, radial)

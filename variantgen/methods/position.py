@@ -22,8 +22,15 @@ def with_position(items: Sequence[Item], steps: Sequence[Step], results: Iterabl
         told.insert(0, Step(Sentence("position.heading"), kept))
     first = next((step for step in told if any(map(_needs_axes, step.items))), None)
     if first is not None:
-        first.items.insert(0, Sentence("position.axes"))
+        first.items.insert(0, _axes(first.items))
     return told
+
+
+def _axes(items: Sequence[Item]) -> Sentence:
+    """The axes, with the name of the first direction as an example if there is one."""
+    names = (item.value.name for item in items if isinstance(item, Derived))
+    example = next((name for name in names if name is not None and name.kind == "direction"), None)
+    return Sentence("position.axes") if example is None else Sentence("position.axes_and_rays", {"angle": example})
 
 
 def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:

@@ -19,6 +19,7 @@ from variantgen.methods.contact_parts import (
     renamed,
     say_same,
     signed_sum,
+    views_of,
     way_of,
 )
 from variantgen.methods.expression import Constant, Total, Value
@@ -34,7 +35,8 @@ def solve_two(book: Book, group: Joined) -> None:
         if not known.is_rest:
             vector(book, known.centre)
     line = pairs[0][1].line
-    with book.step(f"contact.wheel_{book.letter}", body=Body(group.body), point=Point(group.point)):
+    facts: dict[str, Fact] = {"body": Body(group.body), "point": Point(group.point)}
+    with book.step(f"contact.wheel_{book.letter}", *views_of(book), **facts):
         parts: Parts = []
         arms: list[float] = []
         for number, (known, sought) in zip((group.joint, group.second), pairs, strict=True):

@@ -11,10 +11,12 @@ from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.centre_rays import draw_centres
+from variantgen.figure.contact_letters import draw_contacts
 from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.motion_board import LEAST, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.task import Task, task_of
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
@@ -27,11 +29,12 @@ _NOTHING = 1e-9  # of the largest rate
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The figure of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
-    annotate = partial(_annotate, found, language)
+    task = task_of(variant, motion, index, asked)
+    annotate = partial(_annotate, found, task, language)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: float) -> None:
+def _annotate(found: Solved, task: Task, language: Language, board: MotionBoard, stretch: float) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
     parts = compound_velocities(found, language)
@@ -45,6 +48,7 @@ def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: fl
             if board.vector(name, scale * vector, symbol, *(() if whole else (MEDIUM,))) and whole:
                 straight.add(name)
     draw_centres(board, now, straight)
+    draw_contacts(board, task)
     fastest = max((abs(rate) for rate in now.omega.values()), default=0.0)
     for body, rate in now.omega.items():
         if abs(rate) > _NOTHING * fastest:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.methods.contact import Side, Touch
+from variantgen.methods.contact import Side, Touch, resting_letter
 from variantgen.methods.group import Track
 from variantgen.methods.task import Task
 
@@ -19,8 +19,9 @@ def touch(task: Task, number: int) -> Touch | None:
     arm = task.now.z[joint.contact] - task.now.z[joint.centre]
     line = 1j * arm / abs(arm)
     radial = (joint.centre, joint.contact)
-    wheel = Side(joint.contact, joint.centre, line, joint.body, abs(arm), 1, radial)
-    rail = Side(joint.contact, _point_of(task, joint), line, radial=radial)
+    name = joint.contact if joint.on else resting_letter(task, joint.body, joint.contact)
+    wheel = Side(name, joint.centre, line, joint.body, abs(arm), 1, radial)
+    rail = Side(name, _point_of(task, joint), line, radial=radial)
     return Touch("rack", wheel, rail, Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None)
 
 

@@ -6,8 +6,10 @@ slipping: that point of the body has the velocity of the thread (guide, examples
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from variantgen.mechanism.joints.rope import Bend, Rope
-from variantgen.methods.contact import Side, Touch, letter_at, metres
+from variantgen.methods.contact import Side, Touch, letter_at, metres, resting_letter
 from variantgen.methods.task import Task
 
 _STILL = 1e-9  # of the largest velocity: a piece of thread that turns slower keeps its direction
@@ -25,7 +27,16 @@ def touch(task: Task, number: int) -> Touch | None:
         _side(task, bend, ray, number, i)
         for i, (bend, ray) in enumerate(zip(ends, (pieces[0], pieces[-1]), strict=True))
     )
+    if first.is_rest:
+        second = _tied(task, second)
+    elif second.is_rest:
+        first = _tied(task, first)
     return Touch("rope", first, second, place="rope.leaves")
+
+
+def _tied(task: Task, side: Side) -> Side:
+    """The end of a thread of which the other one is fixed: the point of a body there has no velocity along it."""
+    return replace(side, name=resting_letter(task, side.body, side.name)) if side.lever else side
 
 
 def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:

@@ -74,7 +74,9 @@ class _Typst(Markup):
         return f"sqrt({radicand})"
 
     def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
-        return f"op({_quoted(name)}){_exponent(exponent)} {argument}"
+        # The engine sets no space before an accented letter.
+        space = "thin " if argument.startswith("arrow(") else ""
+        return f"op({_quoted(name)}){_exponent(exponent)} {space}{argument}"
 
     def parentheses(self, content: str) -> str:
         return f"({content})"

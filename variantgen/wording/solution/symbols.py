@@ -87,6 +87,8 @@ class Symbols:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
         end = self.centre(name.about, name.body) if name.part == "centre" else Symbol(name.about)
         if name.kind == "direction":
+            if {name.of, end.base} & set(self.form.figure.hidden):  # of a slot that has no letters
+                return Symbol("phi", (Index(self.language.words("index")["rel"], True),))
             return Symbol("phi", (Index(name.of + end.base),))
         return Symbol(name.of + end.base, end.index)
 
