@@ -41,11 +41,11 @@ def problem_documents(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Itera
     if not exam.solutions.wanted:
         return
     same = exam.solutions.language == exam.language
-    drawn = [[p["figure"] if same else None for p in student["problems"]] for student in data["students"]]
+    known = [student["problems"] for student in data["students"]] if same else []
     alone = exam.solutions.for_students
     size = 1 if alone else SOLUTIONS_PER_DOCUMENT
     for i in range(0, len(sheets), size):
-        solved, unexplained = solutions_data(exam, sheets[i : i + size], drawn[i : i + size])
+        solved, unexplained = solutions_data(exam, sheets[i : i + size], known[i : i + size])
         yield Document("solutions", "solutions.typ", solved, unexplained, alone)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from variantgen.families.family import Form
 from variantgen.methods.name import Name
@@ -23,6 +23,7 @@ class Symbols:
     language: Language
     phrases: Phrases
     centres: Mapping[str, Symbol]
+    _letters: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
 
     def of(self, name: Name) -> Formula:
         """The symbol of a name; a derivative by time has dots, a direction cosine is a function."""
@@ -33,6 +34,11 @@ class Symbols:
 
     def letter(self, name: Name) -> Symbol:
         """The symbol of a name without dots."""
+        if name not in self._letters:
+            self._letters[name] = self._letter(name)
+        return self._letters[name]
+
+    def _letter(self, name: Name) -> Symbol:
         match name.kind:
             case "parameter":
                 return self.language.symbol(name.of, self.form.symbols)

@@ -32,13 +32,11 @@ from variantgen.methods.step import (
 )
 from variantgen.wording.formula import (
     Formula,
-    Fraction,
     Function,
     Graph,
     Measured,
     Number,
     Product,
-    Root,
     Sum,
     Symbol,
     Vector,
@@ -249,6 +247,8 @@ def _is_plain(expression: Expression) -> bool:
 
 def _is_number_of(piece: Formula, result: Formula) -> bool:
     """Whether a formula is the number of a result, without its unit."""
-    if not isinstance(result, Measured) or isinstance(piece, Fraction | Function | Product | Root):
+    if not isinstance(result, Measured):
+        return False
+    if not isinstance(piece, Number | Measured) and not (isinstance(piece, Sum) and len(piece.terms) == 1):
         return False
     return to_plain(piece) in (to_plain(result), to_plain(result.number))
