@@ -32,11 +32,12 @@ from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.task import task_of
 from variantgen.outputs.documents import problem_documents, problem_key, student_key
-from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.sheet_data import sheets_data, statement_data
 from variantgen.outputs.solution_data import problem_data
 from variantgen.outputs.solution_figures import Figures, view_order
 from variantgen.outputs.typesetter import figure_data, typesetter
 from variantgen.wording.solution.explain import written
+from variantgen.wording.statement import statement
 
 CLASS = ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")
 SOLVING, METHODS, TEXT, FIGURES, DATA, JSON = "solving again", "methods", "text", "figures", "data", "JSON"
@@ -83,11 +84,12 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
             found = solution(task)
         with clock.measuring(TEXT):
             text = written(task, found, language)
+        on_sheet = {"figure": drawn, **statement_data(statement(item.variant, item.asked, language))}
         figures = Figures(item.variant, item.asked, language, (motion, place), drawn)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            made.append(problem_data(figures, text))
+            made.append(problem_data(figures, text, on_sheet))
     with clock.measuring(JSON):
         json.dumps(made, ensure_ascii=False, separators=(",", ":"))
 

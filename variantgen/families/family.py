@@ -179,9 +179,12 @@ def frame(sense: Any, quarter_turns: Any) -> Frame:
     return Frame(turns, np.asarray(sense, dtype=float))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Form:
-    """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs."""
+    """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs.
+
+    A form is itself and equal to no other, so that what follows from it alone can be remembered by it.
+    """
 
     name: str
     parameters: Mapping[str, Parameter]

@@ -23,7 +23,7 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
         return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    directions = np.linspace(line.start, line.start + line.sweep, count + 1)
+    directions = line.start + line.sweep / count * np.arange(count + 1)
     return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
 
 

@@ -155,7 +155,8 @@ class Sketch:
 
     def _segments(self) -> NDArray[np.complex128]:
         if len(self._known) != len(self._obstacles):
-            self._known = np.array(self._obstacles, dtype=complex).reshape(-1, 2)
+            new = np.array(self._obstacles[len(self._known) :], dtype=complex).reshape(-1, 2)
+            self._known = np.concatenate((self._known, new))
         return self._known
 
     def label(self, request: Request) -> None:

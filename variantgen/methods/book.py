@@ -116,8 +116,7 @@ class Book:
     @property
     def scale(self) -> float:
         """Natural scale of the vectors: the largest of the mechanism."""
-        now = self.task.now
-        return max((abs(vector) for vector in (now.v if self.order == 1 else now.a).values()), default=0.0)
+        return self.task.speed if self.order == 1 else self.task.gain
 
     def exact(self, point: str) -> complex:
         """The solver's vector of a point."""
@@ -166,9 +165,7 @@ class Book:
 
     def size_of(self, measure: str) -> float:
         """The natural scale of a measure, below which numbers are rounding."""
-        now, size = self.task.now, self.task.size
-        speed = max((abs(v) for v in now.v.values()), default=0.0)
-        gain = max((abs(a) for a in now.a.values()), default=0.0)
+        size, speed, gain = self.task.size, self.task.speed, self.task.gain
         scales = {"length": size, "velocity": speed, "acceleration": gain}
         return scales.get(measure) or {"angular velocity": speed / size, "angular acceleration": gain / size}.get(
             measure, 0.0

@@ -16,7 +16,7 @@ from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
 from variantgen.methods.instant import Instant
-from variantgen.methods.needed import Needed
+from variantgen.methods.needed import needed_for
 
 _STRAIGHT = 1e-9
 
@@ -84,9 +84,7 @@ class Chain:
 def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> Chain:
     """The chain that leads to the asked quantities, through the points that the figure shows."""
     resting = frozenset(fixed_points(form.sample) | {name for joint in form.sample.joints for name in joint.resting()})
-    needed = Needed(form)
-    for quantity in asked:
-        needed.ask(quantity)
+    needed = needed_for(form, tuple(asked))
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}

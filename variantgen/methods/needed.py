@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Sliding
 from variantgen.mechanism.structure import Carry, Closure, Lead, Loose, RowEquation, Slide, Step
+
+
+@lru_cache(maxsize=1000)
+def needed_for(form: Form, asked: tuple[Quantity, ...]) -> Needed:
+    """What the asked quantities of a form need; the same for all its variants."""
+    found = Needed(form)
+    for quantity in asked:
+        found.ask(quantity)
+    return found
 
 
 class Needed:

@@ -88,10 +88,11 @@ class Route:
     @property
     def open_bodies(self) -> list[str]:
         """Needed bodies whose rate is not known."""
+        needed = self.task.needed.bodies
         return [
             body
             for body in self.scene.bodies
-            if body in self.task.needed.bodies and body not in self.book.omega and body not in self.translating
+            if body in needed and body not in self.book.omega and body not in self.translating
         ]
 
     def _composed(self) -> Iterator[Group]:

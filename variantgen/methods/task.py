@@ -19,7 +19,7 @@ from variantgen.mechanism.scene import Scene, fixed_points
 from variantgen.methods.expression import Applied, Constant, Expression, Pi, SquareRoot, Total, Value
 from variantgen.methods.instant import Instant, instant
 from variantgen.methods.name import Name
-from variantgen.methods.needed import Needed
+from variantgen.methods.needed import Needed, needed_for
 from variantgen.variants.variant import Variant
 
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
@@ -62,6 +62,7 @@ class Task:
     @cached_property
     def needed(self) -> Needed:
         """Points and bodies that lead to what is asked."""
+<<<<<<< HEAD
         return self._needed_for(self.asked)
 
     @cached_property
@@ -74,6 +75,9 @@ class Task:
         for quantity in quantities:
             found.ask(quantity)
         return found
+=======
+        return needed_for(self.form, self.asked)
+>>>>>>> speed
 
     @cached_property
     def translating(self) -> frozenset[str]:
@@ -101,6 +105,16 @@ class Task:
         """Size of the mechanism, in the printed unit of length."""
         places = list(self.now.z.values())
         return max(abs(p - q) for p in places for q in places)
+
+    @cached_property
+    def speed(self) -> float:
+        """The largest velocity of the mechanism, in printed units."""
+        return max((abs(v) for v in self.now.v.values()), default=0.0)
+
+    @cached_property
+    def gain(self) -> float:
+        """The largest acceleration of the mechanism, in printed units."""
+        return max((abs(a) for a in self.now.a.values()), default=0.0)
 
     @cached_property
     def si(self) -> Mapping[str, float]:

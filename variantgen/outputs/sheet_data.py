@@ -12,7 +12,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Formula, UnitText, to_typst
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Text, sign_notes, statement
+from variantgen.wording.statement import Statement, Text, sign_notes, statement
 
 _SHORT_NAME = 48
 
@@ -58,13 +58,20 @@ def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict
     return {
         "number": str(item.task.number),
         "points": _points(item.task.points, language),
-        "text": text_data(said.text),
-        "given": [equals_data(equation) for equation in said.given],
-        "answers": [
-            {"symbol": to_typst(symbol), "heading": heading(symbol, language.unit(answer.unit))}
-            for symbol, answer in zip(said.asked, item.answers, strict=True)
+        **statement_data(said),
+        "headings": [
+            heading(symbol, language.unit(answer.unit)) for symbol, answer in zip(said.asked, item.answers, strict=True)
         ],
         "figure": figure_data(statement_figure(item.variant, motion, place, item.asked, language)),
+    }
+
+
+def statement_data(said: Statement) -> dict[str, Any]:
+    """What a problem says: its text, what is given and what is asked."""
+    return {
+        "text": text_data(said.text),
+        "given": [equals_data(equation) for equation in said.given],
+        "asked": [to_typst(symbol) for symbol in said.asked],
     }
 
 

@@ -53,8 +53,7 @@ def _rows(lines: Sequence[Line]) -> Iterator[list[list[list[str]]]]:
     row: list[list[list[str]]] = []
     room = _ROW
     for line in lines:
-        pieces = _pieces(line)
-        length = sum(len(sign) + 2 + _letters(markup) for sign, markup in pieces) + _GAP
+        pieces, length = _pieces(line)
         if row and length > room:
             yield row
             row, room = [], _ROW
@@ -70,16 +69,22 @@ def _letters(markup: str) -> int:
     return letters // 2 if markup.startswith("frac(") else letters
 
 
-def _pieces(line: Line) -> list[list[str]]:
-    """The pieces of a formula with the sign before each; a long sum may be broken before each of its terms."""
+def _pieces(line: Line) -> tuple[list[list[str]], int]:
+    """The pieces of a formula with the sign before each, and their width in letters.
+
+    A long sum may be broken before each of its terms.
+    """
     found: list[list[str]] = []
+    length = _GAP
     for sign, formula in line.pieces:
-        markup = to_typst(formula)
-        if isinstance(formula, Sum) and len(formula.terms) > 1 and _letters(markup) > _PIECE:
-            found += _terms(sign, formula)
-        else:
-            found.append([sign, markup])
-    return found
+        own = [[sign, to_typst(formula)]]
+        letters = _letters(own[0][1])
+        if letters > _PIECE and isinstance(formula, Sum) and len(formula.terms) > 1:
+            own = list(_terms(sign, formula))
+            letters = sum(_letters(markup) for _, markup in own)
+        found += own
+        length += letters + sum(len(before) + 2 for before, _ in own)
+    return found, length
 
 
 def _terms(sign: str, formula: Sum) -> Iterator[list[str]]:

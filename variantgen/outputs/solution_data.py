@@ -9,11 +9,9 @@ from typing import Any
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.outputs.sheet_data import student_data, text_data
+from variantgen.outputs.sheet_data import statement_data, student_data, text_data
 from variantgen.outputs.solution_blocks import blocks_data
 from variantgen.outputs.solution_figures import Figures, view_order
-from variantgen.outputs.typesetter import equals_data
-from variantgen.wording.formula import to_typst
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section, SolutionText
 from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
@@ -21,17 +19,15 @@ from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.statement import statement
 
 _WORDS = ("plan", "answer", "check", "solutions")
-
-
-Drawn = dict[str, Any]
+Problem = dict[str, Any]
 
 
 def solutions_data(
-    exam: Exam, sheets: Sequence[Sheet], drawn: Sequence[Sequence[Drawn | None]] = ()
+    exam: Exam, sheets: Sequence[Sheet], known: Sequence[Sequence[Problem]] = ()
 ) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Data for ``solutions.typ``, and the families of problems of which there is only the answer.
 
-    ``drawn`` are the figures of the problems of each student, where they are drawn already.
+    ``known`` are the problems of each student as they stand on the sheets, if these are in the same language.
     """
     language = exam.explained
     items = [item for sheet in sheets for item in sheet.items]
@@ -40,8 +36,8 @@ def solutions_data(
     students = []
     for number, sheet in enumerate(sheets):
         problems = []
-        known = drawn[number] if drawn else [None] * len(sheet.items)
-        for item, figure in zip(sheet.items, known, strict=True):
+        on_sheet = known[number] if known else [None] * len(sheet.items)
+        for item, problem in zip(sheet.items, on_sheet, strict=True):
             motion, place = next(solved)
             try:
                 text = explain(item.variant, motion, place, item.asked, language, exam.wish(item.task))
@@ -51,8 +47,8 @@ def solutions_data(
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)
-            figures = Figures(item.variant, item.asked, language, (motion, place), figure)
-            problems.append({"number": str(item.task.number), **problem_data(figures, text)})
+            figures = Figures(item.variant, item.asked, language, (motion, place), problem and problem["figure"])
+            problems.append({"number": str(item.task.number), **problem_data(figures, text, problem)})
         students.append(student_data(sheet, problems, language, sheet is sheets[-1]))
     data = {
         "lang": language.name,
@@ -71,16 +67,14 @@ def solution_words(language: Language) -> dict[str, str]:
     return {**language.words("sheet"), **{name: words[name] for name in _WORDS}}
 
 
-def problem_data(figures: Figures, text: SolutionText) -> dict[str, Any]:
-    """One problem with its figures and its solution."""
+def problem_data(figures: Figures, text: SolutionText, known: Problem | None = None) -> dict[str, Any]:
+    """One problem with its figures and its solution; ``known`` is the problem on a sheet in the same language."""
     variant, language = figures.variant, figures.language
-    said = statement(variant, figures.asked, language)
+    said = known or statement_data(statement(variant, figures.asked, language))
     figures.draw(view_order(text))
     return {
         "title": variant.family.title(language.name),
-        "text": text_data(said.text),
-        "given": [equals_data(equation) for equation in said.given],
-        "asked": [to_typst(symbol) for symbol in said.asked],
+        **{part: said[part] for part in ("text", "given", "asked")},
         "figures": figures.rows(),
         "plan": text_data(text.plan),
         "sections": [_section(section, figures, language) for section in text.sections],

@@ -11,11 +11,14 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any, Literal
+
+import numpy as np
 
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, curves
@@ -87,21 +90,30 @@ def typesetter() -> Iterator[Typesetter]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
     height = drawing.height
+    drawn = curves(drawing.lines)
+    points = [point for curve in drawn for _, points in curve.steps for point in points]
+    places = iter(_rounded([*points, *(label.at for label in drawing.labels)], height))
 
-    def xy(point: complex) -> list[float]:
-        return [round(point.real, 2), round(height - point.imag, 2)]
-
-    def step(kind: str, points: tuple[complex, ...]) -> list[Any]:
-        return [kind.lower(), *(number for point in points for number in xy(point))]
+    def step(kind: str, count: int) -> list[Any]:
+        return [kind.lower(), *chain.from_iterable(islice(places, count))]
 
     return {
         "w": round(drawing.width, 2),
         "h": round(height, 2),
         "letter": LETTER,
         "alt": drawing.alt,
-        "curves": [[c.weight, c.fill, DASHES[c.dash], [step(*s) for s in c.steps]] for c in curves(drawing.lines)],
-        "labels": [[*xy(label.at), to_typst(label.formula)] for label in drawing.labels],
+        "curves": [
+            [c.weight, c.fill, DASHES[c.dash], [step(kind, len(points)) for kind, points in c.steps]] for c in drawn
+        ],
+        "labels": [[*next(places), to_typst(label.formula)] for label in drawing.labels],
     }
+
+
+def _rounded(points: Sequence[complex], height: float) -> list[list[float]]:
+    """Pairs of coordinates, y down from a height, with two decimals."""
+    at = np.array(points, dtype=complex)
+    found: list[list[float]] = np.round(np.stack((at.real, height - at.imag), axis=-1), 2).tolist()
+    return found
 
 
 def equals_data(equation: Equation, exact: Surd | None = None) -> dict[str, str]:

@@ -37,16 +37,19 @@ class Language:
 
     def decimal(self, value: Decimal) -> Number:
         """An exact printed value: ``0,25``, with a true minus sign."""
-        text = f"{value.normalize():f}"
+        return self.written(f"{value.normalize():f}")
+
+    def written(self, text: str) -> Number:
+        """A number that is written out with a point: with the mark of the language, and with a true minus sign."""
         return Number(text.replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
 
     def fixed(self, value: float, places: int) -> Number:
         """A reading with so many decimals, zeros kept: ``48,0``."""
-        return Number(f"{value:.{places}f}".replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+        return self.written(f"{value:.{places}f}")
 
     def rounded(self, value: float, digits: int = ANSWER_DIGITS) -> Number:
         """A computed value with the given number of significant digits, never in exponent form."""
-        return Number(round_text(value, digits).replace("-", "\N{MINUS SIGN}").replace(".", self.decimal_mark))
+        return self.written(round_text(value, digits))
 
     def unit(self, measured: Unit) -> UnitText:
         """A unit as it is printed."""

@@ -56,7 +56,11 @@ class Formulas:
 
     def number(self, value: float) -> Number:
         """A printed number, with the decimal mark of the language."""
-        return self.language.decimal(Decimal(repr(value)))
+        text = repr(value)
+        # What is written out already is quicker than an exact number of the same digits.
+        if "e" in text:
+            return self.language.decimal(Decimal(text))
+        return self.language.written(text.removesuffix(".0"))
 
     def unit(self, value: Value) -> UnitText:
         """The unit of a value; none for a bare number."""

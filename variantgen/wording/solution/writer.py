@@ -33,13 +33,11 @@ from variantgen.methods.step import (
 )
 from variantgen.wording.formula import (
     Formula,
-    Fraction,
     Function,
     Graph,
     Measured,
     Number,
     Product,
-    Root,
     Sum,
     Surd,
     Symbol,
@@ -269,6 +267,8 @@ def _is_plain(expression: Expression) -> bool:
 
 def _is_number_of(piece: Formula, result: Formula) -> bool:
     """Whether a formula is the number of a result, without its unit."""
-    if not isinstance(result, Measured) or isinstance(piece, Fraction | Function | Product | Root):
+    if not isinstance(result, Measured):
+        return False
+    if not isinstance(piece, Number | Measured) and not (isinstance(piece, Sum) and len(piece.terms) == 1):
         return False
     return to_plain(piece) in (to_plain(result), to_plain(result.number))
