@@ -15,7 +15,16 @@ import pytest
 
 FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf"]
 # Without solutions, which have nothing to do with folders and take most of the time.
-EXAM = 'title = "Quiz"\nlanguage = "en"\n[solutions]\ndepth = "none"\n[[problem]]\nfamily = "spool"\n[[problem]]\nfamily = "four_bar"\n'
+EXAM = """
+title = "Quiz"
+language = "en"
+[solutions]
+depth = "none"
+[[problem]]
+family = "spool"
+[[problem]]
+family = "four_bar"
+"""
 
 
 def start(folder: Path, variants: int, *options: str) -> subprocess.Popen[str]:

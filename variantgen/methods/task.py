@@ -62,22 +62,12 @@ class Task:
     @cached_property
     def needed(self) -> Needed:
         """Points and bodies that lead to what is asked."""
-<<<<<<< HEAD
-        return self._needed_for(self.asked)
+        return needed_for(self.form, self.asked)
 
     @cached_property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
-        return self._needed_for([quantity for quantity in self.asked if quantity.order == 2])
-
-    def _needed_for(self, quantities: Sequence[Quantity]) -> Needed:
-        found = Needed(self.form)
-        for quantity in quantities:
-            found.ask(quantity)
-        return found
-=======
-        return needed_for(self.form, self.asked)
->>>>>>> speed
+        return needed_for(self.form, tuple(quantity for quantity in self.asked if quantity.order == 2))
 
     @cached_property
     def translating(self) -> frozenset[str]:

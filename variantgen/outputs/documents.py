@@ -38,20 +38,12 @@ def problem_documents(exam: Exam, sheets: Sequence[Sheet], first: bool) -> Itera
     if not exam.solutions.wanted:
         return
     same = exam.solutions.language == exam.language
-<<<<<<< HEAD
-    drawn = [[p["figure"] if same else None for p in student["problems"]] for student in data["students"]]
+    known = [student["problems"] for student in data["students"]] if same else []
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.
     alone = exam.solutions.for_students
     for i in range(len(sheets)):
-        solved, unexplained = solutions_data(exam, sheets[i : i + 1], drawn[i : i + 1])
-=======
-    known = [student["problems"] for student in data["students"]] if same else []
-    alone = exam.solutions.for_students
-    size = 1 if alone else SOLUTIONS_PER_DOCUMENT
-    for i in range(0, len(sheets), size):
-        solved, unexplained = solutions_data(exam, sheets[i : i + size], known[i : i + size])
->>>>>>> speed
+        solved, unexplained = solutions_data(exam, sheets[i : i + 1], known[i : i + 1])
         yield Document("solutions", "solutions.typ", solved, unexplained, alone)
 
 

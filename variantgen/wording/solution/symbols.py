@@ -23,11 +23,7 @@ class Symbols:
     language: Language
     phrases: Phrases
     centres: Mapping[str, Symbol]
-<<<<<<< HEAD
-    _known: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
-=======
     _letters: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
->>>>>>> speed
 
     def of(self, name: Name) -> Formula:
         """The symbol of a name; a derivative by time has dots; direction cosines and projections are functions."""
@@ -41,15 +37,9 @@ class Symbols:
 
     def letter(self, name: Name) -> Symbol:
         """The symbol of a name without dots."""
-<<<<<<< HEAD
-        if name not in self._known:
-            self._known[name] = self._letter(name)
-        return self._known[name]
-=======
         if name not in self._letters:
             self._letters[name] = self._letter(name)
         return self._letters[name]
->>>>>>> speed
 
     def _letter(self, name: Name) -> Symbol:
         match name.kind:
