@@ -19,6 +19,7 @@ from variantgen.methods.name import Name
 _ANGLE = "angle"
 DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 _WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
+_SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
 
@@ -88,11 +89,19 @@ class Value(Expression):
         return self.exact if exact else self.shown
 
     def settle(self, digits: int) -> None:
-        """Compute the printed number anew, with so many significant digits; a given one stays as it is."""
+        """Compute the printed number anew, with so many significant digits; a given one stays as it is.
+
+        Where the printed numbers miss a short result only by rounding, ``8.00001`` for 8, that is printed.
+        """
         if self.expression is None:
             return
         number = 0.0 if self.exact == 0 else self.expression.number(exact=False)
         self.shown = rounded(number, digits, self.measure)
+        if self.shown != self.exact and self.measure not in (DRAWING_LENGTH, _ANGLE):
+            short = rounded(self.exact, digits - 1)
+            last = 10.0 ** (math.floor(math.log10(abs(short))) - digits + 1) if short else 0.0
+            if abs(short - self.exact) <= _SAME * abs(short) and abs(number - short) < last:
+                self.shown = short
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"
