@@ -12,7 +12,7 @@ from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
 from variantgen.methods.position import with_position
 from variantgen.methods.settle import DIGITS, items_values, settle
-from variantgen.methods.step import Solution
+from variantgen.methods.step import Listing, Solution
 from variantgen.methods.task import Task
 
 
@@ -28,7 +28,7 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     found = work_out(book)
     check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
-    steps = with_position(book.geometry.items, book.steps, results)
+    steps = with_position(task, book.geometry.items, book.steps, results)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution(tuple(steps), tuple(found.items()), check)
 
@@ -40,7 +40,9 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     for quantity in book.task.asked:
         book.order = quantity.order
         found[quantity.name] = answer(book, quantity)
-    steps = with_position(book.geometry.items, book.steps, found.values())
+    # A program comes last, after what answers still needed.
+    told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
+    steps = with_position(book.task, book.geometry.items, told, found.values())
     digits = (method.digits + 1,) if method.digits else DIGITS
     settle((item for step in steps for item in step.items), list(found.values()), digits)
     return Solution(tuple(steps), tuple(found.items()), approximate=method.digits)

@@ -25,9 +25,9 @@ from variantgen.methods.step import (
     LinearSystem,
     Point,
     Projection,
-    Segment,
     Sentence,
     Shown,
+    Statement,
     Term,
     VectorOf,
 )
@@ -58,10 +58,10 @@ def solve_coupled(book: Book, group: Coupled) -> None:
         rows = [_row(book, group, support, known, path) for support in group.supports]
         size, rate = _solved(book, body, path, rows)
         turns = [_turning(book, group, support, rate) for support in group.supports]
-        for support, turn in zip(group.supports, turns, strict=True):
-            assert turn.name is not None and rate.name is not None, "both stand for something"
-            arm = Segment(support.point, pole)
-            book.say("coupled.rotation", True, vector=turn.name, rate=rate.name, segment=arm)
+        book.say(f"coupled.rotation_{book.letter}", **facts)
+        for turn in turns:
+            assert turn.expression is not None, "it is a product"
+            book.items.append(Statement(turn, turn.expression))
         book.say("coupled.system", True)
         matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
         book.items.append(LinearSystem((size, rate), matrix, right))

@@ -66,8 +66,11 @@ def solve_crossing(book: Book, group: Crossed) -> None:
 def solve_spanned(book: Book, group: Spanned) -> None:
     """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
     point, pole, body = group.point, group.pole, group.body
+    wanted = is_rate_wanted(book.task, book.order, body, {point, pole})
+    if book.order == 2 and not wanted:
+        return
     at_point, at_pole = vector(book, point), vector(book, pole)
-    if not is_rate_wanted(book.task, book.order, body, {point, pole}):
+    if not wanted:
         return
     facts: dict[str, Fact] = {"body": Body(body), "point": Point(point), "pole": Point(pole)}
     with book.step(f"known_points.{book.letter}", **facts):

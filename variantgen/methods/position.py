@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from variantgen.methods.expression import Value
+from variantgen.methods.name import Name
 from variantgen.methods.settle import facts_values, in_order, items_values
-from variantgen.methods.step import Derived, Item, Projection, Sentence, Step, TermTable
+from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, TermTable
+from variantgen.methods.task import CLOSE, Task
+from variantgen.variants.needed import shown_points
 
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
 
 
-def with_position(items: Sequence[Item], steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
+def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     """The steps that say something, after one of the position made of its ``items`` that they or the ``results`` need.
 
     Where an angle with the x axis or a component is met first, the axes are named.
@@ -22,7 +25,7 @@ def with_position(items: Sequence[Item], steps: Sequence[Step], results: Iterabl
         told.insert(0, Step(Sentence("position.heading"), kept))
     first = next((step for step in told if any(map(_needs_axes, step.items))), None)
     if first is not None:
-        first.items.insert(0, _axes(first.items))
+        first.items[:0] = [_axes(first.items), *_origin(task, [item for step in told for item in step.items])]
     return told
 
 
@@ -31,6 +34,21 @@ def _axes(items: Sequence[Item]) -> Sentence:
     names = (item.value.name for item in items if isinstance(item, Derived))
     example = next((name for name in names if name is not None and name.kind == "direction"), None)
     return Sentence("position.axes") if example is None else Sentence("position.axes_and_rays", {"angle": example})
+
+
+def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
+    """Where the origin is, if coordinates of points are met: a point, or zero coordinates of some."""
+    names = {value.name for item in items for value in _met(item) if value.name is not None}
+    points = sorted({name.of for name in names if name.kind in ("x", "y") and name.of in task.now.z})
+    if not points:
+        return []
+    shown, near = shown_points(task.variant, task.asked), CLOSE * task.size
+    at = next((point for point in shown if abs(task.now.z[point]) < near), None)
+    if at is not None:
+        return [Sentence("position.origin", {"at": Point(at)})]
+    zeros: list[Fact] = [Name("x", point) for point in points if abs(task.now.z[point].real) < near]
+    zeros += [Name("y", point) for point in points if abs(task.now.z[point].imag) < near]
+    return [Sentence("position.origin_by", {"zeros": tuple(zeros)})] if len(zeros) > 1 else []
 
 
 def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:
@@ -59,5 +77,10 @@ def _needs_axes(item: Item) -> bool:
     """Whether an item cannot be understood without axes."""
     if isinstance(item, Projection):
         return True
-    name = item.value.name if isinstance(item, Derived) else None
-    return name is not None and (name.kind in _OF_AXES or bool({"x", "y"} & set(name.part.split())))
+    names = (value.name for value in _met(item) if value.name is not None)
+    return any(name.kind in _OF_AXES or {"x", "y"} & set(name.part.split()) for name in names)
+
+
+def _met(item: Item) -> list[Value]:
+    """The values that have a symbol in an equation, or on the left of a line."""
+    return [item.value] if isinstance(item, Derived) else items_values([item]) if isinstance(item, Statement) else []
