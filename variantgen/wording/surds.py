@@ -13,7 +13,7 @@ def surd(value: float) -> Surd | None:
     """The root or fraction that a computed value is (see :mod:`variantgen.mechanism.closed_form`), or None.
 
     None also where a root or fraction tells nothing new: zero, and decimals of no more digits than are printed
-    (0.25 and 120 are none, 4/3 and 17/16 are).
+    (0.25 and 120 are none, 4/3 and 1001/8 are), and for forms of large numbers.
     """
     found = closed_form(value)
     if (
