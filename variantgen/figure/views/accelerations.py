@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
+from variantgen.figure.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
@@ -30,12 +31,12 @@ Named = list[tuple[Symbol, complex]]
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The figure of one variant. Raises InputError where accelerations are not asked or there are none."""
     found = solved(variant, motion, index, asked, ORDER)
-    annotate = partial(_annotate, found, language)
+    annotate = partial(_annotate, found, asked, language)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: float) -> None:
-    """Accelerations with their components, then arcs where there is room left."""
+def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, board: MotionBoard, stretch: float) -> None:
+    """Accelerations with their components, an asked centre, then arcs where there is room left."""
     now = found.now
     parts = components(found, language)
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
@@ -44,6 +45,7 @@ def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: fl
             poles = {absolute("a", turn.pole) for turn in found.chain.turns if turn.point == point}
             weight = BOLD if symbol == absolute("a", point) else THIN if symbol in poles else MEDIUM
             board.vector(point, scale * vector, symbol, weight)
+    draw_acceleration_centres(board, now, asked)
     fastest = max((abs(rate) for rate in now.epsilon.values()), default=0.0)
     for body, rate in now.epsilon.items():
         if abs(rate) > _NOTHING * max(fastest, max(abs(omega) for omega in now.omega.values()) ** 2):
