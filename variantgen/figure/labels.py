@@ -89,10 +89,10 @@ def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: 
     costs = np.concatenate([r.costs for r in requests])
     costs += _ink_costs(occupancy, places, boxes)
     _add_misleading(requests, strangers, occupancy, places, owner, costs)
-    bounds = np.cumsum(count)[:-1]
+    ends = np.cumsum(count).tolist()
     return [
-        _Choice(request, at, cost, np.zeros(len(at), dtype=bool))
-        for request, at, cost in zip(requests, np.split(places, bounds), np.split(costs, bounds), strict=True)
+        _Choice(request, places[end - size : end], costs[end - size : end], np.zeros(size, dtype=bool))
+        for request, size, end in zip(requests, count, ends, strict=True)
     ]
 
 
