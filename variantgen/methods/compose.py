@@ -8,7 +8,7 @@ from variantgen.methods import walk
 from variantgen.methods.agreement import confirm
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
-from variantgen.methods.check import all_constraints, equal_projections
+from variantgen.methods.check import all_constraints, by_links, equal_projections
 from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
 from variantgen.methods.position import with_position
@@ -47,9 +47,10 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     # A program comes last, after what answers still needed.
     told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, told, found.values())
+    check = tuple(by_links(work_out(Book(book.task))))
     digits = (method.digits + 1,) if method.digits else DIGITS
-    settle((item for step in steps for item in step.items), list(found.values()), digits)
-    return Solution(tuple(steps), tuple(found.items()), approximate=method.digits)
+    settle([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
+    return Solution(tuple(steps), tuple(found.items()), check, method.digits)
 
 
 def work_out(book: Book) -> dict[str, Value]:
