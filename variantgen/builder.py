@@ -24,6 +24,7 @@ from variantgen.outputs.folder import check_free, whole_folder
 from variantgen.outputs.join import join_pdfs
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.variants.attempts import VerificationError
 
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
 # below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
@@ -122,7 +123,7 @@ def build(
         paths: dict[str, list[Path]] = {}
         done = 0
         unexplained: set[str] = set()
-        with _makers(jobs) as run:
+        with _naming(seed), _makers(jobs) as run:
             for part, made in run(parts, parts_folder):
                 for target, path in made.paths:
                     paths.setdefault(target, []).append(path)
@@ -141,6 +142,15 @@ def build(
         _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
         _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn))
     return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
+
+
+@contextmanager
+def _naming(seed: str) -> Iterator[None]:
+    """Name the seed where a solution disagrees with the solver."""
+    try:
+        yield
+    except VerificationError as error:
+        raise VerificationError(f"{error} (seed {seed})") from error
 
 
 def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from variantgen.builder import build
 from variantgen.exam.confirm import confirm
+from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import solve_all
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
@@ -78,3 +81,16 @@ def test_each_method_notices_a_wrong_rate_by_itself(drawn: list[Variant]) -> Non
     noticed = {name for name, worst in found.items() if float(worst.max()) > 1e-9}
     # Equal projections speak of no rate.
     assert noticed == set(found) - {"projections"}
+
+
+def test_a_solution_that_disagrees_stops_the_build_and_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("variantgen.methods.agreement.deviation", lambda book: 1e-6)
+    exam = tmp_path / "exam.toml"
+    exam.write_text('title = "Quiz"\nlanguage = "en"\n[[problem]]\nfamily = "spool"\n', encoding="utf-8")
+    with pytest.raises(VerificationError) as caught:
+        build(exam, numbered(2), tmp_path / "out", seed="97")
+    assert "spool: the solution deviates from the solver by 1.0e-06 for r=" in str(caught.value)
+    assert "(student 1, problem 1) (seed 97)" in str(caught.value)
+    assert not (tmp_path / "out").exists()

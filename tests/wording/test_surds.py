@@ -20,7 +20,7 @@ from variantgen.wording.surds import surd, with_surd
         (sqrt(5) / 2, Surd(1, 2, 5)),
         (4 / 3, Surd(4, 3, 1)),
         (-4 / 3, Surd(-4, 3, 1)),
-        (17 / 16, Surd(17, 16, 1)),  # 1.0625: five digits, four are printed
+        (1001 / 8, Surd(1001, 8, 1)),  # 125.125: six digits, four are printed
         (0.35 * sqrt(3), Surd(7, 20, 3)),
     ],
 )
@@ -28,7 +28,10 @@ def test_roots_and_fractions(value: float, expected: Surd) -> None:
     assert surd(value) == expected
 
 
-@pytest.mark.parametrize("value", [0.0, 0.25, -0.25, 120.0, 1234.0, 0.0625, 12.25, 23.09, pi, float("inf")])
+@pytest.mark.parametrize(
+    "value",
+    [17 / 16, 78 / 23, 5 * sqrt(194) / 26, 0.0, 0.25, -0.25, 120.0, 1234.0, 0.0625, 12.25, 23.09, pi, float("inf")],
+)
 def test_none_where_the_decimal_says_it_all_or_there_is_no_root(value: float) -> None:
     assert surd(value) is None
 

@@ -39,13 +39,6 @@ def boxes_crossed(
     return result
 
 
-def box_crossings(
-    place: complex, half_sides: tuple[float, float], starts: NDArray[np.complex128], ends: NDArray[np.complex128]
-) -> NDArray[np.bool_]:
-    """Which segments cross one box, shape of the segments."""
-    return crosses(0.5 * (starts + ends) - place, 0.5 * (ends - starts), half_sides)
-
-
 def crosses(
     middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.bool_]:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Label, Layer, Path
-from variantgen.figure.ink import Segments, box_crossings, boxes_crossed
+from variantgen.figure.ink import Segments, boxes_crossed, crosses
 from variantgen.figure.occupancy import Occupancy
 from variantgen.figure.requests import Costs, Places, Request, far_from
 
@@ -89,10 +89,10 @@ def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: 
     costs = np.concatenate([r.costs for r in requests])
     costs += _ink_costs(occupancy, places, boxes)
     _add_misleading(requests, strangers, occupancy, places, owner, costs)
-    bounds = np.cumsum(count)[:-1]
+    ends = np.cumsum(count).tolist()
     return [
-        _Choice(request, at, cost, np.zeros(len(at), dtype=bool))
-        for request, at, cost in zip(requests, np.split(places, bounds), np.split(costs, bounds), strict=True)
+        _Choice(request, places[end - size : end], costs[end - size : end], np.zeros(size, dtype=bool))
+        for request, size, end in zip(requests, count, ends, strict=True)
     ]
 
 
@@ -235,19 +235,19 @@ def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:
 def _leader_costs(choices: Sequence[_Choice], i: int) -> Costs:
     """Cost of other labels' leaders under each candidate of label i, and of its own leaders over other labels."""
     own = choices[i]
+    others = [choice for j, choice in enumerate(choices) if j != i]
     costs = np.zeros(len(own.places))
     led = np.flatnonzero(own.led)
-    half_width, half_height = own.request.box
-    for j, other in enumerate(choices):
-        if j == i:
-            continue
-        if led.size:
-            box = (other.request.box[0] + _TIGHT, other.request.box[1] + _TIGHT)
-            anchors = np.full(led.size, own.request.anchor)
-            costs[led] += _LABEL * box_crossings(other.place, box, anchors, own.places[led])
-        if leader := other.leader:
-            box = (half_width + _TIGHT, half_height + _TIGHT)
-            costs += _LABEL * boxes_crossed(own.places, box, np.array([leader.points]))
+    if led.size:
+        places = np.array([other.place for other in others])
+        boxes = np.array([other.request.box for other in others]) + _TIGHT
+        ways = 0.5 * (own.places[led] - own.request.anchor)
+        middles = own.request.anchor + ways - places[:, None]
+        costs[led] += _LABEL * np.sum(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
+    leaders = [leader.points for other in others if (leader := other.leader)]
+    if leaders:
+        box = (own.request.box[0] + _TIGHT, own.request.box[1] + _TIGHT)
+        costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
     return costs
 
 

@@ -88,7 +88,7 @@ class MotionBoard(Board):
         for step in _ASIDE:
             for side in (1j, -1j) if step else (1j,):
                 lane = start + step * side * way + _SAMPLES * vector
-                covered = float(np.mean(self.sketch.crossings(lane, (_HALF_LANE, _HALF_LANE)) > 0))
+                covered = np.count_nonzero(self.sketch.crossings(lane, (_HALF_LANE, _HALF_LANE))) / _SAMPLES.size
                 if covered <= _COVERED:
                     return step * side * way
                 if covered < best[0]:

@@ -12,13 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.rows import Placement, ScalarRow, Speeds, VectorRow
 from variantgen.mechanism.scene import Scene
-
-Matrix = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -45,7 +42,6 @@ class DenseSystem:
         self.turns = {body: 2 * len(self.points) + i for i, body in enumerate(scene.bodies)}
         self.size = 2 * len(self.points) + len(scene.bodies)
         self._equations: list[dict[int, Any]] = []
-        self._right: list[tuple[Any, Any]] = []  # per equation: rate of order 1, and what gives that of order 2
         self._collect()
         self._matrix = np.zeros((motion.size, self.size, self.size))
         for number, equation in enumerate(self._equations):

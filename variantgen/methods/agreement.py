@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from variantgen.methods.book import Book, resultant
+from variantgen.variants.attempts import VerificationError
 
 AGREES = 1e-9  # of the natural scale: rounding of the arithmetic
 
@@ -22,3 +23,13 @@ def deviation(book: Book) -> float:
         for body, rate in book.rates.items():
             worst = max(worst, abs(rate.sense * rate.size.exact - book.exact_rate(body)) * task.size / scale)
     return worst
+
+
+def confirm(book: Book) -> None:
+    """Raise VerificationError, naming the data, if the steps of a solution lead to other numbers than the solver's."""
+    found = deviation(book)
+    if not found <= AGREES:
+        variant = book.task.variant
+        data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
+        what = f"the solution deviates from the solver by {found:.1e}"
+        raise VerificationError(f"{variant.family.name}: {what} for {data}")

@@ -52,6 +52,13 @@ def all_constraints(task: Task, found: Mapping[str, Value]) -> list[Item]:
     return [Sentence("check.constraints", {}, detail=False), *values]
 
 
+def by_links(found: Mapping[str, Value]) -> list[Item]:
+    """The answers ``found`` by going through the links, as a check of a method for the whole problem."""
+    named = [value for value in found.values() if value.name is not None and value.measure != "number"]
+    values = [Value(v.name, v.measure, v.exact, Constant(v.exact)) for v in named]
+    return [Sentence("check.links", {}, detail=False), *(Derived(value) for value in values)] if values else []
+
+
 def _placed(task: Task) -> Motion:
     """The position of the variant as a batch of one (SI), without velocities."""
     places = {name: np.array([place * task.length_unit]) for name, place in task.now.z.items()}

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods import walk
+from variantgen.methods.agreement import confirm
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
-from variantgen.methods.check import all_constraints, equal_projections
+from variantgen.methods.check import all_constraints, by_links, equal_projections
 from variantgen.methods.choice import WHOLE, WholeMethod, choose
 from variantgen.methods.expression import Value
 from variantgen.methods.position import with_position
@@ -19,13 +20,15 @@ from variantgen.methods.task import Task
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
 
-    Raises InputError for a method that does not apply, LookupError where the methods do not lead to what is asked.
+    Raises InputError for a method that does not apply, LookupError where the methods do not lead to what is asked,
+    VerificationError where they lead to other numbers than the solver.
     """
     choice = choose(task, wished)
     book = Book(task, style=choice.style)
     if choice.whole:
         return _by_one_method(book, WHOLE[choice.whole])
     found = work_out(book)
+    confirm(book)
     check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
     steps = with_position(task, book.geometry.items, book.steps, results)
@@ -40,12 +43,14 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     for quantity in book.task.asked:
         book.order = quantity.order
         found[quantity.name] = answer(book, quantity)
+    confirm(book)
     # A program comes last, after what answers still needed.
     told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, told, found.values())
+    check = tuple(by_links(work_out(Book(book.task))))
     digits = (method.digits + 1,) if method.digits else DIGITS
-    settle((item for step in steps for item in step.items), list(found.values()), digits)
-    return Solution(tuple(steps), tuple(found.items()), approximate=method.digits)
+    settle([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
+    return Solution(tuple(steps), tuple(found.items()), check, method.digits)
 
 
 def work_out(book: Book) -> dict[str, Value]:

@@ -17,12 +17,14 @@ from variantgen.methods.centre import Centre, Ray, named_place
 from variantgen.methods.contact import place_of
 from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry, between, normal_angle
+from variantgen.methods.group import Spanned
 from variantgen.methods.law import touches
 from variantgen.methods.name import Name
 from variantgen.methods.perpendiculars import facts_of_two, perpendicular
-from variantgen.methods.points import is_translating
+from variantgen.methods.points import is_translating, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.task import Task
+from variantgen.methods.wanted import is_rate_wanted
 from variantgen.methods.whole_vector import whole
 
 _TELLING = ("contact.by_rest_v", "gears.rest_v")  # sentences that say already which point is the centre
@@ -123,6 +125,24 @@ def _by_rate(book: Book, body: str, point: str, rate: Rate) -> Centre:
 
 
 # Way (c).
+
+
+def is_divided(book: Book, group: Spanned) -> bool:
+    """Whether both known velocities are across the line of their points, so that the centre divides it."""
+    arm = book.geometry.vector(group.pole, group.point)
+    speeds = [book.task.now.v[point] for point in (group.pole, group.point)]
+    limit = _SAME * abs(arm) * max(abs(v) for v in speeds)
+    return all(abs((arm.conjugate() * v).real) <= limit for v in speeds)
+
+
+def solve_divided(book: Book, group: Spanned) -> None:
+    """The rate of a body from two known velocities across the line of their points."""
+    for point in (group.pole, group.point):
+        vector(book, point)
+    if is_rate_wanted(book.task, 1, group.body, {group.pole, group.point}):
+        facts: dict[str, Fact] = {"body": Body(group.body), "point": Point(group.point), "pole": Point(group.pole)}
+        with book.step("known_points.v", "velocities", **facts):
+            divide(book, group.body, group.pole, group.point)
 
 
 def divide(book: Book, body: str, first: str, second: str) -> Rate:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from variantgen.methods.book import Book, Known
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry, degrees
@@ -79,8 +77,3 @@ def settled(term: Term, size: Value) -> Known:
 def sense_of(term: Term, size: Value, assumed: int) -> int:
     """The true sense of a rotation whose vector was assumed in the sense ``assumed``."""
     return 0 if size.exact == 0 else assumed if size.exact > 0 else -assumed
-
-
-def first_of(terms: Sequence[Term], name: Name) -> Value | None:
-    """The magnitude of the vector of that name among known ones."""
-    return next((term.size for term in terms if term.name == name), None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from variantgen.methods import acceleration_centre, closed_chain, given, projections, velocity_centre
+from variantgen.methods import acceleration_centre, closed_chain, given, known_centre, projections, velocity_centre
 from variantgen.methods.book import Book
 from variantgen.methods.contact_motion import solve_joined
 from variantgen.methods.coupled import solve_coupled
@@ -104,6 +104,8 @@ def _solve(book: Book, group: Group) -> None:
     method = _OF_DYADS[book.order].get(style)
     if isinstance(group, Dyad) and method is not None and method.applies(book, group):
         method.solve_dyad(book, group)
+    elif isinstance(group, Spanned) and style == "velocity_centre" and known_centre.is_divided(book, group):
+        known_centre.solve_divided(book, group)
     else:
         HANDLERS[type(group)](book, group)
 

@@ -12,6 +12,7 @@ from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.outputs.sheet_data import statement_data, student_data, text_data
 from variantgen.outputs.solution_blocks import blocks_data
 from variantgen.outputs.solution_figures import Figures, view_order
+from variantgen.variants.attempts import VerificationError
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section, SolutionText
 from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
@@ -44,6 +45,9 @@ def solutions_data(
             except InputError as error:
                 where = f"problem[{item.task.number}]."
                 raise InputError(replace(p, file=str(exam.path), key=where + p.key) for p in error.problems) from None
+            except VerificationError as error:
+                where = f"student {sheet.student.id}, problem {item.task.number}"
+                raise VerificationError(f"{error} ({where})") from error
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
-from variantgen.families.family import Parameter
+from variantgen.families.family import Form, Parameter
 from variantgen.families.quantities import Quantity
 from variantgen.variants.variant import Variant
 
@@ -33,10 +34,24 @@ def _rank(parameter: Parameter) -> int:
     return {"length": 0, "time": 2}.get(measures, 1)
 
 
-def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]:
+def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
     """Parameters that place only points which nobody asks for."""
-    form = variant.form
-    shown = shown_points(variant, asked)
+    return _unneeded(variant.form, _points_of(asked))
+
+
+def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
+    """Points that the figure shows: all but plain points of a body that nobody asks for."""
+    return list(_shown(variant.form, _points_of(asked)))
+
+
+def _points_of(asked: Sequence[Quantity]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(quantity.point for quantity in asked))
+
+
+@lru_cache(maxsize=1000)
+def _unneeded(form: Form, asked: tuple[str, ...]) -> frozenset[str]:
+    """Parameters that place only points which are not asked for, the same for all variants of a form."""
+    shown = _shown(form, asked)
     used: set[str] = set()
     idle: set[str] = set()
     for name, template in form.points.items():
@@ -48,12 +63,12 @@ def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> set[str]
             used |= expression.names
         else:
             idle |= expression.names
-    return idle - used
+    return frozenset(idle - used)
 
 
-def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
-    """Points that the figure shows: all but plain points of a body that nobody asks for."""
-    form = variant.form
+@lru_cache(maxsize=1000)
+def _shown(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
+    """Points that the figure shows, the same for all variants of a form."""
     scene = form.sample
     count: dict[str, int] = {}
     for members in form.bodies.values():
@@ -69,9 +84,8 @@ def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     }
     named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
     named |= {p for joint in scene.joints for p in joint.landmarks()}
-    wanted = {q.point for q in asked}
-    return [
+    return tuple(
         p
         for p in form.points
-        if p not in form.figure.hidden and (count.get(p, 0) > 1 or p in ends or p in named or p in wanted)
-    ]
+        if p not in form.figure.hidden and (count.get(p, 0) > 1 or p in ends or p in named or p in asked)
+    )

@@ -6,17 +6,28 @@ from variantgen.mechanism.closed_form import closed_form
 from variantgen.wording.formula import Chain, Equation, Surd
 from variantgen.wording.language import ANSWER_DIGITS
 
+_FRACTION, _ROOT, _RADICAND = 9, 25, 100  # largest denominators of fractions and of roots, largest number under a root
+
 
 def surd(value: float) -> Surd | None:
     """The root or fraction that a computed value is (see :mod:`variantgen.mechanism.closed_form`), or None.
 
     None also where a root or fraction tells nothing new: zero, and decimals of no more digits than are printed
-    (0.25 and 120 are none, 4/3 and 17/16 are).
+    (0.25 and 120 are none, 4/3 and 1001/8 are), and for forms of large numbers.
     """
     found = closed_form(value)
-    if found is None or (found[2] == 1 and float(f"{value:.{ANSWER_DIGITS - 1}e}") == found[0] / found[1]):
+    if (
+        found is None
+        or not _is_simple(*found[1:])
+        or (found[2] == 1 and float(f"{value:.{ANSWER_DIGITS - 1}e}") == found[0] / found[1])
+    ):
         return None
     return Surd(*found)
+
+
+def _is_simple(denominator: int, radicand: int) -> bool:
+    """Whether a root or fraction is one that a reader would write: 4/3, 6 sqrt(5)/25, but not 78/23 or sqrt(194)/26."""
+    return denominator <= (_FRACTION if radicand == 1 else _ROOT) and radicand <= _RADICAND
 
 
 def with_surd(equation: Equation, exact: Surd | None) -> Equation | Chain:

@@ -62,7 +62,6 @@ from variantgen.wording.surds import surd
 
 _NOTHING = Number("0")
 _EQUALS, _NEARLY = "=", "≈"
-_PLAIN_FRACTION = 9  # largest denominator of a fraction that is worth showing on the way
 _COMMENT = re.compile(r"#\{([\w.]+)\}")
 
 
@@ -209,8 +208,7 @@ class Writer:
         if not self.closed or value.measure == "angle":
             return None
         digits = max(FEWEST, len(repr(value.shown).strip("-0.").replace(".", "")))
-        found = surd(value.exact) if rounded(value.exact, digits) == value.shown else None
-        return found if found is not None and (found.radicand > 1 or found.denominator <= _PLAIN_FRACTION) else None
+        return surd(value.exact) if rounded(value.exact, digits) == value.shown else None
 
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
         if not terms:
