@@ -15,6 +15,7 @@ from variantgen.methods.position import with_position
 from variantgen.methods.settle import DIGITS, items_values, settle
 from variantgen.methods.step import Listing, Solution
 from variantgen.methods.task import Task
+from variantgen.methods.used import used_steps
 
 
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
@@ -31,7 +32,7 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     confirm(book)
     check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
-    steps = with_position(task, book.geometry.items, book.steps, results)
+    steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution(tuple(steps), tuple(found.items()), check)
 

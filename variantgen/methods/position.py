@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
-from variantgen.methods.settle import facts_values, in_order, items_values
-from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, TermTable
+from variantgen.methods.settle import in_order, items_values
+from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step
 from variantgen.methods.task import CLOSE, Task
+from variantgen.methods.used import read
 from variantgen.variants.needed import shown_points
 
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
@@ -53,7 +54,7 @@ def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
 
 def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:
     """The items of the position without the lines of values that no other item is computed from."""
-    roots = [value for item in later for value in _read(item)]
+    roots = [value for item in later for value in read(item)]
     roots += items_values(item for item in items if not isinstance(item, Derived))
     needed = {value.name for value in in_order([*roots, *results])}
     kept: list[Item] = []
@@ -63,14 +64,6 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
         elif kept and isinstance(kept[-1], Sentence) and kept[-1].key == "position.drawn":
             kept.pop()
     return kept
-
-
-def _read(item: Item) -> list[Value]:
-    """The values that a reader meets in an item: a table says directions in words, not by their angles."""
-    if not isinstance(item, TermTable):
-        return items_values([item])
-    sizes = [term.size for term in item.terms if term.size is not None]
-    return [*sizes, *(value for term in item.terms for value in facts_values(term.way))]
 
 
 def _needs_axes(item: Item) -> bool:

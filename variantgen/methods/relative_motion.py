@@ -76,7 +76,9 @@ def _seen(book: Book, group: Slid) -> Slid:
 
 def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
-    if not book.has_said("relative.compound", **facts):
+    # Where no velocity is asked, the step of the velocities may not be told.
+    anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
+    if anew or not book.has_said("relative.compound", **facts):
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
         book.say(f"relative.sum_{book.letter}")

@@ -1,0 +1,38 @@
+"""Leaves out the steps that only find what nothing else in a solution is computed from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from variantgen.methods.expression import Value
+from variantgen.methods.name import Name
+from variantgen.methods.settle import facts_values, in_order, items_values
+from variantgen.methods.step import Derived, Item, Projection, Step, TermTable
+
+
+def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
+    """The steps of which a later one or the ``results`` need a value; those that derive none are kept."""
+    needed = _names(results)
+    kept: list[Step] = []
+    for step in reversed(steps):
+        found = {item.value.name for item in step.items if isinstance(item, Derived)}
+        if not found or found & needed:
+            kept.insert(0, step)
+            needed |= _names(value for item in step.items for value in read(item))
+    return kept
+
+
+def _names(values: Iterable[Value]) -> set[Name | None]:
+    """Names of the values and of all that they are computed from."""
+    return {value.name for value in in_order(values) if value.name is not None}
+
+
+def read(item: Item) -> list[Value]:
+    """The values that a reader meets in an item: a table says directions in words, not by their angles."""
+    if isinstance(item, TermTable):
+        sizes = [term.size for term in item.terms if term.size is not None]
+        return [*sizes, *(value for term in item.terms for value in facts_values(term.way))]
+    if isinstance(item, Projection):
+        sizes = [share.term.size for share in (*item.left, *item.right) if share.term.size is not None]
+        return [*sizes, *items_values([item])]
+    return items_values([item])
