@@ -171,3 +171,19 @@ def test_the_mechanism_alone_shows_no_data(name: str, form: str) -> None:
 
 def test_the_views_are_found() -> None:
     assert {"statement", "velocity_plan", "acceleration_plan", "velocities", "accelerations"} <= set(view_names())
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "letters"),
+    [("gear_pair_with_crank", "outside", {"K"}), ("wheel_between_racks", "two_moving", {"K", "L"})],
+)
+def test_points_of_contact_have_the_letters_of_the_solution(name: str, form: str, letters: set[str]) -> None:
+    for _, motion, i, drawing in drawings(name, form, 1):
+        assert letters <= {to_plain(label.formula) for label in drawing.labels}
+        assert len(dots(drawing)) >= len(letters)
+        assert bool(motion.solved[i])
+
+
+def test_an_asked_acceleration_centre_is_drawn() -> None:
+    found = drawings("plate_acceleration_centre", "square", 2)
+    assert any("Q" in {to_plain(label.formula) for label in drawing.labels} for *_, drawing in found)
