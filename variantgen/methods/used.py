@@ -11,12 +11,16 @@ from variantgen.methods.step import Derived, Item, Projection, Step, TermTable
 
 
 def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
-    """The steps of which a later one or the ``results`` need a value; those that derive none are kept."""
+    """The steps of which a later one or the ``results`` need a value; those that derive none are kept.
+
+    A step that finds a zero is kept too: it explains why a vector is absent from a later equation.
+    """
     needed = _names(results)
     kept: list[Step] = []
     for step in reversed(steps):
-        found = {item.value.name for item in step.items if isinstance(item, Derived)}
-        if not found or found & needed:
+        values = [item.value for item in step.items if isinstance(item, Derived)]
+        found = {value.name for value in values}
+        if not found or found & needed or any(value.exact == 0 for value in values):
             kept.insert(0, step)
             needed |= _names(value for item in step.items for value in read(item))
     return kept
