@@ -6,11 +6,13 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
+from variantgen.figure.centre_rays import plane_bodies
 from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.instant import Instant
-from variantgen.wording.formula import Index, Symbol
+from variantgen.wording.formula import Symbol
+from variantgen.wording.vector_names import centre_letters
 
 _REACH = 1.15  # distance of a centre that is shown from the middle of the mechanism, in sizes of the mechanism
 
@@ -20,6 +22,9 @@ def draw_acceleration_centres(board: Board, now: Instant, asked: Sequence[Quanti
     sketch = board.sketch
     low, high = sketch.corners()
     middle, size = 0.5 * (low + high), max((high - low).real, (high - low).imag)
+    # The index tells bodies apart as it does with velocity centres.
+    letters = centre_letters({body: board.form.symbols.get(body, body) for body in plane_bodies(now)}, ())
+    indices = {body: letter.index for body, letter in letters.items()}
     drawn: set[str] = set()
     for quantity in asked:
         if quantity.kind != "Q":
@@ -35,8 +40,8 @@ def draw_acceleration_centres(board: Board, now: Instant, asked: Sequence[Quanti
         if quantity.target not in drawn:
             drawn.add(quantity.target)
             sketch.circle(end, DOT, Layer.HINGE, fill="ink")
-            index = board.form.symbols.get(quantity.target, quantity.target)
-            sketch.label(around(Symbol("Q", (Index(index),) if index else ()), end, DOT))
+            index = indices.get(quantity.target, ())
+            sketch.label(around(Symbol("Q", index), end, DOT))
 
 
 def _centre(now: Instant, body: str) -> complex | None:

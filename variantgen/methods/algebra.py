@@ -22,6 +22,7 @@ from variantgen.methods.settle import parts
 
 Maybe = Expression | None
 _ONE = Constant(1.0)
+_ROUNDING = 1e-12  # a cosine or a sine below it is zero, but for the rounding of a right angle in radians
 
 
 def signed(item: Expression) -> tuple[int, Expression]:
@@ -245,6 +246,22 @@ def pruned(item: Maybe) -> Maybe:
             inner = pruned(above)
             return None if inner is None else Ratio(inner, below)
     return item
+
+
+def vanishes(item: Expression) -> bool:
+    """Whether a term is exactly zero at the given instant: by a factor that is, also ``sin 0`` or ``cos 90``."""
+    match item:
+        case Value():
+            return item.exact == 0
+        case Applied("cos" | "sin"):
+            return abs(item.number(True)) < _ROUNDING
+        case Total(terms):
+            return all(vanishes(term) for _, term in terms)
+        case Times(factors):
+            return any(vanishes(factor) for factor in factors)
+        case Raised(inner, _) | Ratio(inner, _) | SquareRoot(inner):
+            return vanishes(inner)
+    return False
 
 
 def _sum_of_forms(

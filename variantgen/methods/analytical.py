@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from variantgen.methods import coordinate_results as results
 from variantgen.methods.algebra import Maybe, added, derivative, forward, linear, product, pruned, substituted
 from variantgen.methods.book import Book
-from variantgen.methods.coordinate import Coordinate
+from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinate_model import Model, changing
 from variantgen.methods.coordinate_places import locate
@@ -24,7 +24,8 @@ from variantgen.methods.settle import parts
 from variantgen.methods.step import Derived, Point, Statement
 from variantgen.methods.task import Task
 
-_INNER = ("x", "y", "slide")  # coordinates that are replaced by their functions; angles keep their names
+_INNER = ("x", "y")  # coordinates that are replaced by their functions; angles and ways keep their names
+_WAYS = ("slide", "arc")  # coordinates that have to be introduced
 
 
 @dataclass
@@ -33,6 +34,7 @@ class Functions:
 
     given: list[Coordinate]
     of: dict[Value, Expression] = field(default_factory=dict)
+    source: dict[Value, Equation] = field(default_factory=dict)
 
 
 def applies(task: Task) -> bool:
@@ -83,7 +85,7 @@ def _functions(model: Model) -> Functions | None:
         if explicit is None:
             return None
         found = substituted(explicit, inner) or ZERO
-        functions.of[value] = found
+        functions.of[value], functions.source[value] = found, block.equations[0]
         if value.name is not None and value.name.kind in _INNER:
             inner[value] = found
     return functions
@@ -124,9 +126,13 @@ def _state(model: Model, functions: Functions) -> None:
         book.say("analytical.given", False, given=given)
     shown = _shown(model, functions)
     results.say_start(model, [*(own.place for own in functions.given), *shown])
-    if shown:
-        book.say("analytical.position", True)
-        book.items.extend(Statement(value, functions.of[value]) for value in shown)
+    for value in shown:
+        if value.name is not None and value.name.kind in _WAYS:
+            source = functions.source[value]
+            book.say(f"coordinates.{source.key}", False, **source.facts)
+        elif value is shown[0]:
+            book.say("analytical.position", True)
+        book.items.append(Statement(value, functions.of[value]))
 
 
 def _shown(model: Model, functions: Functions) -> list[Value]:

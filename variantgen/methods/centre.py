@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from variantgen.methods.book import Book
@@ -26,7 +26,7 @@ from variantgen.methods.expression import (
 )
 from variantgen.methods.geometry import Geometry, between, normal_angle
 from variantgen.methods.name import Name
-from variantgen.methods.step import CentreOf, Derived, Fact, Point, Segment
+from variantgen.methods.step import CentreOf, Derived, Fact, Point, Segment, Shown
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
 SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
@@ -129,6 +129,11 @@ def note_angle(book: Book, value: Value, symbolic: bool = False) -> Value:
     return book.values[value.name]
 
 
+def say_rays(book: Book, rays: Mapping[Segment, Value]) -> None:
+    """Say the directions of rays, from which the angles between them follow."""
+    book.say("centre.rays", True, rays=tuple(rays), angles=tuple(Shown(angle) for angle in rays.values()))
+
+
 def is_angle(value: float, *others: float) -> bool:
     """Whether an angle (degrees) is one of those given."""
     return any(abs(value - other) < SAME_ANGLE for other in others)
@@ -207,6 +212,8 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
         "centre": centre.fact,
         "ray": centre.segment(base),
     }
+    if shape in (_ISOSCELES, _GENERAL):
+        say_rays(book, {centre.segment(base): ray.angle, Segment(base, mark): there})
     book.say(f"centre.{_SHAPES[shape]}", **facts)
     spread = difference(centre.corner(base, mark), ray.angle, there)
     if shape in (_ISOSCELES, _GENERAL):

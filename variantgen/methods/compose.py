@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.families.quantities import Quantity
 from variantgen.methods import walk
 from variantgen.methods.agreement import confirm
 from variantgen.methods.answers import answer
@@ -34,7 +35,13 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     results = [*found.values(), *items_values(check)]
     steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
     settle([*(item for step in steps for item in step.items), *check], list(found.values()))
-    return Solution(tuple(steps), tuple(found.items()), check)
+    return Solution(tuple(steps), tuple(found.items()), check, centres=_acceleration_centres(book))
+
+
+def _acceleration_centres(book: Book) -> tuple[Quantity, ...]:
+    """The rays to centres of accelerations that the solution speaks of: what figures show besides what is asked."""
+    centres = [centre for centre in book.centres.values() if centre.kind == "Q" and not centre.infinite]
+    return tuple(Quantity("Q", centre.body, point) for centre in centres for point in centre.rays)
 
 
 def _by_one_method(book: Book, method: WholeMethod) -> Solution:

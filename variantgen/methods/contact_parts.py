@@ -13,7 +13,7 @@ from variantgen.methods.group import Joined
 from variantgen.methods.law import touch_of
 from variantgen.methods.name import Name
 from variantgen.methods.points import modulus
-from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.step import Body, CentreOf, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.tracks import on_track
 from variantgen.methods.vector_equation import share_of, shares
 
@@ -53,7 +53,7 @@ def _touch(book: Book, number: int) -> Touch:
 def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) -> None:
     """The law of the contact or thread in words."""
     touch = _touch(book, number)
-    facts: dict[str, Fact] = {"contact": Point(sought.name), "point": Point(known.name)}
+    facts: dict[str, Fact] = {"contact": letter_of(book, sought, known.is_rest), "point": Point(known.name)}
     if sought.body or known.body:
         facts["body"] = Body(sought.body or known.body)
     if known.body and sought.body:
@@ -67,6 +67,13 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
     if touch.place and book.order == 1:
         for side in turning:
             book.say(touch.place, contact=Point(side.name), body=Body(side.body))
+
+
+def letter_of(book: Book, side: Side, rests: bool) -> Fact:
+    """A contact in a sentence: one at rest that has no letter in the figure is the velocity centre of its body."""
+    if rests and side.lever and side.name not in book.task.scene.points:
+        return CentreOf(side.body)
+    return Point(side.name)
 
 
 def contact_name(book: Book, side: Side) -> Name:

@@ -7,7 +7,7 @@ computes the same is added to the solution (:mod:`variantgen.methods.coordinate_
 from __future__ import annotations
 
 from variantgen.methods import coordinate_results as results
-from variantgen.methods.algebra import Maybe, added, derivative, linear, pruned, reduced
+from variantgen.methods.algebra import Maybe, added, derivative, forward, linear, pruned, reduced
 from variantgen.methods.book import Book
 from variantgen.methods.coordinate import Coordinate
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
@@ -128,8 +128,10 @@ def _solve_one(book: Book, value: Value, left: Maybe, right: Maybe) -> None:
         enter(value, expression, expression.number(True))
         book.items.append(Derived(value, symbolic=value.exact != 0, numeric=value.exact != 0))
         return
-    coefficient = found[value]
+    sign, coefficient = forward(found[value])
     book.items.append(Statement(left or ZERO, right or ZERO))
+    if sign < 0:
+        expression = rest or ZERO
     if not (isinstance(coefficient, Constant) and coefficient.value == 1) and rest is not None:
         expression = Ratio(expression, coefficient)
     enter(value, expression, expression.number(True))

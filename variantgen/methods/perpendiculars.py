@@ -19,6 +19,7 @@ from variantgen.methods.centre import (
     is_near,
     named_place,
     note_angle,
+    say_rays,
 )
 from variantgen.methods.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.methods.geometry import Geometry, between, normal_angle
@@ -120,13 +121,20 @@ def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tup
     a, b = ends
     geometry = book.geometry
     side = geometry.length(a, b)
-    at_a = difference(centre.corner(a, b), rays[0], geometry.direction(a, b))
-    at_b = difference(centre.corner(b, a), rays[1], geometry.direction(b, a))
+    ways = geometry.direction(a, b), geometry.direction(b, a)
+    at_a = difference(centre.corner(a, b), rays[0], ways[0])
+    at_b = difference(centre.corner(b, a), rays[1], ways[1])
     vertex = Constant(180.0, "angle") - at_a - at_b
     at_p = Value(centre.vertex(a, b), "angle", vertex.number(True), vertex)
     angles = (at_a, at_b, at_p)
     shape, needed, arms = next(case for case in _shapes(side, *angles) if case[0])
     facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
+    told: dict[Segment, Value] = {}
+    for angle, way, ray, (start, end) in zip((at_a, at_b), ways, rays, (ends, ends[::-1]), strict=True):
+        if angle in needed:
+            told |= {Segment(start, end): way, centre.segment(start): ray}
+    if told:
+        say_rays(book, told)
     book.say(f"perpendiculars.{shape}", True, **facts)
     for angle in needed:
         note_angle(book, angle, symbolic=angle is at_p)

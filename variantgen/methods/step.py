@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from variantgen.families.quantities import Quantity
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.name import Name
 
@@ -208,10 +209,12 @@ class Step:
 class Solution:
     """A whole solution: the steps, the answers with their values, the check by another method.
 
-    ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed.
+    ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
+    ``centres`` are the rays to acceleration centres that it speaks of.
     """
 
     steps: tuple[Step, ...]
     answers: tuple[tuple[str, Value], ...]
     check: tuple[Item, ...] = ()
     approximate: int = 0
+    centres: tuple[Quantity, ...] = ()

@@ -16,6 +16,7 @@ from variantgen.methods.contact_parts import (
     contact_name,
     enter_rate,
     enter_with_way,
+    letter_of,
     renamed,
     say_same,
     signed_sum,
@@ -59,7 +60,8 @@ def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, a
     still = next((side for side, part in zip(sides, parts, strict=True) if not part[0]), None)
     key = "by_rest" if still is not None else "by_two"
     facts: dict[str, Fact] = {"body": Body(group.body), "first": names[0], "second": names[1]}
-    facts |= {"contact": Point((still or sides[1]).name), "centre": Point(group.point)}
+    contact = letter_of(book, still or sides[1], still is not None)
+    facts |= {"contact": contact, "centre": Point(group.point)}
     book.say(f"contact.{key}_{book.letter}", False, **facts)
     size = signed_sum(difference, 1 if exact * gap > 0 else -1) if sense else None
     enter_rate(book, group.body, size, sense, _span(book, sides, arms))

@@ -33,7 +33,7 @@ def write_explained(
         "title": variant.family.title(language.name),
         "remark": remark,
         "words": solution_words(language),
-        "problem": problem_data(Figures(variant, asked, language, (motion, 0)), text),
+        "problem": problem_data(Figures(variant, asked, language, (motion, 0), centres=text.centres), text),
         "notes": sign_notes(asked, language),
     }
     with typesetter() as engine:

@@ -51,7 +51,8 @@ def solutions_data(
             except UnexplainedError:
                 unexplained.append(item.variant.family.name)
                 text = answers_only(item.variant, motion, place, item.asked, language)
-            figures = Figures(item.variant, item.asked, language, (motion, place), problem and problem["figure"])
+            known_figure = problem and problem["figure"]
+            figures = Figures(item.variant, item.asked, language, (motion, place), known_figure, text.centres)
             problems.append({"number": str(item.task.number), **problem_data(figures, text, problem)})
         students.append(student_data(sheet, problems, language, sheet is sheets[-1]))
     data = {

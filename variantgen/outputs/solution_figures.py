@@ -32,7 +32,7 @@ class Figures:
     """The figures of one problem, drawn once each; ``place`` is its motion and its index in that batch.
 
     ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement as data,
-    where it has been drawn before.
+    where it has been drawn before; ``centres`` are rays to acceleration centres that the others show as if asked.
     """
 
     def __init__(
@@ -42,18 +42,20 @@ class Figures:
         language: Language,
         place: tuple[Motion, int],
         known: dict[str, Any] | None = None,
+        centres: Sequence[Quantity] = (),
     ) -> None:
         self.variant, self.asked, self.language = variant, asked, language
         self.numbers: dict[str, int] = {}
-        self._place = place
+        self._place, self._shown = place, (*asked, *centres)
         self._drawn: dict[str, dict[str, Any]] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
         """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
         for name in names:
             if name not in self._drawn:
+                shown = self.asked if name == STATEMENT else self._shown
                 try:
-                    drawing = view(name).draw(self.variant, *self._place, self.asked, self.language)
+                    drawing = view(name).draw(self.variant, *self._place, shown, self.language)
                 except InputError:
                     if name == STATEMENT:
                         raise

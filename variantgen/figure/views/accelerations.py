@@ -7,7 +7,7 @@ relative and Coriolis accelerations. Arcs show the true senses of the angular ac
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
@@ -38,7 +38,9 @@ def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]
 def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, board: MotionBoard, stretch: float) -> None:
     """Accelerations with their components, an asked centre, then arcs where there is room left."""
     now = found.now
-    parts = components(found, language)
+    # A point that is found by the ray to an acceleration centre has its acceleration whole.
+    rays = {(q.target, q.component) for q in asked if q.kind == "Q"}
+    parts = components(found, language, rays)
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
         for symbol, vector in named_together(named, scale):
@@ -52,13 +54,16 @@ def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, boar
             board.turn(body, rate, "epsilon")
 
 
-def components(found: Solved, language: Language) -> dict[str, Named]:
-    """The acceleration of each point of the chain and what it is put together from (m/s^2)."""
+def components(found: Solved, language: Language, whole: Collection[tuple[str, str]] = ()) -> dict[str, Named]:
+    """The acceleration of each point of the chain and what it is put together from (m/s^2).
+
+    ``whole`` are bodies and points of which the components are not wanted.
+    """
     now, chain = found.now, found.chain
     parts: dict[str, Named] = {point: [(absolute("a", point), now.a[point])] for point in chain.points}
     apart = taken_apart(chain)
     for turn in chain.turns:
-        if (turn.body, turn.point) in apart:
+        if (turn.body, turn.point) in apart and (turn.body, turn.point) not in whole:
             parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting, language)
     for slip in chain.slips:
         parts.setdefault(slip.point, []).extend(_slip_parts(now, slip, language))

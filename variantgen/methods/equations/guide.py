@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
-from variantgen.methods.heading import Heading
-from variantgen.methods.step import Point
+from variantgen.methods.geometry import degrees
+from variantgen.methods.heading import Heading, fixed_number
+from variantgen.methods.name import Name
+from variantgen.methods.step import Fact, Point
 
 if TYPE_CHECKING:
     from variantgen.mechanism.joints.guide import Guide
@@ -33,8 +34,9 @@ def state(model: Model, joint: Guide, template: None) -> None:
     way = direction(model, joint)
     if min(abs(way.real), abs(way.imag)) < _LEVEL:
         return
-    ray = Heading(None, math.degrees(math.atan2(way.imag, way.real))).ray(model.slide(joint.point, "", 0.0))
+    slide, angle = model.slide(joint.point, "", 0.0), degrees(way)
+    ray = Heading(None, angle).ray(slide)
+    facts: dict[str, Fact] = {"point": Point(joint.point), "angle": fixed_number("angle", angle)}
+    facts["way"] = slide.name or Name("slide", joint.point)
     for axis in (0, 1):
-        model.add_sum(
-            "guide", model.of(joint.point, axis), model.start(joint.point, axis), ray[axis], point=Point(joint.point)
-        )
+        model.add_sum("guide", model.of(joint.point, axis), model.start(joint.point, axis), ray[axis], **facts)

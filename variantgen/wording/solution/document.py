@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from variantgen.families.quantities import Quantity
 from variantgen.wording.formula import Formula
 from variantgen.wording.statement import Text
 
@@ -69,9 +70,10 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class SolutionText:
-    """A whole solution in a language."""
+    """A whole solution in a language; ``centres`` are rays to acceleration centres that figures show as if asked."""
 
     plan: Text
     sections: tuple[Section, ...]
     answer: Text
     check: tuple[Block, ...] = ()
+    centres: tuple[Quantity, ...] = ()

@@ -73,6 +73,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         sections,
         _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
+        found.centres,
     )
 
 

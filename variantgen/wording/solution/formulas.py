@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.families.units import unit
+from variantgen.methods.algebra import vanishes
 from variantgen.methods.expression import (
     DRAWING_LENGTH,
     Applied,
@@ -98,7 +99,9 @@ class Formulas:
             case Pi():
                 return Symbol("pi")
             case Total(terms):
-                signed = tuple(self._signed(sign, term, numbers) for sign, term in terms)
+                # In numbers a term that is zero now says nothing; in symbols it belongs to the law.
+                told = [(s, t) for s, t in terms if not vanishes(t)] if numbers else terms
+                signed = tuple(self._signed(sign, term, numbers) for sign, term in told or terms)
                 return signed[0][1] if len(signed) == 1 and signed[0][0] > 0 else Sum(signed)
             case Times(factors):
                 return Product(tuple(self._written(factor, numbers) for factor in factors))
