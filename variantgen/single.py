@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import DEFAULT_TOLERANCE
+from variantgen.exam.margins import Margins
 from variantgen.exam.sheets import Answer, answer_variants
+from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import load_family
@@ -48,7 +49,7 @@ def one_variant(
     if len(family.forms) == 1 and only.grid_size == 1:
         _check_values(only)
         return Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
-    return draw(family, tuple(ask) or None, [(seed, *SINGLE)])[0]
+    return draw(family, tuple(ask) or None, [(seed, *SINGLE)], judge=Margins())[0]
 
 
 def _check_values(form: Form) -> None:
@@ -61,7 +62,7 @@ def _check_values(form: Form) -> None:
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
     """The answers of a variant in printed units."""
-    return answer_variants([variant], [tuple(ask) or None], DEFAULT_TOLERANCE)[0]
+    return answer_variants([variant], [tuple(ask) or None], Tolerance())[0]
 
 
 def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:

@@ -12,6 +12,7 @@ import numpy as np
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
+from variantgen.exam.margins import Margins
 from variantgen.families.family import Family, Form, Nice
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
@@ -77,7 +78,7 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
     keys = [(str(seed), *SINGLE) for seed in range(_NICE)]
     try:
         narrowed = restrict(single, nice=True)
-        variants = draw(narrowed, None, keys)
+        variants = draw(narrowed, None, keys, judge=Margins())
     except InputError as error:
         if form.nice != Nice():
             report.failures.append(f"{where}, hand-friendly variants: {error}")
@@ -89,7 +90,7 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
 def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:
     single = replace(family, forms={form.name: form})
     keys = [(str(seed), *SINGLE) for seed in range(seeds)]
-    return Drawing(single, None, tally).after(keys, [0] * seeds)
+    return Drawing(single, None, tally, judge=Margins()).after(keys, [0] * seeds)
 
 
 def _check_agreement(motion: Motion, found: FormReport, where: str, report: Report) -> None:

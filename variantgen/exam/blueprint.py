@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from decimal import Decimal
 from pathlib import Path
 from typing import cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solutions import Solutions, read_solutions
+from variantgen.exam.tolerance import Tolerance, read_tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
@@ -22,7 +22,6 @@ from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
 
 SCHEMA = 1
-DEFAULT_TOLERANCE = 0.01  # relative
 
 
 @dataclass(frozen=True)
@@ -43,7 +42,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``tolerance`` is relative; ``duplex`` starts every student on an odd page.
+    """A checked exam file. ``duplex`` starts every student on an odd page.
 
     ``path`` is the file it was read from, ``hash`` that of its content.
     """
@@ -53,7 +52,7 @@ class Exam:
     language: str
     tasks: tuple[Task, ...]
     seed: str = "0"
-    tolerance: float = DEFAULT_TOLERANCE
+    tolerance: Tolerance = Tolerance()
     duplex: bool = True
     path: Path = Path()
     hash: str = ""
@@ -92,9 +91,7 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     with top.collecting("language"):
         load_language(language)
     seed = top.take("seed", (int, str), 0, "a whole number or a word")
-    tolerance = float(top.number("tolerance", Decimal(str(DEFAULT_TOLERANCE))))
-    if not 0 < tolerance < 0.2:
-        top.problem("expected a number between 0 and 0.2", "tolerance", tolerance)
+    tolerance = read_tolerance(top)
     page = top.table("page")
     duplex = page.take("duplex", bool, True)
     page.finish()

@@ -8,7 +8,9 @@ from math import degrees
 
 from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.confirm import confirm
+from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
+from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
@@ -27,6 +29,7 @@ _DIGITS = 8  # significant digits kept, so that a last-bit difference between ma
 class Answer:
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
+    ``margin`` is the relative tolerance (of an angle in radians, of a sense zero).
     ``surd`` is the same value in closed form, where it is a simple root or fraction.
     """
 
@@ -34,6 +37,7 @@ class Answer:
     unit: Unit
     value: float
     tolerance: float
+    margin: float = 0.0
     surd: Surd | None = None
 
 
@@ -72,8 +76,10 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     """Draw, solve and verify everything. Raises InputError when the ranges of a problem leave no valid variant."""
     entries: list[Entry] = []
     owners: list[tuple[int, Task]] = []
+    margins = Margins(exam.tolerance)
     for task in exam.tasks:
-        drawings = [Drawing(family, task.ask, where=f"problem[{task.number}]") for family in task.families]
+        where = f"problem[{task.number}]"
+        drawings = [Drawing(family, task.ask, where=where, judge=margins) for family in task.families]
         for i, student in enumerate(students):
             drawing = drawings[_pool_choice(seed, student, task)]
             key = (seed, student.id, task.number)
@@ -83,7 +89,7 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     asked = [read_ask(variant.form, task.ask) for variant, (_, task) in zip(variants, owners, strict=True)]
     solved = solve_all(variants, asked)
     confirm(variants, asked, solved, [entry.key for entry in entries])
-    answers = _answers(variants, asked, solved, exam.tolerance)
+    answers = _answers(variants, asked, solved, margins)
     items: list[list[Item]] = [[] for _ in students]
     for (i, task), variant, found in zip(owners, variants, answers, strict=True):
         items[i].append(Item(task, variant, found))
@@ -124,37 +130,55 @@ def solve_all(
     return [found[i] for i in range(len(variants))]
 
 
-def _tolerance(quantity: Quantity, value: float, relative: float) -> float:
-    """Absolute tolerance in the printed unit: of an angle the like part of a radian; a sense is right or wrong."""
-    if quantity.component == "sense":
-        return 0.0
-    return float(f"{relative * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
+def _tolerance(quantity: Quantity, value: float, margin: float) -> float:
+    """Absolute tolerance in the printed unit: of an angle the like part of a radian."""
+    return float(f"{margin * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
 
 
 def answer_variants(
-    variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: float
+    variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: Tolerance
 ) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
-    return _answers(variants, asked, solve_all(variants, asked), tolerance)
+    return _answers(variants, asked, solve_all(variants, asked), Margins(tolerance))
+
+
+def _margins(
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    margins: Margins,
+) -> list[list[float]]:
+    """Relative tolerances of all answers; variants that share a form and the questions go together."""
+    groups: dict[tuple[int, tuple[Quantity, ...]], list[int]] = {}
+    for i, quantities in enumerate(asked):
+        groups.setdefault((id(solved[i][0]), tuple(quantities)), []).append(i)
+    found: dict[int, list[float]] = {}
+    for (_, quantities), members in groups.items():
+        motion, places = solved[members[0]][0], [solved[i][1] for i in members]
+        table = margins.tolerances([variants[i] for i in members], quantities, motion, places)
+        found.update((i, column.tolist()) for i, column in zip(members, table.T, strict=True))
+    return [found[i] for i in range(len(variants))]
 
 
 def _answers(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
-    tolerance: float,
+    margins: Margins,
 ) -> list[tuple[Answer, ...]]:
+    relative = _margins(variants, asked, solved, margins)
     values: dict[tuple[int, Quantity], Field] = {}
     found = []
-    for variant, quantities, (motion, place) in zip(variants, asked, solved, strict=True):
+    for variant, quantities, (motion, place), own in zip(variants, asked, solved, relative, strict=True):
         answers = []
-        for quantity in quantities:
+        for quantity, needed in zip(quantities, own, strict=True):
             if (id(motion), quantity) not in values:
                 values[id(motion), quantity] = quantity.value(motion)
             unit = quantity.unit(variant.family.length_unit)
             computed = unit.from_si(float(values[id(motion), quantity][place]))
             value = float(f"{computed:.{_DIGITS - 1}e}")
-            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, tolerance), surd(computed)))
+            margin = 0.0 if quantity.component == "sense" else needed  # a sense is right or wrong
+            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, margin), margin, surd(computed)))
         found.append(tuple(answers))
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -86,8 +86,11 @@ def _batch(scene: Scene, places: Mapping[str, Complex], outcome: Real) -> Motion
     )
 
 
-def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
-    """The motion with velocities (order 1) and accelerations (order 2) added to its positions."""
+def add_speeds(motion: Motion, plan: Plan, order: int, taken: Callable[[Motion], Motion] | None = None) -> Motion:
+    """The motion with velocities (order 1) and accelerations (order 2) added to its positions.
+
+    ``taken`` may change what the accelerations take the velocities to be: that shows the effect of a mistake in them.
+    """
     scene, shape = motion.scene, motion.outcome.shape
     at = Placement(motion.z, scene.frame)
     rows = [constraint.rows(at) for constraint in scene.constraints]
@@ -108,11 +111,12 @@ def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
     )
     if order < 2:
         return motion
-    speeds = Speeds(motion.v, motion.omega)
+    known = taken(motion) if taken else motion
+    speeds = Speeds(known.v, known.omega)
     extra = [constraint.quadratic(at, speeds) for constraint in scene.constraints]
-    drift = _quadratic_terms(plan, extra, motion)
+    drift = _quadratic_terms(plan, extra, known)
     right = [
-        _acceleration_side(equation, rows, extra, drift, rate, motion)
+        _acceleration_side(equation, rows, extra, drift, rate, known)
         for equation, rate in zip(plan.equations, _rates(scene, plan, 2), strict=True)
     ]
     values, _ = _solve_blocks(plan, assembly, right, sines)

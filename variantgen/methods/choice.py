@@ -54,10 +54,18 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
     names = tuple(wished) or task.variant.family.solution
     if wished:
         _check(task, wished)
-    whole = next((name for name in names if name in WHOLE), "")
+    return Choice(_style(names), next((name for name in names if name in WHOLE), ""))
+
+
+def natural(task: Task) -> Style:
+    """The methods of a computation group by group: those that the family names, else the usual ones."""
+    return _style(task.variant.family.solution)
+
+
+def _style(names: Sequence[str]) -> Style:
     velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), Style().velocities)
     accelerations = next((_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), Style().accelerations)
-    return Choice(Style(velocities, accelerations), whole)
+    return Style(velocities, accelerations)
 
 
 @dataclass(frozen=True)

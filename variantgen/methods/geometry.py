@@ -168,9 +168,8 @@ class Geometry(Layout):
         exact = normal_angle(angle.exact + by)
         shift = round(exact - angle.exact, 6)
         sign = 1 if shift >= 0 else -1
-        expression = (
-            Total(((1, angle), (sign, Constant(abs(shift), "angle")))) if angle.expression is not None else None
-        )
+        depends = angle.expression is not None or (angle.name is not None and angle.name.kind == "parameter")
+        expression = Total(((1, angle), (sign, Constant(abs(shift), "angle")))) if depends else None
         return Value(name, "angle", exact, expression)
 
     def angle(self, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:

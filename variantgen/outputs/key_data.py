@@ -26,7 +26,11 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "number": str(item.task.number),
                     "answers": [
-                        equals_data(_equation(a, language, item.variant.form.symbols), a.surd) for a in item.answers
+                        {
+                            **equals_data(_equation(a, language, item.variant.form.symbols), a.surd),
+                            "margin": _margin(a, exam, language),
+                        }
+                        for a in item.answers
                     ],
                 }
                 for item in sheet.items
@@ -61,7 +65,10 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "code": sheet.code,
                     "name": sheet.student.name or sheet.student.id,
-                    "values": [language.rounded(answer.value).text for answer in item.answers],
+                    "values": [
+                        {"value": language.rounded(a.value).text, "margin": _margin(a, exam, language)}
+                        for a in item.answers
+                    ],
                 }
             )
     ordered = [tables[where] for where in sorted(tables)]
@@ -72,18 +79,30 @@ def _document(
     exam: Exam, language: Language, heading: bool, section: str, students: list[Any], tables: list[Any]
 ) -> dict[str, Any]:
     words = language.words("key")
-    tolerance = language.decimal(Decimal(f"{100 * exam.tolerance:.3g}")).text
     return {
         "lang": exam.language,
         "title": exam.title,
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": f"{exam.course}  ·  {words['tolerance']}: ±{tolerance} %" if heading else "",
+        "subheading": f"{exam.course}  ·  {words['tolerance']}: {_percent(exam.tolerance.floor, language)},"
+        f" {words['otherwise']}"
+        if heading
+        else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),
         "students": students,
         "tables": tables,
     }
+
+
+def _margin(answer: Answer, exam: Exam, language: Language) -> str:
+    """The relative tolerance of an answer, where it is more than the usual one."""
+    return _percent(answer.margin, language) if answer.margin > exam.tolerance.floor else ""
+
+
+def _percent(margin: float, language: Language) -> str:
+    """``±1.5 %``, of an angle the like part of a radian."""
+    return f"±{language.decimal(Decimal(f'{100 * margin:.3g}')).text}\N{NO-BREAK SPACE}%"
 
 
 def _equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> Equation:

@@ -55,7 +55,14 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
     content = {
         "schema": MANIFEST_SCHEMA,
         "program": {"name": "variantgen", "version": VERSION},
-        "exam": {"title": exam.title, "hash": exam.hash, "language": exam.language, "tolerance": exam.tolerance},
+        "exam": {
+            "title": exam.title,
+            "hash": exam.hash,
+            "language": exam.language,
+            "tolerance": exam.tolerance.floor,
+            "tolerance_ceiling": exam.tolerance.ceiling,
+            "mistakes_screened": exam.tolerance.mistakes,
+        },
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
         "notation": asdict(exam.notation),
         "catalog_hash": folder_hash(catalog_dir()),
@@ -94,7 +101,13 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
             for parameter in (variant.form.parameters[name],)
         },
         "answers": [
-            {"quantity": a.quantity.name, "value": a.value, "unit": a.unit.name, "tolerance": a.tolerance}
+            {
+                "quantity": a.quantity.name,
+                "value": a.value,
+                "unit": a.unit.name,
+                "tolerance": a.tolerance,
+                "relative_tolerance": round(a.margin, 6),
+            }
             for a in item.answers
         ],
     }

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,11 +30,16 @@ from variantgen.variants.variant import Variant
 MAX_ATTEMPTS = 20_000  # of one student
 MAX_FRIENDLY_ATTEMPTS = 60_000  # where the answers, too, are chosen
 _CHUNK = 12
+_AT_LEAST, _AHEAD = 96, 4  # attempts whose answers are looked at together, where there are as many; most of one owner
 _MOST_AT_ONCE = 60_000  # attempts of a batch: they bound the memory where few are valid
 
 
 class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
+
+
+# More screens for variants of one form and their motion: flags by name, shape (N,).
+Judge: TypeAlias = Callable[[Sequence[Variant], Sequence[Quantity], Motion], Mapping[str, NDArray[np.bool_]]]
 
 
 @dataclass
@@ -70,11 +76,28 @@ class Attempts:
         )
 
 
+def _rank(owner: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Which attempt of its owner each one is, from 0 on."""
+    order = np.argsort(owner, kind="stable")
+    _, starts, counts = np.unique(owner[order], return_index=True, return_counts=True)
+    rank = np.empty_like(owner)
+    rank[order] = np.arange(owner.size) - np.repeat(starts, counts)
+    return rank
+
+
 class FormDrawing:
     """Attempts of many students at one form."""
 
-    def __init__(self, family: Family, form: Form, asked: Sequence[Quantity], tally: Tally, where: str) -> None:
-        self.family, self.form, self.where = family, form, where
+    def __init__(
+        self,
+        family: Family,
+        form: Form,
+        asked: Sequence[Quantity],
+        tally: Tally,
+        where: str,
+        judge: Judge | None = None,
+    ) -> None:
+        self.family, self.form, self.where, self.judge = family, form, where, judge
         self.asked = list(asked)
         self.tally = tally
         self.names = sorted(form.parameters)
@@ -125,17 +148,22 @@ class FormDrawing:
         return frame(poses[:, 0], poses[:, 1])
 
     def _accepted(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
-        """First acceptable attempt of each owner; later ones are looked at only if earlier ones fail."""
+        """First acceptable attempt of each owner; later ones are looked at only if earlier ones fail.
+
+        Where few owners are left, several attempts of each are looked at together: a batch costs more than its size.
+        """
         promising = self._promising(attempts)
         while promising.owner.size:
-            _, firsts = np.unique(promising.owner, return_index=True)
-            heads = promising.take(firsts)
-            good = self._sound(heads)
-            for i in np.flatnonzero(good):
+            owners = np.unique(promising.owner).size
+            chosen = np.flatnonzero(_rank(promising.owner) < max(1, min(_AHEAD, _AT_LEAST // owners)))
+            heads = promising.take(chosen)
+            good = np.flatnonzero(self._sound(heads))
+            settled, firsts = np.unique(heads.owner[good], return_index=True)
+            for i in good[firsts]:
                 yield self._variant(heads, int(i)), int(heads.owner[i])
-            settled = set(heads.owner[good].tolist())
-            keep = [j for j in range(promising.owner.size) if promising.owner[j] not in settled]
-            promising = promising.take(np.setdiff1d(np.array(keep, dtype=np.int64), firsts))
+            left = ~np.isin(promising.owner, settled)
+            left[chosen] = False
+            promising = promising.take(np.flatnonzero(left))
 
     def valid(self, attempts: Attempts) -> NDArray[np.int64]:
         """Owners of the attempts that pass all screens."""
@@ -174,12 +202,26 @@ class FormDrawing:
         gain = sensitivity(self.form, parameters, on_paper, self.asked, motion)
         good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
         self.tally.rejected["answers well conditioned"] += int(np.sum(~good))
+        if self.judge and np.any(good):
+            good &= self._judged(attempts, good)
         if np.any(good):
             checked = np.flatnonzero(good)
             agrees = verification(motion.take(checked), self.order)
             if not np.all(agrees):
                 raise self._disagreement(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
         return good
+
+    def _judged(self, attempts: Attempts, good: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """What the judge says of the good attempts."""
+        assert self.judge is not None
+        assert attempts.motion is not None
+        places = np.flatnonzero(good)
+        variants = [self._variant(attempts, int(i)) for i in places]
+        screens = self.judge(variants, self.asked, attempts.motion.take(places))
+        kept = places[self._keep(screens, places.size)]
+        found = np.zeros(good.size, dtype=bool)
+        found[kept] = True
+        return found
 
     def _disagreement(self, attempts: Attempts, i: int) -> VerificationError:
         """What to say of a variant on which the two computations disagree: its key and its data."""
@@ -191,7 +233,7 @@ class FormDrawing:
             f" (seed, student, problem: {key}) for {data}"
         )
 
-    def _keep(self, screens: dict[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
+    def _keep(self, screens: Mapping[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
         alive = np.ones(size, dtype=bool)
         for name, passed in screens.items():
             self.tally.rejected[name] += int(np.sum(alive & ~passed))

@@ -14,19 +14,23 @@ from dataclasses import dataclass
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.variants.attempts import FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing, Judge, Tally
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
 
 def draw(
-    family: Family, ask: Sequence[str] | None, keys: Sequence[tuple[object, ...]], tally: Tally | None = None
+    family: Family,
+    ask: Sequence[str] | None,
+    keys: Sequence[tuple[object, ...]],
+    tally: Tally | None = None,
+    judge: Judge | None = None,
 ) -> list[Variant]:
     """One variant per key, each depending on its key only (and on the family); keys may repeat variants.
 
     ``ask`` names the asked quantities (None: those of each form). Raises InputError when the ranges leave nothing.
     """
-    return Drawing(family, ask, tally).after(keys, [0] * len(keys))
+    return Drawing(family, ask, tally, judge=judge).after(keys, [0] * len(keys))
 
 
 @dataclass(frozen=True)
@@ -101,10 +105,17 @@ def _drawn(entries: Sequence[Entry], done: Sequence[int]) -> list[Variant]:
 
 
 class Drawing:
-    """The drawing of one family for one list of asked quantities."""
+    """The drawing of one family for one list of asked quantities; ``judge`` adds screens to those of the family."""
 
-    def __init__(self, family: Family, ask: Sequence[str] | None, tally: Tally | None = None, where: str = "") -> None:
-        self.family = family
+    def __init__(
+        self,
+        family: Family,
+        ask: Sequence[str] | None,
+        tally: Tally | None = None,
+        where: str = "",
+        judge: Judge | None = None,
+    ) -> None:
+        self.family, self.judge = family, judge
         self.where = f"{where}: {family.name}" if where else family.name
         self.forms = list(family.forms.values())
         self.asked = {form.name: read_ask(form, ask) for form in self.forms}
@@ -118,7 +129,7 @@ class Drawing:
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
             if members:
-                batch = FormDrawing(self.family, form, self.asked[form.name], self.tally, self.where)
+                batch = FormDrawing(self.family, form, self.asked[form.name], self.tally, self.where, self.judge)
                 drawn = batch.run([streams[i] for i in members], [done[i] for i in members])
                 found.update(zip(members, drawn, strict=True))
         return [found[i] for i in range(len(keys))]

@@ -1,0 +1,277 @@
+"""What a careful hand calculation with three significant digits makes of the answers of a solution.
+
+Every intermediate result x_j is rounded by at most half a unit u_j of its third digit (0.05 degrees for an angle); a
+result that has no more digits is not rounded at all. To first order the error of an answer y is
+
+    dy = sum_j (dy/dx_j) r_j,   |r_j| <= u_j
+
+The printed data are exact, since the key is computed from them. With independent r_j that are uniform on their
+intervals the standard deviation is ``sqrt(sum (dy/dx_j u_j)^2 / 3)``; an answer is given three of these, but no more
+than the bound ``sum |dy/dx_j u_j|`` that rounding cannot pass.
+
+The steps are those of the written solution. As most variants of a form have the same steps, those of a few are repeated
+with the data of the others, on arrays; a variant to whose answers none of them leads gets steps of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.book import Book
+from variantgen.methods.choice import natural
+from variantgen.methods.compose import work_out
+from variantgen.methods.expression import (
+    Applied,
+    Constant,
+    Expression,
+    LinearSolution,
+    Magnitude,
+    Pi,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+)
+from variantgen.methods.settle import in_order
+from variantgen.methods.task import Task, task_of
+from variantgen.variants.variant import Variant, solve_variants
+
+Table = NDArray[np.float64]
+
+DIGITS = 3  # significant digits of a careful hand calculation
+_HALF_DEGREE_DIGIT = 0.05  # degrees: angles are written with one decimal
+_DEVIATIONS = 3.0
+_SAME = 1e-7  # relative difference within which repeated steps lead to the answers of a variant
+_MODELS = 16  # variants of a form whose steps are repeated with the data of others
+_OF_AXES = ("x", "y", "angle")
+_TOGETHER = 64  # variants whose derivatives are computed at once
+
+
+class Worked:
+    """The computation behind a worked solution, which can be repeated with the data of other variants of its form.
+
+    Raises LookupError where the methods do not lead to what is asked.
+    """
+
+    def __init__(self, task: Task) -> None:
+        found = work_out(Book(task, style=natural(task)))
+        self.answers = [found[quantity.name] for quantity in task.asked]
+        self._values = in_order(self.answers)
+        printed = {id(leaf): name for name, value in task.given.items() for leaf in in_order([value])[:1]}
+        self._leaves = {id(value): printed[id(value)] for value in self._values if id(value) in printed}
+        self._rounded = [value for value in self._values if value.expression is not None and not _is_copy(value)]
+
+    def repeat(self, data: dict[str, Table]) -> Table:
+        """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
+        size = next(iter(data.values())).size if data else 1
+        numbers = self._evaluate(data, (size,))
+        return np.array([np.broadcast_to(numbers[id(answer)], (size,)) for answer in self.answers])
+
+    def errors(self, data: dict[str, Table]) -> Table:
+        """What rounding makes of the answers, in their units, shape (answers, N)."""
+        size = next(iter(data.values())).size if data else 1
+        parts = [
+            self._errors({name: column[start : start + _TOGETHER] for name, column in data.items()})
+            for start in range(0, size, _TOGETHER)
+        ]
+        return np.concatenate(parts, axis=1)
+
+    def _errors(self, data: dict[str, Table]) -> Table:
+        size = next(iter(data.values())).size if data else 1
+        shape = (len(self._rounded) + 1, size)
+        numbers = self._evaluate(data, shape, {id(value): row for row, value in enumerate(self._rounded, start=1)})
+        found = []
+        for answer in self.answers:
+            table = np.broadcast_to(numbers[id(answer)], shape)
+            changes = np.abs(table[1:] - table[0])
+            found.append(np.minimum(np.sum(changes, axis=0), _DEVIATIONS * np.sqrt(np.sum(changes**2, axis=0) / 3.0)))
+        return np.array(found)
+
+    def _evaluate(
+        self, data: dict[str, Table], shape: tuple[int, ...], rows: dict[int, int] | None = None
+    ) -> dict[int, Table]:
+        """The numbers of all values; the value of each of ``rows`` is off by its rounding in that row."""
+        numbers: dict[int, Table] = {}
+        for value in self._values:
+            key = id(value)
+            if value.expression is not None:
+                numbers[key] = _number(value.expression, numbers, shape)
+            else:
+                numbers[key] = data[self._leaves[key]] if key in self._leaves else np.array(value.exact)
+            if rows and key in rows:
+                table = np.array(np.broadcast_to(numbers[key], shape))
+                table[rows[key]] += _half_unit(value, table[0])
+                numbers[key] = table
+        return numbers
+
+
+def _is_copy(value: Value) -> bool:
+    """Whether a value is another one under its own name, which nobody rounds again."""
+    item = value.expression
+    while isinstance(item, Total) and len(item.terms) == 1:
+        item = item.terms[0][1]
+    return isinstance(item, Value)
+
+
+def _half_unit(value: Value, numbers: Table) -> Table:
+    """Half a unit of the last digit that is kept; nothing for a number that has no more digits."""
+    size = np.abs(numbers)
+    present = (size > 0) & np.isfinite(size)
+    safe = np.where(present, size, 1.0)
+    if value.measure == "angle":
+        unit = np.full_like(safe, 2.0 * _HALF_DEGREE_DIGIT)
+    else:
+        unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
+    short = np.abs(np.round(safe / unit) * unit - safe) <= 1e-9 * safe
+    return np.where(present & ~short, 0.5 * unit, 0.0)
+
+
+_FUNCTIONS: dict[str, Callable[[Table], Table]] = {
+    "cos": lambda x: np.cos(np.radians(x)),
+    "sin": lambda x: np.sin(np.radians(x)),
+    "tan": lambda x: np.tan(np.radians(x)),
+    "arctan": lambda x: np.degrees(np.arctan(x)),
+    "arcsin": lambda x: np.degrees(np.arcsin(np.clip(x, -1.0, 1.0))),
+    "arccos": lambda x: np.degrees(np.arccos(np.clip(x, -1.0, 1.0))),
+}
+
+
+def _number(item: Expression, numbers: dict[int, Table], shape: tuple[int, ...]) -> Table:
+    """An expression on arrays (the like of :meth:`Expression.number`)."""
+    match item:
+        case Value():
+            return numbers[id(item)]
+        case Constant(value):
+            return np.array(value)
+        case Pi():
+            return np.array(np.pi)
+        case Total(terms):
+            return np.asarray(sum(sign * _number(term, numbers, shape) for sign, term in terms))
+        case Times(factors):
+            product = np.array(1.0)
+            for factor in factors:
+                product = product * _number(factor, numbers, shape)
+            return product
+        case Ratio(above, below):
+            return np.asarray(_number(above, numbers, shape) / _number(below, numbers, shape))
+        case Raised(base, exponent):
+            return np.asarray(_number(base, numbers, shape) ** exponent)
+        case SquareRoot(inner):
+            return np.sqrt(np.maximum(_number(inner, numbers, shape), 0.0))
+        case Magnitude(inner):
+            return np.abs(_number(inner, numbers, shape))
+        case Applied(function, argument):
+            return _FUNCTIONS[function](_number(argument, numbers, shape))
+        case LinearSolution(rows, right, index):
+            table = [[np.broadcast_to(_number(c, numbers, shape), shape) for c in row] for row in rows]
+            sides = [np.broadcast_to(_number(c, numbers, shape), shape) for c in right]
+            matrix = np.moveaxis(np.array(table), (0, 1), (-2, -1))
+            try:
+                return np.asarray(np.linalg.solve(matrix, np.stack(sides, axis=-1)[..., None])[..., index, 0])
+            except np.linalg.LinAlgError:
+                return np.full(shape, np.nan)
+    raise TypeError(f"no number of {item!r}")
+
+
+class HandCalculation:
+    """Errors of hand calculations of the variants of one form.
+
+    ``models`` gives the variants whose steps are tried, always the same ones in the same order, so that what is found
+    for a variant does not depend on the others of its batch. It is called when the first variant comes.
+    """
+
+    def __init__(self, form: Form, asked: Sequence[Quantity], models: Callable[[int], Sequence[Variant]]) -> None:
+        self._form, self._asked, self._draw = form, tuple(asked), models
+        self._drawn: tuple[Sequence[Variant], Motion] | None = None
+        self._worked: list[Worked | None] = []
+
+    def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Table:
+        """Absolute errors of the answers in their printed units (degrees for angles), shape (answers, N).
+
+        ``places`` are the indices of the variants in the batch ``motion``. Infinite where no method leads to an answer.
+        """
+        found = np.full((len(self._asked), len(variants)), np.inf)
+        units = [quantity.unit(variants[0].family.length_unit) for quantity in self._asked]
+        chosen = list(places)
+        exact = np.array(
+            [
+                [u.from_si(float(value)) for value in q.value(motion)[chosen]]
+                for q, u in zip(self._asked, units, strict=True)
+            ]
+        )
+        left = np.arange(len(variants))
+        with np.errstate(all="ignore"):
+            for worked in self._models():
+                data = self._data([variants[i] for i in left.tolist()])
+                fits = self._leads_to(worked.repeat(data), exact[:, left])
+                if np.any(fits):
+                    found[:, left[fits]] = worked.errors({name: column[fits] for name, column in data.items()})
+                left = left[~fits]
+                if not left.size:
+                    return found
+            for i in map(int, left):
+                found[:, i] = self._alone(variants[i], motion, places[i])
+        return found
+
+    def _alone(self, variant: Variant, motion: Motion, place: int) -> Table:
+        """The errors of a variant by its own steps."""
+        try:
+            worked = Worked(task_of(variant, motion, place, self._asked))
+        except LookupError:
+            return np.full(len(self._asked), np.inf)
+        return worked.errors(self._data([variant]))[:, 0]
+
+    def _models(self) -> Iterator[Worked]:
+        """The steps of the model variants, worked out one after the other as they are needed."""
+        for number in range(_MODELS):
+            if number == len(self._worked):
+                self._worked.append(self._model(number))
+            worked = self._worked[number]
+            if worked is not None:
+                yield worked
+
+    def _model(self, number: int) -> Worked | None:
+        if self._drawn is None:
+            variants = self._draw(_MODELS)
+            if not any(quantity.component in _OF_AXES for quantity in self._asked):
+                # How a scene lies on paper changes no magnitude: in one pose there are fewer different solutions.
+                variants = [replace(variant, sense=1, turns=0) for variant in variants]
+            self._drawn = variants, solve_variants(variants, max(q.order for q in self._asked))
+        variants, motion = self._drawn
+        if number >= len(variants):
+            return None
+        try:
+            return Worked(task_of(variants[number], motion, number, self._asked))
+        except LookupError:
+            return None
+
+    def _data(self, variants: Sequence[Variant]) -> dict[str, Table]:
+        """The printed numbers by parameter, magnitudes of rates as a solution has them."""
+        found = {}
+        for name, parameter in self._form.parameters.items():
+            if parameter.unit is not None:
+                column = np.array([float(variant.printed[name]) for variant in variants])
+                found[name] = np.abs(column) if parameter.is_rate else column
+        return found
+
+    def _leads_to(self, answers: Table, exact: Table) -> NDArray[np.bool_]:
+        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,)."""
+        good = np.ones(exact.shape[1], dtype=bool)
+        for quantity, repeated, number in zip(self._asked, answers, exact, strict=True):
+            if quantity.component == "sense":
+                continue
+            if quantity.is_angle:
+                turn = np.abs((repeated - number + 180.0) % 360.0 - 180.0)
+                good &= turn <= np.degrees(_SAME)
+            else:
+                good &= np.abs(np.abs(repeated) - np.abs(number)) <= _SAME * np.abs(number)
+        return good
