@@ -1,0 +1,102 @@
+"""What a problem does not need is not computed, and what a command does not need is not loaded."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.methods.forms import FORMS, variants
+from variantgen import single
+from variantgen.mechanism.component import discover
+from variantgen.mechanism.relative import sliding_points
+from variantgen.mechanism.solve import solve
+from variantgen.mechanism.structure import Loose, Slide
+
+NOTHING_ELSE = {"cli", "errors", "version"}
+SOLVING = NOTHING_ELSE | {
+    "exam", "families", "mechanism", "methods", "resources", "single", "tables", "variants", "wording",
+}  # fmt: skip
+BUILDING = (SOLVING - {"single"}) | {"builder", "figure", "outputs"}
+EXAM = 'title = "T"\nlanguage = "en"\n[solutions]\ndepth = "none"\n[[problem]]\nfamily = "slider_crank"\n'
+
+
+def refused(*args: object) -> None:
+    raise AssertionError("this problem does not need it")
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_velocity_problems_evaluate_no_quadratic_terms(name: str, form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn, motion = variants(name, form, 2)
+    for kind in ("joints", "drivers"):
+        for component in discover(f"variantgen.mechanism.{kind}").values():
+            monkeypatch.setattr(component, "quadratic", refused)
+    found = solve(motion.scene, 1, drawn[0].form.plan)
+    assert found.v
+    assert not found.a
+    assert not found.epsilon
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_a_scene_without_a_sleeve_has_no_relative_unknowns(
+    name: str, form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn, motion = variants(name, form, 2)
+    plan = drawn[0].form.plan
+    # An unknown is the rate of a body, the speed of a point along a line at rest, or one of a point that nothing leads.
+    own = set(plan.omega.values())
+    for step in plan.steps:
+        if isinstance(step, Slide):
+            own.add(step.unknown)
+        elif isinstance(step, Loose):
+            own |= {step.x, step.y}
+    assert {unknown for block in plan.blocks for unknown in block.unknowns} <= own
+    if sliding_points(motion.scene):
+        return
+    monkeypatch.setattr(single, "relative_motion", refused)
+    assert "relative" not in single.solution_document(drawn[0])
+
+
+def loaded(arguments: list[str]) -> tuple[set[str], set[str]]:
+    """Parts of the program and packages from elsewhere that are loaded when a command ends."""
+    script = (
+        "import contextlib, io, json, sys\nfrom variantgen.cli import main\nquiet = io.StringIO()\n"
+        "with contextlib.redirect_stdout(quiet), contextlib.redirect_stderr(quiet), contextlib.suppress(SystemExit):\n"
+        "    code = main(sys.argv[1:])\n    assert not code, quiet.getvalue()\n"
+        "print(json.dumps({n: getattr(m, '__file__', None) or '' for n, m in sys.modules.items()}))"
+    )
+    done = subprocess.run([sys.executable, "-c", script, *arguments], capture_output=True, text=True, check=True)
+    files = json.loads(done.stdout)
+    own = {name.split(".")[1] for name in files if name.startswith("variantgen.")}
+    others = {name for name, file in files.items() if "." not in name and "site-packages" in file}
+    return own, {name for name in others if not name.startswith("_") and name != "variantgen"}
+
+
+def test_solve_loads_no_more_than_it_needs() -> None:
+    own, packages = loaded(["solve", "slider_crank", "--seed", "1"])
+    assert own <= SOLVING
+    assert packages <= {"numpy", "scipy"}
+
+
+def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text(EXAM, "utf-8")
+    own, packages = loaded(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")])
+    assert own <= BUILDING
+    # Pillow and lxml belong to pikepdf, MarkupSafe to Jinja.
+    assert packages <= {
+        "numpy",
+        "scipy",
+        "jinja2",
+        "markupsafe",
+        "typst",
+        "pikepdf",
+        "deprecated",
+        "wrapt",
+        "lxml",
+        "PIL",
+        "packaging",
+    }
