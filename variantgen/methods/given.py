@@ -47,6 +47,8 @@ def _take_travel(book: Book, template: Template, point: str) -> None:
         book.vectors[point] = normal
         return
     size = amount(book, template, book.letter, book.measure)
+    if as_stated(path.name, size) != path.name:
+        size = book.derive(path.name, book.measure, size)  # what has a letter of its own is named by its point too
     ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
     angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
     book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))

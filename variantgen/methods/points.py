@@ -230,7 +230,7 @@ def magnitude(book: Book, point: str) -> Value:
 def modulus(book: Book, name: Name, terms: Known) -> Value:
     """The magnitude of a vector of one term, or of terms at right angles; of others by their projections."""
     sizes = [term.size for term in terms if term.size is not None]
-    if len(terms) == 1 and sizes[0].name == name:
+    if len(terms) == 1 and (sizes[0].name == name or (terms[0].name == name and sizes[0].exact > 0)):
         return sizes[0]
     if name in book.values:
         return book.values[name]

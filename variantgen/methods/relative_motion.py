@@ -81,12 +81,25 @@ def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
     if anew or not book.has_said("relative.compound", **facts):
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
+        _say_parts(book, group)
         book.say(f"relative.sum_{book.letter}")
         return
     lead = group.carried.point if group.carried is not None else group.pole
     if lead not in book.task.fixed:
         facts = {"vector": VectorOf(_named_as_given(book, lead)), "carrier": facts["carrier"]}
         book.say(f"relative.translation_{book.letter}", **facts)
+
+
+def _say_parts(book: Book, group: Slid) -> None:
+    """That the point is at rest, and what the transport vector consists of, where that is not a rotation alone."""
+    point = group.path.point
+    if point in book.task.fixed:
+        book.say(f"relative.rest_{book.letter}", point=Point(point))
+    if group.pole in book.task.fixed:
+        return
+    names = Name(book.letter, point, part="tr"), Name(book.letter, group.pole), Name(book.letter, point, group.pole)
+    facts: dict[str, Fact] = dict(zip(("vector", "first", "second"), map(VectorOf, names), strict=True))
+    book.say(f"relative.carried_{book.letter}", point=Point(point), carrier=Body(group.carrier), **facts)
 
 
 def _named_as_given(book: Book, point: str) -> Name:
@@ -178,6 +191,7 @@ def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
         if slip:
             assert slip[0].size is not None
             own = name.component("n")
+            book.say("relative.circle", point=Point(point), centre=Point(path.centre))
             size = book.derive(own, "acceleration", slip[0].size ** 2 / book.geometry.length(point, path.centre))
             angle = book.geometry.direction(point, path.centre)
             known = (book.term(own, size, angle, "towards", start=Point(point), end=Point(path.centre)),)
