@@ -5,7 +5,18 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.given_data import sentences
-from variantgen.methods.step import Point, Word
+from variantgen.families.load import load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.methods.chain import chain_of
+from variantgen.methods.compose import solution
+from variantgen.methods.step import Point, Sentence, Word
+from variantgen.methods.task import task_of
+from variantgen.variants.draw import draw
+from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.solution.symbols import Symbols
 
 
 def said(family: str, form: str, ask: str, **data: float) -> list[str]:
@@ -47,3 +58,25 @@ def test_a_known_vector_across_a_radius_is_told_with_its_sense(sense: int, word:
     assert about
     assert about[0]["sense"] == Word(word)
     assert "ways.assumed" in {s.key for s in ways}
+
+
+def test_bodies_are_called_as_the_statement_calls_them() -> None:
+    russian = load_language("ru")
+    for form_name, noun in (("axle", "колесо"), ("spool", "катушка")):
+        form = load_family("pulley_and_wheel").forms[form_name]
+        called = Symbols(form, russian, load_phrases("ru"), {}).body("wheel", "")
+        assert str(called[0]).strip("\N{NO-BREAK SPACE}") == noun
+
+
+@pytest.mark.parametrize("family", ["guided_plate", "three_rod_plate"])
+def test_figures_and_solutions_take_the_same_pole(family: str) -> None:
+    loaded = load_family(family)
+    form = loaded.forms[""]
+    variant = draw(loaded, None, [("pole", 1)])[0]
+    asked = [parse_quantity(name, form.sample) for name in form.ask]
+    task = task_of(variant, solve_variants([variant], 2), 0, asked)
+    turns = chain_of(form, task.now, asked, shown_points(variant, asked)).turns
+    plate = next(body for body in form.bodies if len(form.bodies[body]) == 3)
+    poles = {turn.pole for turn in turns if turn.body == plate}
+    items = [item for step in solution(task).steps for item in step.items if isinstance(item, Sentence)]
+    assert {Point(pole) for pole in poles} == {item.facts["pole"] for item in items if item.key == "coupled.choose_v"}
