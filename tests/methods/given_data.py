@@ -9,7 +9,7 @@ from variantgen.families.quantities import parse_quantity
 from variantgen.methods.book import Book
 from variantgen.methods.compose import work_out
 from variantgen.methods.expression import Value
-from variantgen.methods.step import Sentence, TermTable
+from variantgen.methods.step import Sentence, Step, TermTable
 from variantgen.methods.task import task_of
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -37,6 +37,11 @@ def sentences(family_name: str, form_name: str, ask: str, **data: float) -> list
                 found.append(sentence)
                 waiting = [*sentence.facts.values(), *waiting]
     return found
+
+
+def steps(family_name: str, form_name: str, ask: str, **data: float) -> list[Step]:
+    """The steps that find the quantities."""
+    return list(_worked(family_name, form_name, ask, **data)[0].steps)
 
 
 def _worked(family_name: str, form_name: str, ask: str, **data: float) -> tuple[Book, dict[str, Value]]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tests.methods.given_data import sentences
+from tests.methods.given_data import sentences, steps
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.methods.chain import chain_of
 from variantgen.methods.compose import solution
-from variantgen.methods.step import Point, Sentence, Word
+from variantgen.methods.expression import Value
+from variantgen.methods.step import Derived, Point, Sentence, Word
 from variantgen.methods.task import task_of
 from variantgen.variants.draw import draw
 from variantgen.variants.needed import shown_points
@@ -22,6 +23,21 @@ from variantgen.wording.solution.symbols import Symbols
 def said(family: str, form: str, ask: str, **data: float) -> list[str]:
     """Keys of the sentences of a solution."""
     return [sentence.key for sentence in sentences(family, form, ask, **data)]
+
+
+def headings(family: str, form: str, ask: str) -> list[str]:
+    """Keys of the headings of a solution."""
+    return [step.heading.key for step in steps(family, form, ask)]
+
+
+def views(family: str, form: str, ask: str) -> set[str]:
+    """Kinds of figures of which a solution speaks."""
+    return {view for step in steps(family, form, ask) for view in step.views}
+
+
+def derived(family: str, form: str, ask: str) -> list[Value]:
+    """Values that a solution works out."""
+    return [item.value for step in steps(family, form, ask) for item in step.items if isinstance(item, Derived)]
 
 
 @pytest.mark.parametrize("form", ["inside", "outside", "by_centre"])
@@ -80,3 +96,22 @@ def test_figures_and_solutions_take_the_same_pole(family: str) -> None:
     poles = {turn.pole for turn in turns if turn.body == plate}
     items = [item for step in solution(task).steps for item in step.items if isinstance(item, Sentence)]
     assert {Point(pole) for pole in poles} == {item.facts["pole"] for item in items if item.key == "coupled.choose_v"}
+
+
+def test_a_magnitude_is_found_where_its_components_are() -> None:
+    for family, form, ask in (
+        ("disc_in_cylinder", "inside", "a_O a_M"),
+        ("arc_yoke", "", "a_rel_A"),
+        ("parallelogram_with_disc", "fixed_point", "a_M"),
+    ):
+        assert not [heading for heading in headings(family, form, ask) if heading.startswith("answers.magnitude")]
+
+
+def test_translation_is_shown_in_figures() -> None:
+    assert views("parallelogram_with_disc", "fixed_point", "v_M a_M") == {"velocities", "accelerations"}
+
+
+def test_a_relative_velocity_that_nothing_needs_is_not_found() -> None:
+    # The follower translates and its plate is flat: neither Coriolis nor normal relative acceleration.
+    names = {value.name for value in derived("cam_disc", "flat", "a_D") if value.name is not None}
+    assert not [name for name in names if name.part == "rel"]

@@ -8,7 +8,7 @@ from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.given import amount
 from variantgen.methods.group import Composed, Rested, Rolled, Turned
 from variantgen.methods.name import Name
-from variantgen.methods.points import across, modulus, sum_of, vector
+from variantgen.methods.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vector_equation import shares
 
@@ -71,6 +71,7 @@ def solve_rolled(book: Book, group: Rolled) -> None:
             _enter(book, body, size, radius, kind, name)
         else:
             book.vectors[centre] = _centre(book, group, radius, name)
+            sum_up(book, centre)
 
 
 def solve_rested(book: Book, group: Rested) -> None:
