@@ -142,6 +142,7 @@ def test_the_sound_scene_is_solved(bench: Bench) -> None:
         (CRANK + "[screens]\nspacing = -1\n", ["screens.spacing", "above 0"]),
         (CRANK + "[pose]\nquarter_turns = [7]\n", ["pose.quarter_turns", "0 to 3"]),
         (CRANK + "[figure]\nhidden = ['Q']\n", ["figure.hidden", "unknown point", "Q"]),
+        (CRANK + "[nouns]\nOB = 'rod'\n", ["nouns.OB: unknown body", "OB", "did you mean OA?"]),
     ],
 )
 def test_wrong_scene(content: str | bytes, said: list[str], bench: Bench) -> None:

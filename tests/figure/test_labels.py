@@ -10,7 +10,7 @@ from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.ink import boxes_crossed, gaps_to_box
 from variantgen.figure.labels import place_labels
 from variantgen.figure.occupancy import CELL, Occupancy
-from variantgen.figure.requests import along_line, around
+from variantgen.figure.requests import along_arrow, along_line, around
 from variantgen.wording.formula import Index, Symbol
 
 A, B = Symbol("A"), Symbol("B")
@@ -97,3 +97,13 @@ def test_bezier_pieces_follow_the_circle() -> None:
             assert abs(abs(point - arc.centre) - 3.0) < 3 * 3e-4
         place = end
     assert abs(place - arc.at(1)) < 1e-12
+
+
+def test_the_letter_of_an_arrow_is_led_to_rather_than_far_away() -> None:
+    # Lines on both sides leave only places beyond them, and before the head stands another arrow.
+    v = [Symbol("v", (Index(letter),)) for letter in "AB"]
+    arrows = [along_arrow(v[0], 0j, 5 + 0j), along_arrow(v[1], 9 + 0j, 20 + 0j)]
+    walls = [(-3 + 1j * y, 8 + 1j * y) for y in (1.5, -1.5, 4.0, -4.0)] + [(8 - 9j, 8 + 9j)]
+    (label, _), leaders = place_labels(arrows, np.array([(0, 5), (9, 20), *walls]), [])
+    assert label.formula == v[0]
+    assert [leader.points[0] for leader in leaders] == [5 + 0j]

@@ -67,6 +67,18 @@ def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: 
             ), (point, variant.printed)
 
 
+def given_letter(variant: Variant, kind: str, body: str) -> str:
+    """The letter of a rate: that of the parameter that gives it, where that is named by its kind."""
+    symbols = variant.form.symbols
+    for driver in variant.form.drivers:
+        rotation = driver.fields.get("body") == body and "relative_to" not in driver.fields
+        if rotation and kind in driver.fields:
+            for name in sorted(driver.fields[kind].names):
+                if name == kind or name.startswith(f"{kind}_"):
+                    return to_plain(EN.symbol(variant.form.parameters[name].symbol, symbols))
+    return to_plain(EN.symbol(f"{kind}_{body}", symbols))
+
+
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str) -> None:
     for order, letter in ((1, "omega"), (2, "epsilon")):
@@ -75,7 +87,7 @@ def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str)
             largest = max(abs(float(rate[i])) for rate in rates.values())
             bound = 1e-9 * max(largest, max(abs(float(w[i])) for w in motion.omega.values()) ** 2)
             turning = {
-                to_plain(EN.symbol(f"{letter}_{body}", variant.form.symbols)): float(rate[i])
+                given_letter(variant, letter, body): float(rate[i])
                 for body, rate in rates.items()
                 if abs(float(rate[i])) > bound
             }
@@ -187,3 +199,21 @@ def test_points_of_contact_have_the_letters_of_the_solution(name: str, form: str
 def test_an_asked_acceleration_centre_is_drawn() -> None:
     found = drawings("plate_acceleration_centre", "square", 2)
     assert any("Q" in {to_plain(label.formula) for label in drawing.labels} for *_, drawing in found)
+
+
+def test_a_given_rate_bears_the_letter_of_the_statement() -> None:
+    for _, _, _, drawing in drawings("falling_rod", "", 1):
+        letters = {to_plain(label.formula) for label in drawing.labels}
+        assert "ω" in letters
+        assert "ω_AB" not in letters
+
+
+@pytest.mark.parametrize(("order", "relative", "rest"), [(1, "u", ("v_tr B",)), (2, "w", ("a^τ_tr B",))])
+def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: str, rest: tuple[str, ...]) -> None:
+    # What is too short to be seen is left out: in one of the variants all are long enough.
+    found = [
+        {to_plain(label.formula) for label in drawing.labels}
+        for _, _, _, drawing in drawings("hydraulic_hoist", "boom", order)
+    ]
+    assert any(relative in letters for letters in found)
+    assert any({relative, *rest} <= letters for letters in found), found

@@ -8,6 +8,8 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.methods.book import Book
 from variantgen.methods.compose import work_out
+from variantgen.methods.expression import Value
+from variantgen.methods.step import Sentence, Step, TermTable
 from variantgen.methods.task import task_of
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -18,6 +20,32 @@ def results(family_name: str, form_name: str, ask: str, **data: float) -> dict[s
     ``data`` are parameters in their printed units, for choices the number behind the word; others take the first value
     of their grid.
     """
+    return {name: value.exact for name, value in _worked(family_name, form_name, ask, **data)[1].items()}
+
+
+def sentences(family_name: str, form_name: str, ask: str, **data: float) -> list[Sentence]:
+    """The sentences of the steps that find the quantities, also those in tables of vectors and in other sentences."""
+    found: list[Sentence] = []
+    waiting: list[object] = [
+        item for step in _worked(family_name, form_name, ask, **data)[0].steps for item in step.items
+    ]
+    while waiting:
+        match waiting.pop(0):
+            case TermTable(terms):
+                waiting = [*(term.way for term in terms), *waiting]
+            case Sentence() as sentence:
+                found.append(sentence)
+                waiting = [*sentence.facts.values(), *waiting]
+    return found
+
+
+def steps(family_name: str, form_name: str, ask: str, **data: float) -> list[Step]:
+    """The steps that find the quantities."""
+    return list(_worked(family_name, form_name, ask, **data)[0].steps)
+
+
+def _worked(family_name: str, form_name: str, ask: str, **data: float) -> tuple[Book, dict[str, Value]]:
+    """The book of a solution with its steps, and the values that are asked."""
     family = load_family(family_name)
     form = family.forms[form_name]
     assert set(data) <= set(form.parameters)
@@ -26,4 +54,4 @@ def results(family_name: str, form_name: str, ask: str, **data: float) -> dict[s
     variant = Variant(family, form, printed)
     quantities = [parse_quantity(name, form.sample) for name in ask.split()]
     book = Book(task_of(variant, solve_variants([variant], 2), 0, quantities))
-    return {name: value.exact for name, value in work_out(book).items()}
+    return book, dict(work_out(book))

@@ -78,3 +78,7 @@ def test_a_line_through_three_points_knows_its_two_ways() -> None:
     assert lines.form("A", "C") == PHI
     assert lines.form("C", "A") == PHI.turned(180.0)
     assert lines.form("A", "D") is None
+
+
+def test_the_sign_of_a_factor_is_the_sign_of_the_product() -> None:
+    assert summed(((1, R), (-1, Times((-S, R))))) == Total(((1, R), (1, Times((S, R)))))

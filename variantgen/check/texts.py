@@ -20,6 +20,7 @@ from variantgen.variants.needed import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
 from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.statement import Statement, statement
 
 _EQUAL = 1e-6  # relative: what a mark may differ from its parameter by rounding
@@ -27,10 +28,13 @@ _FIGURES = 20  # variants per form whose figure is drawn and compared with the s
 
 
 def check_languages(family: Family, report: Report) -> None:
-    """A title in every language (a statement is looked for with the variants)."""
+    """A title and the names of bodies in every language (a statement is looked for with the variants)."""
     for name in languages():
         if not family.titles.get(name):
             report.failures.append(f'title: none in the language {name}; write title = {{ {name} = "..." }}')
+        known = load_phrases(name).bodies
+        for noun in sorted({noun for form in family.forms.values() for noun in form.nouns.values()} - set(known)):
+            report.failures.append(f"nouns: {noun!r} has no name in the language {name}; known: {', '.join(known)}")
 
 
 def check_texts(variants: Sequence[Variant], motion: Motion, report: Report) -> None:

@@ -202,6 +202,7 @@ class Form:
     symbols: Mapping[str, str] = field(default_factory=dict)
     nice: Nice = field(default_factory=Nice)
     ties: Ties | None = None
+    nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:

@@ -24,7 +24,7 @@ from variantgen.tables import Table
 
 SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
-    "symbols", "nice",
+    "symbols", "nouns", "nice",
 )  # fmt: skip
 
 
@@ -70,8 +70,12 @@ class FormReader:
         nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
         symbols = {name: written.take(name, str, "") for name in written.data}
+        called = self.top.table("nouns")
+        nouns = {name: called.take(name, str, "") for name in called.data}
         self.top.finish()
         self._check_symbols()
+        for name in sorted(set(nouns) - set(bodies)):
+            self.top.problem("unknown body", f"nouns.{name}", name, nearest(name, bodies))
         if len(self.problems) > before:
             return None
         form = Form(
@@ -90,6 +94,7 @@ class FormReader:
             figure,
             symbols,
             nice,
+            nouns=nouns,
         )
         with self.top.collecting(""):
             _check_constants(form)

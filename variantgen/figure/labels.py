@@ -2,7 +2,8 @@
 
 A place costs by what its box would cover (lines, other labels), by how far it is, and by how near it comes to things
 that it does not name. Every label first takes its best place. Labels that then cover each other are moved in turn. A
-label that finds no free place near what it names goes farther off and gets a thin leader.
+label that finds no free place near what it names, or only one where it would be read with another arrow, goes farther
+off and gets a thin leader.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 # label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own (which would be
 # misread), of a leader and of each line or label that it crosses.
 _INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
+_FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
 # Of two labels that stand side by side so near that they read as a product, of a line between a label and what it
 # names.
 _PRODUCT, _BARRIER = 15.0, 14.0
@@ -71,7 +73,8 @@ def place_labels(
     for choice in choices:
         choice.taken = int(np.argmin(choice.costs))
     _settle(choices, _conflicting(choices))
-    crowded = sorted({i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK} | set(_conflicting(choices)))
+    worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
+    crowded = sorted(worst | set(_conflicting(choices)))
     if crowded:
         for i in crowded:
             choices[i] = _with_leaders(choices[i], occupancy)

@@ -43,10 +43,20 @@ class MotionBoard(Board):
     kind = "omega"
 
     def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol of a rate of a body, under the name by which it may be asked."""
+        """The symbol of a rate of a body: as the statement gives it, else as it may be asked."""
         del field_name
         assert isinstance(driver, Rotation)
-        return self.symbol(f"{self.kind}_{driver.body}")
+        usual = self.symbol(f"{self.kind}_{driver.body}")
+        for own in self.scene.drivers:
+            if isinstance(own, Rotation) and own.body == driver.body and own.relative_to is None:
+                stated = self.stated(own, self.kind)
+                # Revolutions per minute are another quantity.
+                return stated if stated is not None and stated.base == usual.base else usual
+        return usual
+
+    def stated(self, driver: Constraint, field_name: str) -> Symbol | None:
+        """The symbol of a rate by which the statement gives it, if it does."""
+        return super().rate(driver, field_name)
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""

@@ -29,7 +29,8 @@ class Request:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
     ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
-    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``box`` are half width and half
+    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``vector`` says that it names a
+    straight arrow, which must not be read with the letter of another one. ``box`` are half width and half
     height (u), ``own`` are all points of what it names.
     """
 
@@ -39,6 +40,7 @@ class Request:
     costs: Costs
     extent: tuple[complex, ...] = ()
     clear: float = 0.0
+    vector: bool = False
     box: tuple[float, float] = field(init=False)
     own: tuple[complex, ...] = field(init=False)
 
@@ -58,18 +60,19 @@ _AROUND_COSTS = (
 _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
 _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
-# Beside an arrow: distances, both sides of each part; before its head.
+# Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
+# leader is better.
 _ASIDE = np.array([_OFF, 3.5, 7.0])[:, None]
 _SIDES = np.array([1.0, -1.0])[:, None]
 _AHEAD = np.array([1.0, 2.5, 5.0, 8.0, 11.0])
 _ARROW_COSTS = np.concatenate(
     (
         (
-            np.array([0.0, 7.0, 10.0])[:, None, None]
+            np.array([0.0, 7.0, 35.0])[:, None, None]
             + np.array([0.0, 0.2])[None, :, None]
             + (10 * np.abs(_PARTS - 0.5) + 2 * np.abs(_PARTS - 0.6))[None, None, :]
         ).ravel(),
-        [1.5, 3.0, 5.0, 8.0, 11.0],
+        [1.5, 3.0, 8.0, 40.0, 50.0],
     )
 )
 _ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
@@ -132,7 +135,8 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     ahead = end + way * (_AHEAD + 0.5 * (width * abs(way.real) + height * abs(way.imag)))
     beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
     places = np.concatenate((beside.ravel(), ahead))
-    return Request(formula, end, places, _ARROW_COSTS, tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75)))
+    extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
+    return Request(formula, end, places, _ARROW_COSTS, extent, vector=True)
 
 
 def along_arc(

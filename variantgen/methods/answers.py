@@ -30,7 +30,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
     if len(terms) == 1 and terms[0].size is not None and terms[0].size.exact > 0:
         return terms[0].size
     if len(terms) > 1 and name not in book.values:
-        with book.step(f"answers.magnitude_{quantity.kind[0]}", point=Point(quantity.target)):
+        kind = quantity.kind if quantity.kind.endswith("_rel") else quantity.kind[0]
+        with book.step(f"answers.magnitude_{kind}", point=Point(quantity.target)):
             return modulus(book, name, terms)
     return modulus(book, name, terms)
 

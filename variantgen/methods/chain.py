@@ -6,7 +6,7 @@ The order is that of the solver's plan (:mod:`variantgen.mechanism.structure`), 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from variantgen.families.family import Form
@@ -88,14 +88,14 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
-    poles = {body: _pole(form, body, visible) for body in form.bodies}
+    guides = _guides(now, points)
+    poles = {body: _pole(form, body, visible, guides) for body in form.bodies}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
     slips = [
         Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for joint in now.scene.joints
         if (path := joint.sliding()) and path.point in visible and path.body in needed.bodies
     ]
-    guides = _guides(now, points)
     keep = {q.point for q in asked} | _driven(form) | {slip.point for slip in slips} | set(guides)
     keep |= {turn.point for turn in turns if not turn.body}
     points = _useful(form, points, turns, slips, keep)
@@ -133,8 +133,11 @@ def _order(plan: Plan) -> list[str]:
     return [step.point for step in plan.steps]
 
 
-def _pole(form: Form, body: str, visible: set[str]) -> str | None:
-    """The pole of a body: that of the plan unless it is hidden or its motion is not the given one."""
+def _pole(form: Form, body: str, visible: set[str], guides: Collection[str]) -> str | None:
+    """The pole of a body: that of the plan unless it is hidden or its motion is not the given one.
+
+    A body of which two points are led is held at three, none of which is known: its pole is one whose path is known.
+    """
     steps: list[Carry] = [s for s in form.plan.steps if isinstance(s, Carry) and s.body == body]
     steps += [
         e.step
@@ -149,9 +152,19 @@ def _pole(form: Form, body: str, visible: set[str]) -> str | None:
     given = [name for name in members if name in driven]
     if uncertain and given:
         return given[0]
+    led = [name for name in form.bodies[body] if name in members and _is_led(form, name, body, guides)]
+    if planned not in led and len(led) > 1:
+        return led[0]
     if planned in members:
         return planned
     return next((name for name in _order(form.plan) if name in members), None)
+
+
+def _is_led(form: Form, point: str, body: str, guides: Collection[str]) -> bool:
+    """Whether a point of a body is kept on a fixed path: by a guide, or by another body that turns about a pivot."""
+    fixed = fixed_points(form.sample)
+    others = (members for other, members in form.bodies.items() if other != body and point in members)
+    return point in guides or any(fixed & set(members) for members in others)
 
 
 def _carried(form: Form, poles: dict[str, str | None]) -> list[Turn]:

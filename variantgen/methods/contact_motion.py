@@ -51,6 +51,8 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
     with book.step(f"contact.{kind}", *views_of(book), body=Body(group.body)):
         say_same(book, group, group.joint, known, sought)
         found = component(book, known)
+        if found.size is None and _is_uniform(book, known):
+            book.say("contact.uniform", body=Body(known.body), contact=Point(known.name))
         if not known.is_rest:
             found = renamed(book, found, sought)
         parts: Parts = [(found.sign, found.size)] if found.size else []
@@ -65,6 +67,14 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
         turning = combined(book, name, parts)
         radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
         enter_rate(book, group.body, turning.size, turning.sign * sought.lever, radius)
+
+
+def _is_uniform(book: Book, side: Side) -> bool:
+    """Whether a side has no acceleration along the contact because its body turns uniformly about a fixed point."""
+    if book.order == 1 or not side.lever or side.centre not in book.task.fixed:
+        return False
+    rate = book.omega.get(side.body)
+    return rate is not None and bool(rate.sense)
 
 
 def _solve_centre(book: Book, group: Joined, known: Side, sought: Side) -> None:

@@ -12,6 +12,7 @@ from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.monomial import simplified
 from variantgen.methods.name import Name
+from variantgen.methods.points import sum_up
 from variantgen.methods.route import Route
 from variantgen.methods.step import Body, Fact, Point
 from variantgen.methods.timed import law_behind
@@ -47,9 +48,12 @@ def _take_travel(book: Book, template: Template, point: str) -> None:
         book.vectors[point] = normal
         return
     size = amount(book, template, book.letter, book.measure)
+    if as_stated(path.name, size) != path.name:
+        size = book.derive(path.name, book.measure, size)  # what has a letter of its own is named by its point too
     ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
     angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
     book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))
+    sum_up(book, point)
 
 
 def _straight(book: Book, template: Template, point: str) -> Known:

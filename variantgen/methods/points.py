@@ -130,14 +130,15 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the vector of a point of a body by that of its pole."""
     name = Name(book.letter, point)
     if is_translating(book, body):
-        with book.step(f"points.translation_{book.letter}", body=Body(body), point=Point(point)):
+        with book.step(f"points.translation_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point)):
             book.say("points.same", first=VectorOf(name), second=VectorOf(Name(book.letter, pole)), body=Body(body))
             book.vectors[point] = renamed(book, book.vectors[pole], point)
+            sum_up(book, point)
     elif pole in book.task.fixed:
         with book.step(f"points.turning_{book.letter}", body=Body(body), point=Point(point), pivot=Point(pole)):
             book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
-            _sum_up(book, point)
+            sum_up(book, point)
     elif book.carry is not None:
         book.carry(book, point, body, pole)
     else:
@@ -171,7 +172,7 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     sought = book.term(name, None, RIGHT, "unknown")
     write(book, (sought,), (*known, *turning), start)
     book.vectors[point] = summed(book, name, (*known, *turning))
-    _sum_up(book, point)
+    sum_up(book, point)
 
 
 def _is_rolling(book: Book, body: str) -> bool:
@@ -215,7 +216,7 @@ def positive(size: Value) -> Value:
     return size if size.exact >= 0 else Value(size.name, size.measure, -size.exact, -size, size.size)
 
 
-def _sum_up(book: Book, point: str) -> None:
+def sum_up(book: Book, point: str) -> None:
     """The magnitude of a vector that is known by components across each other, where it is asked."""
     asked = any(q.point == point and q.kind == book.letter for q in book.task.asked)
     if asked and len(book.vectors[point]) > 1:
@@ -230,7 +231,7 @@ def magnitude(book: Book, point: str) -> Value:
 def modulus(book: Book, name: Name, terms: Known) -> Value:
     """The magnitude of a vector of one term, or of terms at right angles; of others by their projections."""
     sizes = [term.size for term in terms if term.size is not None]
-    if len(terms) == 1 and sizes[0].name == name:
+    if len(terms) == 1 and (sizes[0].name == name or (terms[0].name == name and sizes[0].exact > 0)):
         return sizes[0]
     if name in book.values:
         return book.values[name]

@@ -81,12 +81,25 @@ def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
     if anew or not book.has_said("relative.compound", **facts):
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
+        _say_parts(book, group)
         book.say(f"relative.sum_{book.letter}")
         return
     lead = group.carried.point if group.carried is not None else group.pole
     if lead not in book.task.fixed:
         facts = {"vector": VectorOf(_named_as_given(book, lead)), "carrier": facts["carrier"]}
         book.say(f"relative.translation_{book.letter}", **facts)
+
+
+def _say_parts(book: Book, group: Slid) -> None:
+    """That the point is at rest, and what the transport vector consists of, where that is not a rotation alone."""
+    point = group.path.point
+    if point in book.task.fixed:
+        book.say(f"relative.rest_{book.letter}", point=Point(point))
+    if group.pole in book.task.fixed:
+        return
+    names = Name(book.letter, point, part="tr"), Name(book.letter, group.pole), Name(book.letter, point, group.pole)
+    facts: dict[str, Fact] = dict(zip(("vector", "first", "second"), map(VectorOf, names), strict=True))
+    book.say(f"relative.carried_{book.letter}", point=Point(point), carrier=Body(group.carrier), **facts)
 
 
 def _named_as_given(book: Book, point: str) -> Name:
@@ -178,6 +191,7 @@ def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
         if slip:
             assert slip[0].size is not None
             own = name.component("n")
+            book.say("relative.circle", point=Point(point), centre=Point(path.centre))
             size = book.derive(own, "acceleration", slip[0].size ** 2 / book.geometry.length(point, path.centre))
             angle = book.geometry.direction(point, path.centre)
             known = (book.term(own, size, angle, "towards", start=Point(point), end=Point(path.centre)),)
@@ -221,6 +235,7 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
         slips[point, carrier] = sides.slip
         book.vectors[point] = summed(book, name, sides.right)
         modulus(book, name, book.vectors[point])
+        _sum_up_slip(book, point, sides.slip)
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
@@ -228,11 +243,13 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
 
 
 def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
-    """The unknown vectors that are needed: the relative one also for the Coriolis acceleration."""
+    """The unknown vectors that are needed: the relative velocity also for the accelerations that follow from it."""
     point, task = group.path.point, book.task
     kinds = ("v_rel",) if book.order == 1 else ("a_rel",)
     asked = any(q.target == point and q.kind in kinds for q in task.asked)
-    relative = sides.relative if asked or book.order < task.order else None
+    # On a carrier in translation there is no Coriolis acceleration, on a straight path no normal one.
+    leading = not is_translating(book, group.carrier) or group.path.line is None
+    relative = sides.relative if asked or (leading and book.order < task.order) else None
     turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
     # The vector of the point itself follows from the rate of its body.
     sought = any(q.target == point and q.kind == book.letter for q in task.asked)
@@ -247,6 +264,7 @@ def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> 
     slips = book.relative if book.order == 1 else book.relative_acceleration
     term = sides.relative
     slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
+    _sum_up_slip(book, point, slips[point, carrier])
     if sides.carried is not None and group.carried is not None:
         known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
         book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
@@ -256,3 +274,10 @@ def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> 
     for term, body, pole in ((sides.turn, carrier, group.pole), (sides.own, group.body, group.own_pole)):
         if term is not None and term.name in sizes:
             enter_rate(book, body, term, sizes[term.name], book.geometry.length(point, pole))
+
+
+def _sum_up_slip(book: Book, point: str, terms: Known) -> None:
+    """The magnitude of a relative vector that is known by components, where it is asked."""
+    asked = any(q.target == point and q.kind == f"{book.letter}_rel" for q in book.task.asked)
+    if asked and len(terms) > 1:
+        modulus(book, Name(book.letter, point, part="rel"), terms)

@@ -30,6 +30,11 @@ def terms_of(item: Expression, sign: int = 1) -> list[Signed]:
     if isinstance(item, Times) and isinstance(item.factors[0], Constant) and item.factors[0].value < 0:
         count, rest = -item.factors[0].value, item.factors[1:]
         return [(-sign, _multiple(count, rest[0] if len(rest) == 1 else Times(rest)))]
+    if isinstance(item, Times):
+        for i, factor in enumerate(item.factors):
+            if isinstance(factor, Total) and len(factor.terms) == 1:
+                (own, bare), others = factor.terms[0], (item.factors[:i], item.factors[i + 1 :])
+                return terms_of(Times((*others[0], bare, *others[1])), sign * own)
     if isinstance(item, Ratio) and isinstance(item.above, Total) and len(item.above.terms) == 1:
         return [(sign * item.above.terms[0][0], Ratio(item.above.terms[0][1], item.below))]
     if isinstance(item, Constant) and item.value < 0:

@@ -62,6 +62,7 @@ def _normal(book: Book, track: Track, name: Name) -> Known:
         terms = book.velocity[track.point]
         if not terms:
             return ()
+        book.say("common.circle", point=Point(track.point), centre=Point(track.centre))
         size = book.derive(name, "acceleration", modulus(book, Name("v", track.point), terms) ** 2 / arm)
     return (book.term(name, size, angle, "towards", start=Point(track.point), end=Point(track.centre)),)
 

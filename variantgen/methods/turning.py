@@ -8,7 +8,7 @@ from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.given import amount
 from variantgen.methods.group import Composed, Rested, Rolled, Turned
 from variantgen.methods.name import Name
-from variantgen.methods.points import across, modulus, sum_of, vector
+from variantgen.methods.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vector_equation import shares
 
@@ -71,6 +71,7 @@ def solve_rolled(book: Book, group: Rolled) -> None:
             _enter(book, body, size, radius, kind, name)
         else:
             book.vectors[centre] = _centre(book, group, radius, name)
+            sum_up(book, centre)
 
 
 def solve_rested(book: Book, group: Rested) -> None:
@@ -118,6 +119,7 @@ def _centre(book: Book, group: Rolled, radius: Value, name: Name) -> Known:
         arm = book.geometry.length(group.centre, group.around)
         speed = modulus(book, Name("v", group.centre), book.velocity[group.centre])
         own = Name("a", group.centre, part="n")
+        book.say("common.circle", point=Point(group.centre), centre=Point(group.around))
         size = book.derive(own, book.measure, speed**2 / arm)
         angle = book.geometry.direction(group.centre, group.around)
         facts = {"start": Point(group.centre), "end": Point(group.around)}
@@ -156,6 +158,7 @@ def solve_composed(book: Book, group: Composed) -> None:
     exact, base = book.exact_rate(group.body), other.sense * other.size.exact
     sign = 1 if exact - base > 0 else -1
     with book.step(f"turning.composed_{kind}", body=Body(group.body), other=Body(group.other)):
+        book.say(f"turning.sum_{kind}", body=Body(group.body), other=Body(group.other))
         terms = [(other.sense, other.size)] if other.sense else []
         terms += [(sign, relative)] if relative.exact else []
         sense = (exact > 0) - (exact < 0)

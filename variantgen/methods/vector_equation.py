@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods.book import Book
+from variantgen.methods.directions import pointed
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry import Geometry, normal_angle
 from variantgen.methods.step import Derived, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
@@ -27,7 +28,7 @@ def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -
         book.graphics.write(book, left, right, start)
         return
     book.items.insert(start, VectorLine(tuple(left), tuple(right)))
-    book.items.append(TermTable((*left, *right)))
+    book.items.append(TermTable(tuple(pointed(book, term) for term in (*left, *right))))
 
 
 def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:

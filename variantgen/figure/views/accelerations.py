@@ -13,6 +13,7 @@ from functools import partial
 from variantgen.families.quantities import Quantity
 from variantgen.figure.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
+from variantgen.figure.growing import growing_accelerations
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.mechanism.motion import Motion
@@ -41,6 +42,8 @@ def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, boar
     # A point that is found by the ray to an acceleration centre has its acceleration whole.
     rays = {(q.target, q.component) for q in asked if q.kind == "Q"}
     parts = components(found, language, rays)
+    for point, growing in growing_accelerations(board, found, language).items():
+        parts[point] += growing
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
         for symbol, vector in named_together(named, scale):

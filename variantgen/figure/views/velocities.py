@@ -11,8 +11,9 @@ from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.centre_rays import draw_centres
-from variantgen.figure.contact_letters import draw_contacts
+from variantgen.figure.contact_letters import contacts_of, draw_contacts
 from variantgen.figure.drawing import MEDIUM, Drawing
+from variantgen.figure.growing import growing_velocities
 from variantgen.figure.motion_board import LEAST, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.mechanism.motion import Motion
@@ -37,18 +38,20 @@ def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]
 def _annotate(found: Solved, task: Task, language: Language, board: MotionBoard, stretch: float) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
-    parts = compound_velocities(found, language)
+    parts = compound_velocities(found, language) | growing_velocities(board, found, language)
     points = [name for name in board.shown if name in now.v]
-    scale = stretch * scale_of([*(now.v[name] for name in points), *(v for named in parts.values() for _, v in named)])
+    contacts = contacts_of(board, task)
+    vectors = [*(now.v[name] for name in points), *(contact.velocity for contact in contacts)]
+    scale = stretch * scale_of([*vectors, *(v for named in parts.values() for _, v in named)])
     straight = set()
     for name in points:
-        vectors = named_together([(absolute("v", name), now.v[name]), *parts.get(name, [])], scale)
-        for i, (symbol, vector) in enumerate(vectors):
+        arrows = named_together([(absolute("v", name), now.v[name]), *parts.get(name, [])], scale)
+        for i, (symbol, vector) in enumerate(arrows):
             whole = i == 0 and abs(vector - now.v[name]) * scale < LEAST
             if board.vector(name, scale * vector, symbol, *(() if whole else (MEDIUM,))) and whole:
                 straight.add(name)
     draw_centres(board, now, straight)
-    draw_contacts(board, task)
+    draw_contacts(board, contacts, scale)
     fastest = max((abs(rate) for rate in now.omega.values()), default=0.0)
     for body, rate in now.omega.items():
         if abs(rate) > _NOTHING * fastest:

@@ -122,8 +122,18 @@ class Formulas:
         return self.measured(value) if value.measure == "angle" else self._printed(value)
 
     def _signed(self, sign: int, term: Expression, numbers: bool) -> tuple[int, Formula]:
-        """A term of a sum; the sign of a negative number is taken out of it."""
-        if numbers and isinstance(term, Value) and term.shown < 0:
-            value = Value(None, term.measure, -term.shown)
-            return -sign, self._value(value)
-        return sign, self._written(term, numbers)
+        """A term of a sum; the signs of negative numbers are taken out of it, and of the factors of a product."""
+        if not numbers:
+            return sign, self._written(term, numbers)
+        factors = term.factors if isinstance(term, Times) else (term,)
+        bare = tuple(_without_sign(factor) for factor in factors)
+        for factor, plain in zip(factors, bare, strict=True):
+            sign = sign if plain is factor else -sign
+        return sign, self._written(Times(bare) if isinstance(term, Times) else bare[0], numbers)
+
+
+def _without_sign(item: Expression) -> Expression:
+    """A negative printed number as its magnitude; anything else as it is, an angle with its sign inside a function."""
+    if isinstance(item, Value) and item.shown < 0:
+        return Value(None, item.measure, -item.shown)
+    return item

@@ -129,7 +129,9 @@ class Symbols:
         return (f"{noun}\N{NO-BREAK SPACE}", Symbol(called))
 
     def _kind(self, name: str) -> str:
-        """The kind of a body: by its name in the family (``wheel``, ``gear2``), or by how it is drawn."""
+        """The kind of a body: as the family calls it, by its name (``wheel``, ``gear2``), or by how it is drawn."""
+        if self.form.nouns.get(name) in self.phrases.bodies:
+            return self.form.nouns[name]
         if (noun := name.rstrip("0123456789")) in self.phrases.bodies:
             return noun
         if any(disc.body == name for disc in self.form.figure.discs):

@@ -208,7 +208,12 @@ class Writer:
         if not self.closed or value.measure == "angle":
             return None
         digits = max(FEWEST, len(repr(value.shown).strip("-0.").replace(".", "")))
-        return surd(value.exact) if rounded(value.exact, digits) == value.shown else None
+        if rounded(value.exact, digits) != value.shown:
+            return None
+        found = surd(value.exact)
+        # A fraction whose decimal is printed whole tells nothing new: 2523/2 is 1261.5.
+        whole = found is not None and found.radicand == 1 and found.numerator == value.shown * found.denominator
+        return None if whole else found
 
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
         if not terms:

@@ -1,0 +1,117 @@
+"""What a solution says beside its formulas: why a component is there, what is zero, where a vector points."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.methods.given_data import sentences, steps
+from variantgen.families.load import load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.methods.chain import chain_of
+from variantgen.methods.compose import solution
+from variantgen.methods.expression import Value
+from variantgen.methods.step import Derived, Point, Sentence, Word
+from variantgen.methods.task import task_of
+from variantgen.variants.draw import draw
+from variantgen.variants.needed import shown_points
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.solution.symbols import Symbols
+
+
+def said(family: str, form: str, ask: str, **data: float) -> list[str]:
+    """Keys of the sentences of a solution."""
+    return [sentence.key for sentence in sentences(family, form, ask, **data)]
+
+
+def headings(family: str, form: str, ask: str) -> list[str]:
+    """Keys of the headings of a solution."""
+    return [step.heading.key for step in steps(family, form, ask)]
+
+
+def views(family: str, form: str, ask: str) -> set[str]:
+    """Kinds of figures of which a solution speaks."""
+    return {view for step in steps(family, form, ask) for view in step.views}
+
+
+def derived(family: str, form: str, ask: str) -> list[Value]:
+    """Values that a solution works out."""
+    return [item.value for step in steps(family, form, ask) for item in step.items if isinstance(item, Derived)]
+
+
+@pytest.mark.parametrize("form", ["inside", "outside", "by_centre"])
+def test_the_centre_of_a_disc_on_a_circle_moves_on_a_circle(form: str) -> None:
+    found = [s.facts for s in sentences("disc_in_cylinder", form, "a_O") if s.key == "common.circle"]
+    assert found == [{"point": Point("O"), "centre": Point("C")}]
+
+
+def test_a_relative_path_that_is_a_circle() -> None:
+    assert "relative.circle" in said("arc_yoke", "", "a_rel_A")
+    assert "relative.circle" not in said("arc_yoke", "", "v_rel_A")
+
+
+def test_rotations_about_parallel_axes_add_up() -> None:
+    found = said("crank_and_disc", "relative", "epsilon_disc1")
+    assert found.index("turning.sum_omega") < found.index("turning.sum_epsilon")
+
+
+def test_a_gear_that_turns_uniformly_has_no_tangential_acceleration() -> None:
+    assert "contact.uniform" in said("gear_pair_with_crank", "outside", "epsilon_gear2")
+    assert "contact.uniform" not in said("planetary_train", "two_planets", "epsilon_gear3")
+
+
+def test_a_sleeve_at_rest_and_the_transport_velocity() -> None:
+    found = said("oscillating_cylinder", "", "v_rel_C")
+    assert {"relative.rest_v", "relative.carried_v"} <= set(found)
+    assert not {"relative.rest_v", "relative.carried_v"} & set(said("arc_yoke", "", "v_rel_A"))
+
+
+@pytest.mark.parametrize(("sense", "word"), [(1, "counter_clockwise"), (-1, "clockwise")])
+def test_a_known_vector_across_a_radius_is_told_with_its_sense(sense: int, word: str) -> None:
+    ways = sentences("four_bar", "crank", "a_B", epsilon_OA=4 * sense)
+    about = [s.facts for s in ways if s.key == "ways.about" and s.facts["centre"] == Point("O")]
+    assert about
+    assert about[0]["sense"] == Word(word)
+    assert "ways.assumed" in {s.key for s in ways}
+
+
+def test_bodies_are_called_as_the_statement_calls_them() -> None:
+    russian = load_language("ru")
+    for form_name, noun in (("axle", "колесо"), ("spool", "катушка")):
+        form = load_family("pulley_and_wheel").forms[form_name]
+        called = Symbols(form, russian, load_phrases("ru"), {}).body("wheel", "")
+        assert str(called[0]).strip("\N{NO-BREAK SPACE}") == noun
+
+
+@pytest.mark.parametrize("family", ["guided_plate", "three_rod_plate"])
+def test_figures_and_solutions_take_the_same_pole(family: str) -> None:
+    loaded = load_family(family)
+    form = loaded.forms[""]
+    variant = draw(loaded, None, [("pole", 1)])[0]
+    asked = [parse_quantity(name, form.sample) for name in form.ask]
+    task = task_of(variant, solve_variants([variant], 2), 0, asked)
+    turns = chain_of(form, task.now, asked, shown_points(variant, asked)).turns
+    plate = next(body for body in form.bodies if len(form.bodies[body]) == 3)
+    poles = {turn.pole for turn in turns if turn.body == plate}
+    items = [item for step in solution(task).steps for item in step.items if isinstance(item, Sentence)]
+    assert {Point(pole) for pole in poles} == {item.facts["pole"] for item in items if item.key == "coupled.choose_v"}
+
+
+def test_a_magnitude_is_found_where_its_components_are() -> None:
+    for family, form, ask in (
+        ("disc_in_cylinder", "inside", "a_O a_M"),
+        ("arc_yoke", "", "a_rel_A"),
+        ("parallelogram_with_disc", "fixed_point", "a_M"),
+    ):
+        assert not [heading for heading in headings(family, form, ask) if heading.startswith("answers.magnitude")]
+
+
+def test_translation_is_shown_in_figures() -> None:
+    assert views("parallelogram_with_disc", "fixed_point", "v_M a_M") == {"velocities", "accelerations"}
+
+
+def test_a_relative_velocity_that_nothing_needs_is_not_found() -> None:
+    # The follower translates and its plate is flat: neither Coriolis nor normal relative acceleration.
+    names = {value.name for value in derived("cam_disc", "flat", "a_D") if value.name is not None}
+    assert not [name for name in names if name.part == "rel"]
