@@ -1,29 +1,53 @@
-"""The letters that a solution gives to points of contact, pitch points and ends of threads, in its figures."""
+"""The points of contact, pitch points and ends of threads in figures: letters of the solution, velocities."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import Layer
+from variantgen.figure.drawing import MEDIUM, Layer
+from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.contact import place_of
+from variantgen.methods.instant import Instant
 from variantgen.methods.law import touches
 from variantgen.methods.task import Task
 from variantgen.wording.formula import Symbol
+from variantgen.wording.vector_names import absolute
 
 _CENTRE = "P"  # a contact at rest bears the letter of the velocity centre, which is drawn as such
 
 
-def draw_contacts(board: Board, task: Task) -> None:
-    """Add dots with letters where points of turning bodies touch others or a thread, if no point is shown there."""
-    sketch, metre = board.sketch, task.length_unit
+@dataclass(frozen=True)
+class Contact:
+    """A point of a turning body where it touches another or a thread: its place (m) and velocity (m/s)."""
+
+    place: complex
+    velocity: complex
+
+
+def contacts(board: Board, task: Task, now: Instant) -> dict[str, Contact]:
+    """The points of contact of the bodies that the solution needs, by letter, where no point is shown."""
     needed = task.needed.bodies
-    done = {_CENTRE, *board.shown}
+    found: dict[str, Contact] = {}
     for touch in touches(task).values():
         for side in (touch.first, touch.second):
-            if not side.lever or side.name in done or side.body not in needed:
+            if not side.lever or side.name in (_CENTRE, *board.shown, *found) or side.body not in needed:
                 continue
-            done.add(side.name)
-            place = sketch.scale * place_of(task, side) * metre
-            sketch.circle(place, DOT, Layer.HINGE, fill="ink")
-            sketch.label(around(Symbol(side.name), place, DOT))
+            place = place_of(task, side) * task.length_unit
+            swing = 1j * now.omega[side.body] * (place - now.z[side.centre])
+            found[side.name] = Contact(place, now.v[side.centre] + swing)
+    return found
+
+
+def draw_contacts(board: MotionBoard, found: Mapping[str, Contact], scale: float) -> None:
+    """Add dots with letters and velocities (``scale`` u per m/s)."""
+    sketch = board.sketch
+    for name, contact in found.items():
+        key = f"contact {name}"
+        place = sketch.at[key] = sketch.scale * contact.place
+        sketch.circle(place, DOT, Layer.HINGE, fill="ink")
+        sketch.label(around(Symbol(name), place, DOT))
+        board.vector(key, scale * contact.velocity, absolute("v", name), MEDIUM)

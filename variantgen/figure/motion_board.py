@@ -11,7 +11,7 @@ import numpy as np
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.build import mechanism
-from variantgen.figure.clean import first_clean
+from variantgen.figure.clean import first_roomy
 from variantgen.figure.drawing import BOLD, Drawing, Layer
 from variantgen.figure.plans import EQUAL
 from variantgen.figure.requests import along_arrow
@@ -25,12 +25,13 @@ from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
 
 LONGEST = 15.0  # length of the longest vector of a figure, u
-LONGEST_OF_MANY = 21.0  # the same where many vectors start at one point
+LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
 LEAST = 1.6  # vectors shorter than this cannot be seen, u
-_MOST = 92.0  # width and height of a figure but for its labels, u
-_FIRST_SIZE, _LEAST_SIZE = 0.86, 0.3  # of the mechanism in proportion to that of the statement
+_MOST = 96.0  # width and height of a figure but for its labels, u
+_LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
-_STRETCHES = (1.0, 0.85, 1.12, 0.7)
+# Sizes of vectors and mechanism, in proportion to the usual ones, that are tried until letters find room.
+_SIZES = ((1.0, 1.0), (1.25, 1.2), (1.5, 1.2), (0.85, 1.0), (0.7, 1.0))
 _ASIDE = (0.0, 2.2, 3.4, 4.8)  # how far an arrow is moved off a line on which it would lie, u
 _HALF_LANE = 0.35  # half the width of the paper that an arrow takes, u
 _SAMPLES = np.linspace(0.3, 1.0, 15)
@@ -41,12 +42,13 @@ class MotionBoard(Board):
     """A board on which the rates of all bodies are shown, not only those that are given."""
 
     kind = "omega"
+    stated: Symbol | None = None
 
     def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol of a rate of a body, under the name by which it may be asked."""
+        """The symbol of a rate of a body: that of the statement, or the name by which it may be asked."""
         del field_name
         assert isinstance(driver, Rotation)
-        return self.symbol(f"{self.kind}_{driver.body}")
+        return self.stated or self.symbol(f"{self.kind}_{driver.body}")
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
@@ -59,9 +61,12 @@ class MotionBoard(Board):
             self.sketch.occupy(key, way)
         return key
 
-    def turn(self, body: str, rate: float, kind: str) -> None:
-        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper."""
-        self.kind = kind
+    def turn(self, body: str, rate: float, kind: str, stated: Symbol | None = None) -> None:
+        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper.
+
+        ``stated`` is the symbol under which the rate is given, if it is not the usual one.
+        """
+        self.kind, self.stated = kind, stated
         given = float(self.frame.sense) * rate
         # Only its sense is seen, so that either rate is drawn by the same means.
         rotation.draw(self, Rotation(body, given))
@@ -104,22 +109,24 @@ def draw_on_mechanism(
     language: Language,
     annotate: Callable[[MotionBoard, float], None],
 ) -> Drawing:
-    """The mechanism without data, with what ``annotate`` adds, small enough for everything to find room.
+    """The mechanism without data, with what ``annotate`` adds, of a size with which everything finds room.
 
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
     letters find room.
     """
 
-    def drawn(stretch: float) -> Drawing:
-        """The figure with vectors of one size."""
-        return _fitted(lambda size: mechanism(variant, motion, index, asked, language, False, size), annotate, stretch)
+    def drawn(stretch: float, size: float) -> Drawing:
+        """The figure with vectors of one size on a mechanism of at most one size."""
+        base = partial(mechanism, variant, motion, index, asked, language, False)
+        return _fitted(base, annotate, stretch, size)
 
-    return first_clean(partial(drawn, stretch) for stretch in _STRETCHES)
+    return first_roomy(partial(drawn, *sizes) for sizes in _SIZES)
 
 
-def _fitted(base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float) -> Drawing:
+def _fitted(
+    base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float, size: float
+) -> Drawing:
     """The figure on a mechanism of the size with which everything is on the paper."""
-    size = _FIRST_SIZE
     for _ in range(_TRIES):
         board = MotionBoard(**vars(base(size)))
         annotate(board, stretch)

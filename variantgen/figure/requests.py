@@ -59,17 +59,17 @@ _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
 _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head.
-_ASIDE = np.array([_OFF, 3.5, 7.0])[:, None]
+_ASIDE = np.array([_OFF, 3.5])[:, None]
 _SIDES = np.array([1.0, -1.0])[:, None]
-_AHEAD = np.array([1.0, 2.5, 5.0, 8.0, 11.0])
+_AHEAD = np.array([1.0, 2.5, 4.5])
 _ARROW_COSTS = np.concatenate(
     (
         (
-            np.array([0.0, 7.0, 10.0])[:, None, None]
+            np.array([0.0, 7.0])[:, None, None]
             + np.array([0.0, 0.2])[None, :, None]
             + (10 * np.abs(_PARTS - 0.5) + 2 * np.abs(_PARTS - 0.6))[None, None, :]
         ).ravel(),
-        [1.5, 3.0, 5.0, 8.0, 11.0],
+        [1.5, 3.0, 5.0],
     )
 )
 _ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
