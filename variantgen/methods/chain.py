@@ -7,6 +7,7 @@ The order is that of the solver's plan (:mod:`variantgen.mechanism.structure`), 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from variantgen.families.family import Form
@@ -14,7 +15,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
+from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide, Step
 from variantgen.methods.instant import Instant
 from variantgen.methods.needed import needed_for
 
@@ -88,14 +89,14 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
-    poles = {body: _pole(form, body, visible) for body in form.bodies}
+    guides = _guides(now, points)
+    poles = {body: _pole(form, body, visible, resting, guides.keys()) for body in form.bodies}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
     slips = [
         Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for joint in now.scene.joints
         if (path := joint.sliding()) and path.point in visible and path.body in needed.bodies
     ]
-    guides = _guides(now, points)
     keep = {q.point for q in asked} | _driven(form) | {slip.point for slip in slips} | set(guides)
     keep |= {turn.point for turn in turns if not turn.body}
     points = _useful(form, points, turns, slips, keep)
@@ -133,8 +134,11 @@ def _order(plan: Plan) -> list[str]:
     return [step.point for step in plan.steps]
 
 
-def _pole(form: Form, body: str, visible: set[str]) -> str | None:
-    """The pole of a body: that of the plan unless it is hidden or its motion is not the given one."""
+def _pole(form: Form, body: str, visible: set[str], resting: AbstractSet[str], guides: AbstractSet[str]) -> str | None:
+    """The pole of a body: that of the plan unless it is hidden or its motion is not the given one.
+
+    Where that one is found only together with the body, it is a point whose path is known.
+    """
     steps: list[Carry] = [s for s in form.plan.steps if isinstance(s, Carry) and s.body == body]
     steps += [
         e.step
@@ -150,8 +154,25 @@ def _pole(form: Form, body: str, visible: set[str]) -> str | None:
     if uncertain and given:
         return given[0]
     if planned in members:
+        if _is_found_with(form, reached.get(planned), body):
+            tracked = (name for name in members if name in guides or _is_led(form, name, body, resting))
+            return next(tracked, planned)
         return planned
     return next((name for name in _order(form.plan) if name in members), None)
+
+
+def _is_found_with(form: Form, step: Step | None, body: str) -> bool:
+    """Whether a step carries its point by a body whose rotation is found only together with that of another one."""
+    if not isinstance(step, Carry) or step.body == body:
+        return False
+    return any({form.plan.omega[step.body], form.plan.omega[body]} <= set(block.unknowns) for block in form.plan.blocks)
+
+
+def _is_led(form: Form, point: str, body: str, resting: AbstractSet[str]) -> bool:
+    """Whether another body leads a point round a point at rest."""
+    return any(
+        point in members and not resting.isdisjoint(members) for other, members in form.bodies.items() if other != body
+    )
 
 
 def _carried(form: Form, poles: dict[str, str | None]) -> list[Turn]:
