@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.methods.book import Book
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry import Geometry, normal_angle
-from variantgen.methods.step import Derived, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
+from variantgen.methods.step import Derived, Projection, Sentence, Share, Shown, Term, TermTable, VectorLine, VectorOf
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
 _PARALLEL = 1e-7
@@ -27,7 +27,14 @@ def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -
         book.graphics.write(book, left, right, start)
         return
     book.items.insert(start, VectorLine(tuple(left), tuple(right)))
-    book.items.append(TermTable((*left, *right)))
+    book.items.append(TermTable(tuple(_tabled(term) for term in (*left, *right))))
+
+
+def _tabled(term: Term) -> Term:
+    """A vector as the table shows it: of an unknown one also the direction that the projections assume."""
+    if term.size is not None or term.way.key == "ways.unknown":
+        return term
+    return Term(term.name, None, term.angle, Sentence("ways.assumed", {"way": term.way, "angle": Shown(term.angle)}))
 
 
 def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:
