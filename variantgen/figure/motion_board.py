@@ -26,7 +26,8 @@ from variantgen.wording.language import Language
 
 LONGEST = 15.0  # length of the longest vector of a figure, u
 LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
-LEAST = 1.6  # vectors shorter than this cannot be seen, u
+LEAST = 2.0  # vectors shorter than this are drawn with this length, so that they are seen, u
+NOTHING = 0.02  # vectors shorter than this are none, u
 _MOST = 96.0  # width and height of a figure but for its labels, u
 _LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
@@ -74,10 +75,11 @@ class MotionBoard(Board):
     def vector(self, point: str, vector: complex, name: Formula, weight: float = BOLD) -> bool:
         """Add an arrow (``vector`` in u) from a point; moved aside where it would lie on other lines.
 
-        Returns whether it starts at the point itself. Nothing is drawn of a vector too short to be seen.
+        Returns whether it starts at the point itself. Nothing is drawn of a vector that is next to none.
         """
-        if abs(vector) < LEAST:
+        if abs(vector) < NOTHING:
             return False
+        vector *= max(1.0, LEAST / abs(vector))
         start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
         # Below the hinges: the arrow comes out of the circle.
         head = min(2.6, 0.6 * abs(vector))
@@ -145,10 +147,10 @@ def scale_of(vectors: Sequence[complex], length: float = LONGEST) -> float:
 
 
 def named_together(named: Sequence[tuple[Symbol, complex]], scale: float) -> list[tuple[Formula, complex]]:
-    """Vectors of one point; those that are equal are one arrow with both names, what cannot be seen is left out."""
+    """Vectors of one point; those that are equal are one arrow with both names, what is next to none is left out."""
     found: list[tuple[Formula, complex]] = []
     for symbol, vector in named:
-        if scale * abs(vector) < LEAST:
+        if scale * abs(vector) < NOTHING:
             continue
         same = next((i for i, (_, other) in enumerate(found) if abs(other - vector) < EQUAL * abs(vector)), None)
         if same is None:

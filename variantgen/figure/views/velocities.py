@@ -13,7 +13,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.centre_rays import draw_centres
 from variantgen.figure.contact_letters import contacts, draw_contacts
 from variantgen.figure.drawing import MEDIUM, Drawing
-from variantgen.figure.motion_board import LEAST, MotionBoard, draw_on_mechanism, named_together, scale_of
+from variantgen.figure.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
 from variantgen.figure.stated import stated_rates, stated_vectors, telling_points, transport_name
 from variantgen.mechanism.motion import Motion
@@ -47,7 +47,7 @@ def _annotate(found: Solved, language: Language, board: MotionBoard, stretch: fl
         own = stated.get(name, absolute("v", name)), now.v[name]
         vectors = named_together([own, *parts.get(name, [])], scale)
         for i, (symbol, vector) in enumerate(vectors):
-            whole = i == 0 and abs(vector - now.v[name]) * scale < LEAST
+            whole = i == 0 and abs(vector - now.v[name]) * scale < NOTHING
             if board.vector(name, scale * vector, symbol, *(() if whole else (MEDIUM,))) and whole:
                 straight.add(name)
     draw_contacts(board, touching, scale)
