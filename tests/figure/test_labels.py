@@ -11,6 +11,7 @@ from variantgen.figure.ink import boxes_crossed, gaps_to_box
 from variantgen.figure.labels import place_labels
 from variantgen.figure.occupancy import CELL, Occupancy
 from variantgen.figure.requests import along_line, around
+from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Index, Symbol
 
 A, B = Symbol("A"), Symbol("B")
@@ -97,3 +98,12 @@ def test_bezier_pieces_follow_the_circle() -> None:
             assert abs(abs(point - arc.centre) - 3.0) < 3 * 3e-4
         place = end
     assert abs(place - arc.at(1)) < 1e-12
+
+
+def test_a_label_on_a_plate_has_the_shade_behind_it() -> None:
+    corners = (0j, 40 + 0j, 40j)
+    sketch = Sketch({"A": 12 + 12j, "B": 30 + 30j}, 1.0)
+    sketch.path(corners, Layer.DISC, closed=True, fill="shade")
+    sketch.label(around(A, 12 + 12j, 1.0))
+    sketch.label(around(B, 30 + 30j, 1.0))
+    assert [label.paper for label in sketch.finish({}).labels] == ["shade", "paper"]
