@@ -11,6 +11,7 @@ from variantgen.figure.ink import boxes_crossed, gaps_to_box
 from variantgen.figure.labels import place_labels
 from variantgen.figure.occupancy import CELL, Occupancy
 from variantgen.figure.requests import along_arrow, along_line, around
+from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Index, Symbol
 
 A, B = Symbol("A"), Symbol("B")
@@ -107,3 +108,12 @@ def test_the_letter_of_an_arrow_is_led_to_rather_than_far_away() -> None:
     (label, _), leaders = place_labels(arrows, np.array([(0, 5), (9, 20), *walls]), [])
     assert label.formula == v[0]
     assert [leader.points[0] for leader in leaders] == [5 + 0j]
+
+
+def test_a_label_on_a_plate_has_the_shade_behind_it() -> None:
+    corners = (0j, 40 + 0j, 40j)
+    sketch = Sketch({"A": 12 + 12j, "B": 30 + 30j}, 1.0)
+    sketch.path(corners, Layer.DISC, closed=True, fill="shade")
+    sketch.label(around(A, 12 + 12j, 1.0))
+    sketch.label(around(B, 30 + 30j, 1.0))
+    assert [label.paper for label in sketch.finish({}).labels] == ["shade", "paper"]

@@ -14,9 +14,11 @@ from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.motion_board import LEAST
 from variantgen.figure.solved import solved
+from variantgen.figure.stated import stated_rates, telling_points
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
+from variantgen.methods.task import task_of
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -50,7 +52,9 @@ def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing)
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: str) -> None:
     for variant, motion, i, drawing in drawings(name, form, 1):
-        points = [p for p in shown_points(variant, asked_quantities(variant)) if p in motion.v]
+        found = solved(variant, motion, i, asked_quantities(variant), 1)
+        points = telling_points(found.task, found.chain, found.chain.points)
+        assert {q.point for q in found.task.asked if q.kind == "v"} - found.chain.resting <= set(points)
         size = size_of_vectors(motion, i, points, drawing)
         found = arrows(drawing, Layer.SLIDER)
         for point in points:
@@ -67,18 +71,6 @@ def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: 
             ), (point, variant.printed)
 
 
-def given_letter(variant: Variant, kind: str, body: str) -> str:
-    """The letter of a rate: that of the parameter that gives it, where that is named by its kind."""
-    symbols = variant.form.symbols
-    for driver in variant.form.drivers:
-        rotation = driver.fields.get("body") == body and "relative_to" not in driver.fields
-        if rotation and kind in driver.fields:
-            for name in sorted(driver.fields[kind].names):
-                if name == kind or name.startswith(f"{kind}_"):
-                    return to_plain(EN.symbol(variant.form.parameters[name].symbol, symbols))
-    return to_plain(EN.symbol(f"{kind}_{body}", symbols))
-
-
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str) -> None:
     for order, letter in ((1, "omega"), (2, "epsilon")):
@@ -86,8 +78,9 @@ def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str)
             rates = motion.omega if order == 1 else motion.epsilon
             largest = max(abs(float(rate[i])) for rate in rates.values())
             bound = 1e-9 * max(largest, max(abs(float(w[i])) for w in motion.omega.values()) ** 2)
+            stated = stated_rates(task_of(variant, motion, i, asked_quantities(variant)), order, EN)
             turning = {
-                given_letter(variant, letter, body): float(rate[i])
+                to_plain(stated.get(body) or EN.symbol(f"{letter}_{body}", variant.form.symbols)): float(rate[i])
                 for body, rate in rates.items()
                 if abs(float(rate[i])) > bound
             }
@@ -191,7 +184,9 @@ def test_the_views_are_found() -> None:
 )
 def test_points_of_contact_have_the_letters_of_the_solution(name: str, form: str, letters: set[str]) -> None:
     for _, motion, i, drawing in drawings(name, form, 1):
-        assert letters <= {to_plain(label.formula) for label in drawing.labels}
+        names = {to_plain(label.formula) for label in drawing.labels}
+        assert letters <= names
+        assert {f"v_{letter}" for letter in letters} <= names
         assert len(dots(drawing)) >= len(letters)
         assert bool(motion.solved[i])
 
@@ -217,3 +212,27 @@ def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: 
     ]
     assert any(relative in letters for letters in found)
     assert any({relative, *rest} <= letters for letters in found), found
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "order", "named", "unnamed"),
+    [
+        # A body in translation has one velocity: as the statement calls it, or that of its guided point.
+        ("wedge_and_rod", "vertical", 1, {"v", "v_A", "v_rel A"}, {"v_F", "v_D", "v_E", "v_B", "v_tr A"}),
+        ("wedge_and_rod", "inclined", 2, {"a", "a_A", "a_rel A"}, {"a_F", "a_tr A"}),
+        ("scotch_yoke", "oblique", 1, {"v_A", "v_B", "v_rel A"}, {"v_tr A"}),
+        # The parts of transport motion are those of the solution: about a fixed axis, about a moving pole.
+        ("slotted_rocker", "swinging", 2, {"a^τ_tr A", "a_cor A"}, {"a_tr A", "a_B"}),
+        ("sleeve_on_crank", "", 1, {"v_B", "v_CB", "v_rel C"}, {"v_tr C", "v_D"}),
+        ("sleeve_on_crank", "", 2, {"a_B", "a^n_CB", "a^τ_CB", "a_cor C"}, {"a_tr C"}),
+        ("arc_yoke", "", 2, {"a^τ_rel A"}, {"a_rel A"}),
+        ("triangle_plate", "scalene", 2, {"ε", "a_B", "a_D"}, {"ε_ABD"}),
+    ],
+)
+def test_vectors_and_rates_have_the_names_of_the_solution(
+    name: str, form: str, order: int, named: set[str], unnamed: set[str]
+) -> None:
+    for variant, _, _, drawing in drawings(name, form, order):
+        names = {part for label in drawing.labels for part in to_plain(label.formula).split(" = ")}
+        assert named <= names, variant.printed
+        assert not unnamed & names, variant.printed

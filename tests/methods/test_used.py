@@ -8,7 +8,7 @@ from tests.methods.forms import tasks
 from variantgen.families.asking import read_ask
 from variantgen.methods.compose import solution
 from variantgen.methods.name import Name
-from variantgen.methods.step import Body, Derived, Sentence, Step
+from variantgen.methods.step import Body, Derived, Point, Sentence, Step
 from variantgen.methods.task import Task
 
 
@@ -59,3 +59,10 @@ def test_axes_and_origin_are_told_once_where_they_are_needed() -> None:
     assert plate.count("position.origin_by") == 1  # the guides cross there, no point has a letter
     gears = sentences(solution(asking("planetary_pair", "outside", ["omega_gear1"])).steps)
     assert not any(key.startswith(("position.axes", "position.origin")) for key in gears)
+
+
+def test_a_step_that_only_writes_known_components_down_again_is_left_out() -> None:
+    # The normal acceleration of F about the pole C is found with those of the plate; a_F itself is not asked.
+    steps = solution(asking("three_rod_plate", "", ["a_B", "epsilon_BCF"])).steps
+    told = [step.heading.facts.get("point") for step in steps if step.heading.key == "points.by_pole_a"]
+    assert told == [Point("B")]

@@ -20,7 +20,7 @@ from variantgen.families.family import Form, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing, Tally, VerificationError
 from variantgen.variants.mistakes import distances, wrong_answers
 from variantgen.variants.screening import sensitivity
 from variantgen.variants.seeding import Stream
@@ -120,14 +120,16 @@ def _least_distances(variants: Sequence[Variant], asked: Sequence[Quantity], mot
 
 
 def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list[Variant]]:
-    """A draw of so many variants of the form, always the same ones."""
+    """A draw of so many variants of the form, always the same ones; none where the form has but one or none."""
 
     def drawn(count: int) -> list[Variant]:
+        if variant.form.grid_size == 1:
+            return []
         drawing = FormDrawing(variant.family, variant.form, asked, Tally(), variant.family.name)
         streams = [Stream("model", number, variant.family.name) for number in range(count)]
         try:
             return drawing.run(streams, [0] * count)
-        except InputError:
+        except (InputError, VerificationError):  # the draw of the students' variants says it, with their keys
             return []
 
     return drawn

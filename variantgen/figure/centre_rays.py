@@ -27,11 +27,11 @@ def plane_bodies(now: Instant) -> list[str]:
     return [body for body, members in now.scene.bodies.items() if body not in still and not fixed & set(members)]
 
 
-def draw_centres(board: Board, now: Instant, straight: Collection[str]) -> None:
+def draw_centres(board: Board, now: Instant, points: Collection[str], straight: Collection[str]) -> None:
     """Add the centre of each body in plane motion with dashed rays to its points and right angles to the velocities.
 
-    ``straight`` are points whose velocities are drawn from the point itself. A centre too far away is not shown; short
-    rays show the way to it.
+    ``points`` are those whose velocities are drawn, ``straight`` those at which they begin in the point itself.
+    A centre too far away is not shown; short rays show the way to it.
     """
     sketch = board.sketch
     low, high = sketch.corners()
@@ -39,7 +39,7 @@ def draw_centres(board: Board, now: Instant, straight: Collection[str]) -> None:
     fastest = max(abs(v) for v in now.v.values())
     places: dict[str, complex] = {}
     for body in plane_bodies(now):
-        members = [name for name in now.scene.bodies[body] if name in board.shown]
+        members = [name for name in now.scene.bodies[body] if name in points]
         moving = [name for name in members if abs(now.v[name]) > _NOTHING * fastest]
         if not moving:
             continue

@@ -1,15 +1,17 @@
-"""The letters that a solution gives to points of contact, pitch points and ends of threads, in its figures."""
+"""The points of contact, pitch points and ends of threads in figures: letters of the solution, velocities."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping
+from dataclasses import dataclass
 
-from variantgen.figure.drawing import Layer
+from variantgen.figure.board import Board
+from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.contact import place_of
+from variantgen.methods.instant import Instant
 from variantgen.methods.law import touches
 from variantgen.methods.task import Task
 from variantgen.wording.formula import Symbol
@@ -18,34 +20,34 @@ from variantgen.wording.vector_names import absolute
 _CENTRE = "P"  # a contact at rest bears the letter of the velocity centre, which is drawn as such
 
 
-class Contact(NamedTuple):
-    """A point of contact with its letter: where it is on the paper (u), its velocity (m/s)."""
+@dataclass(frozen=True)
+class Contact:
+    """A point of a turning body where it touches another or a thread: its place (m) and velocity (m/s)."""
 
-    name: str
     place: complex
     velocity: complex
 
 
-def contacts_of(board: MotionBoard, task: Task) -> list[Contact]:
-    """Points of turning bodies that touch others or a thread, if no point is shown there."""
+def contacts(board: Board, task: Task, now: Instant) -> dict[str, Contact]:
+    """The points of contact of the bodies that the solution needs, by letter, where no point is shown."""
+    needed = task.needed.bodies
     found: dict[str, Contact] = {}
     for touch in touches(task).values():
         for side in (touch.first, touch.second):
-            known = {_CENTRE, *board.shown, *found}
-            if not side.lever or side.name in known or side.body not in task.needed.bodies:
+            if not side.lever or side.name in (_CENTRE, *board.shown, *found) or side.body not in needed:
                 continue
-            place = place_of(task, side)
-            swing = 1j * task.now.omega[side.body] * (place - task.now.z[side.centre])
-            velocity = (task.now.v[side.centre] + swing) * task.length_unit
-            found[side.name] = Contact(side.name, board.sketch.scale * place * task.length_unit, velocity)
-    return list(found.values())
+            place = place_of(task, side) * task.length_unit
+            swing = 1j * now.omega[side.body] * (place - now.z[side.centre])
+            found[side.name] = Contact(place, now.v[side.centre] + swing)
+    return found
 
 
-def draw_contacts(board: MotionBoard, contacts: Sequence[Contact], scale: float) -> None:
-    """Add dots with letters and velocities (``scale`` u per m/s) at points of contact."""
+def draw_contacts(board: MotionBoard, found: Mapping[str, Contact], scale: float) -> None:
+    """Add dots with letters and velocities (``scale`` u per m/s)."""
     sketch = board.sketch
-    for name, place, velocity in contacts:
+    for name, contact in found.items():
+        key = f"contact {name}"
+        place = sketch.at[key] = sketch.scale * contact.place
         sketch.circle(place, DOT, Layer.HINGE, fill="ink")
         sketch.label(around(Symbol(name), place, DOT))
-        sketch.at[name] = place
-        board.vector(name, scale * velocity, absolute("v", name))
+        board.vector(key, scale * contact.velocity, absolute("v", name), MEDIUM)

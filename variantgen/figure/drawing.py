@@ -92,11 +92,15 @@ Line: TypeAlias = Path | Strokes | Arc
 
 @dataclass(frozen=True)
 class Label:
-    """A formula with its centre at a point; ``size`` (width, height) is what placement counted with."""
+    """A formula with its centre at a point; ``size`` (width, height) is what placement counted with.
+
+    ``paper`` is what lies behind it: 'paper', or 'shade' on a shaded plate.
+    """
 
     formula: Formula
     at: complex
     size: tuple[float, float]
+    paper: str = "paper"
 
 
 @dataclass(frozen=True)

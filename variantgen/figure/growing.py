@@ -42,4 +42,4 @@ def _relative(board: MotionBoard, reach: Reach, kind: str, language: Language) -
     """The relative vector under the letter by which its magnitude is given."""
     drivers = (driver for driver in board.scene.drivers if isinstance(driver, Extension))
     driver = next(driver for driver in drivers if (driver.end, driver.start) == (reach.point, reach.base))
-    return board.stated(driver, kind) or compound(kind, "rel", reach.point, language)
+    return board.given_symbol(driver, kind) or compound(kind, "rel", reach.point, language)

@@ -11,7 +11,7 @@ import numpy as np
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.build import mechanism
-from variantgen.figure.clean import first_clean
+from variantgen.figure.clean import first_roomy
 from variantgen.figure.drawing import BOLD, Drawing, Layer
 from variantgen.figure.plans import EQUAL
 from variantgen.figure.requests import along_arrow
@@ -25,12 +25,14 @@ from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
 
 LONGEST = 15.0  # length of the longest vector of a figure, u
-LONGEST_OF_MANY = 21.0  # the same where many vectors start at one point
-LEAST = 1.6  # vectors shorter than this cannot be seen, u
-_MOST = 92.0  # width and height of a figure but for its labels, u
-_FIRST_SIZE, _LEAST_SIZE = 0.86, 0.3  # of the mechanism in proportion to that of the statement
+LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
+LEAST = 2.0  # vectors shorter than this are drawn with this length, so that they are seen, u
+NOTHING = 0.02  # vectors shorter than this are none, u
+_MOST = 96.0  # width and height of a figure but for its labels, u
+_LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
-_STRETCHES = (1.0, 0.85, 1.12, 0.7)
+# Sizes of vectors and mechanism, in proportion to the usual ones, that are tried until letters find room.
+_SIZES = ((1.0, 1.0), (1.25, 1.2), (1.5, 1.2), (0.85, 1.0), (0.7, 1.0))
 _ASIDE = (0.0, 2.2, 3.4, 4.8)  # how far an arrow is moved off a line on which it would lie, u
 _HALF_LANE = 0.35  # half the width of the paper that an arrow takes, u
 _SAMPLES = np.linspace(0.3, 1.0, 15)
@@ -41,21 +43,16 @@ class MotionBoard(Board):
     """A board on which the rates of all bodies are shown, not only those that are given."""
 
     kind = "omega"
+    stated: Symbol | None = None
 
     def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol of a rate of a body: as the statement gives it, else as it may be asked."""
+        """The symbol of a rate of a body: that of the statement, or the name by which it may be asked."""
         del field_name
         assert isinstance(driver, Rotation)
-        usual = self.symbol(f"{self.kind}_{driver.body}")
-        for own in self.scene.drivers:
-            if isinstance(own, Rotation) and own.body == driver.body and own.relative_to is None:
-                stated = self.stated(own, self.kind)
-                # Revolutions per minute are another quantity.
-                return stated if stated is not None and stated.base == usual.base else usual
-        return usual
+        return self.stated or self.symbol(f"{self.kind}_{driver.body}")
 
-    def stated(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol of a rate by which the statement gives it, if it does."""
+    def given_symbol(self, driver: Constraint, field_name: str) -> Symbol | None:
+        """The symbol by which the statement gives a field of a driver, if it does."""
         return super().rate(driver, field_name)
 
     def centre_of_rotation(self, body: str) -> str:
@@ -69,9 +66,12 @@ class MotionBoard(Board):
             self.sketch.occupy(key, way)
         return key
 
-    def turn(self, body: str, rate: float, kind: str) -> None:
-        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper."""
-        self.kind = kind
+    def turn(self, body: str, rate: float, kind: str, stated: Symbol | None = None) -> None:
+        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper.
+
+        ``stated`` is the symbol under which the rate is given, if it is not the usual one.
+        """
+        self.kind, self.stated = kind, stated
         given = float(self.frame.sense) * rate
         # Only its sense is seen, so that either rate is drawn by the same means.
         rotation.draw(self, Rotation(body, given))
@@ -79,10 +79,11 @@ class MotionBoard(Board):
     def vector(self, point: str, vector: complex, name: Formula, weight: float = BOLD) -> bool:
         """Add an arrow (``vector`` in u) from a point; moved aside where it would lie on other lines.
 
-        Returns whether it starts at the point itself. Nothing is drawn of a vector too short to be seen.
+        Returns whether it starts at the point itself. Nothing is drawn of a vector that is next to none.
         """
-        if abs(vector) < LEAST:
+        if abs(vector) < NOTHING:
             return False
+        vector *= max(1.0, LEAST / abs(vector))
         start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
         # Below the hinges: the arrow comes out of the circle.
         head = min(2.6, 0.6 * abs(vector))
@@ -114,22 +115,24 @@ def draw_on_mechanism(
     language: Language,
     annotate: Callable[[MotionBoard, float], None],
 ) -> Drawing:
-    """The mechanism without data, with what ``annotate`` adds, small enough for everything to find room.
+    """The mechanism without data, with what ``annotate`` adds, of a size with which everything finds room.
 
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
     letters find room.
     """
 
-    def drawn(stretch: float) -> Drawing:
-        """The figure with vectors of one size."""
-        return _fitted(lambda size: mechanism(variant, motion, index, asked, language, False, size), annotate, stretch)
+    def drawn(stretch: float, size: float) -> Drawing:
+        """The figure with vectors of one size on a mechanism of at most one size."""
+        base = partial(mechanism, variant, motion, index, asked, language, False)
+        return _fitted(base, annotate, stretch, size)
 
-    return first_clean(partial(drawn, stretch) for stretch in _STRETCHES)
+    return first_roomy(partial(drawn, *sizes) for sizes in _SIZES)
 
 
-def _fitted(base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float) -> Drawing:
+def _fitted(
+    base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float, size: float
+) -> Drawing:
     """The figure on a mechanism of the size with which everything is on the paper."""
-    size = _FIRST_SIZE
     for _ in range(_TRIES):
         board = MotionBoard(**vars(base(size)))
         annotate(board, stretch)
@@ -148,10 +151,10 @@ def scale_of(vectors: Sequence[complex], length: float = LONGEST) -> float:
 
 
 def named_together(named: Sequence[tuple[Symbol, complex]], scale: float) -> list[tuple[Formula, complex]]:
-    """Vectors of one point; those that are equal are one arrow with both names, what cannot be seen is left out."""
+    """Vectors of one point; those that are equal are one arrow with both names, what is next to none is left out."""
     found: list[tuple[Formula, complex]] = []
     for symbol, vector in named:
-        if scale * abs(vector) < LEAST:
+        if scale * abs(vector) < NOTHING:
             continue
         same = next((i for i, (_, other) in enumerate(found) if abs(other - vector) < EQUAL * abs(vector)), None)
         if same is None:

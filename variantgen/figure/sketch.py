@@ -5,13 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Layer, Line, Path, Strokes
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
 from variantgen.figure.ink import Sides, boxes_crossed, segments_of
 from variantgen.figure.labels import place_labels
 from variantgen.figure.requests import Request
@@ -184,10 +184,25 @@ class Sketch:
             high.real - low.real,
             high.imag - low.imag,
             tuple(moved(line, -low) for line in ordered),
-            tuple(type(label)(label.formula, label.at - low, label.size) for label in labels),
+            tuple(replace(label, at=label.at - low, paper=self._behind(label)) for label in labels),
             scale=self.scale,
             origin=-low,
         )
+
+    def _behind(self, label: Label) -> str:
+        """What lies behind a label, which stands clear of the outline of a plate: its shade or paper."""
+        plates = (line.points for line in self.lines if isinstance(line, Path) and line.fill == "shade")
+        return "shade" if any(_surrounds(points, label.at) for points in plates) else "paper"
+
+
+def _surrounds(corners: Sequence[complex], place: complex) -> bool:
+    """Whether a polygon has a place inside: a ray to the right crosses its sides an odd number of times."""
+    inside = False
+    for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
+        low, high = start - place, end - place
+        if (low.imag > 0) != (high.imag > 0):
+            inside ^= low.real - low.imag * (high.real - low.real) / (high.imag - low.imag) > 0
+    return inside
 
 
 def _extent(line: Line) -> list[complex]:

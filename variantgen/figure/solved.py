@@ -12,6 +12,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.methods.chain import Chain, chain_of
 from variantgen.methods.instant import Instant, instant
+from variantgen.methods.task import Task, task_of
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 
@@ -20,11 +21,12 @@ _NOTHING = 1e-9  # of the largest vector
 
 @dataclass(frozen=True)
 class Solved:
-    """One variant with its chain, its numbers, and the unit of its vectors."""
+    """One variant with its chain, its numbers, the unit of its vectors, and the task of its solution."""
 
     chain: Chain
     now: Instant
     unit: Unit
+    task: Task
 
 
 def solved(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], order: int) -> Solved:
@@ -52,4 +54,5 @@ def solved(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantit
     if max(sizes, default=0.0) <= _NOTHING * max((abs(vector) for vector in vectors.values()), default=0.0):
         kind = "velocity" if order == 1 else "acceleration"
         raise InputError(Problem(f"no shown point has a {kind}", key="view", value=name))
-    return Solved(chain, now, unit(variant.family.length_unit + ("/s" if order == 1 else "/s^2")))
+    measure = unit(variant.family.length_unit + ("/s" if order == 1 else "/s^2"))
+    return Solved(chain, now, measure, task_of(variant, motion, index, asked))

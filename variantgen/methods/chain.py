@@ -6,7 +6,8 @@ The order is that of the solver's plan (:mod:`variantgen.mechanism.structure`), 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from variantgen.families.family import Form
@@ -89,7 +90,7 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
     guides = _guides(now, points)
-    poles = {body: _pole(form, body, visible, guides) for body in form.bodies}
+    poles = {body: _pole(form, body, visible, guides.keys()) for body in form.bodies}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
     slips = [
         Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
@@ -133,7 +134,7 @@ def _order(plan: Plan) -> list[str]:
     return [step.point for step in plan.steps]
 
 
-def _pole(form: Form, body: str, visible: set[str], guides: Collection[str]) -> str | None:
+def _pole(form: Form, body: str, visible: set[str], guides: AbstractSet[str]) -> str | None:
     """The pole of a body: that of the plan unless it is hidden or its motion is not the given one.
 
     A body of which two points are led is held at three, none of which is known: its pole is one whose path is known.
@@ -160,7 +161,7 @@ def _pole(form: Form, body: str, visible: set[str], guides: Collection[str]) -> 
     return next((name for name in _order(form.plan) if name in members), None)
 
 
-def _is_led(form: Form, point: str, body: str, guides: Collection[str]) -> bool:
+def _is_led(form: Form, point: str, body: str, guides: AbstractSet[str]) -> bool:
     """Whether a point of a body is kept on a fixed path: by a guide, or by another body that turns about a pivot."""
     fixed = fixed_points(form.sample)
     others = (members for other, members in form.bodies.items() if other != body and point in members)

@@ -17,6 +17,7 @@ from variantgen.methods.step import Body, CentreOf, Fact, Point, Sentence, Term,
 from variantgen.methods.tracks import on_track
 from variantgen.methods.vector_equation import share_of, shares
 
+_NOTHING = 1e-10  # of the natural scale
 Parts = list[tuple[int, Expression]]
 
 
@@ -117,7 +118,7 @@ def centre_parts(book: Book, side: Side) -> Parts:
 def combined(book: Book, name: Name, parts: Sequence[tuple[int, Expression]]) -> Component:
     """A sum of parts with signs as a magnitude and a sign; a single value stays itself."""
     exact = sum(sign * part.number(True) for sign, part in parts)
-    if not parts or abs(exact) <= 1e-10 * book.size_of(book.measure):
+    if not parts or abs(exact) <= _NOTHING * book.size_of(book.measure):
         return ZERO
     sign = 1 if exact > 0 else -1
     if len(parts) == 1 and isinstance(parts[0][1], Value) and parts[0][1].exact > 0:
@@ -154,13 +155,15 @@ def enter_rate(book: Book, body: str, size: Expression | None, sense: int, arm: 
 def enter_with_way(
     book: Book, group: Joined, side: Side, parts: Parts, named: Sequence[tuple[VectorOf, tuple[int, Expression]]]
 ) -> None:
-    """The vector of the centre, and which of the ``named`` components it points along."""
+    """The vector of the centre, and which of the ``named`` components it points along, or else against."""
     way = sum(sign * part.number(True) for sign, part in parts)
     enter_centre(book, group, side, parts)
-    other = next((name for name, (sign, _) in named if sign * way > 0), None)
+    moving = abs(way) > _NOTHING * book.size_of(book.measure)
+    ahead = [(name, sign * way > 0) for name, (sign, _) in named if moving]
+    other, along = next((found for found in ahead if found[1]), ahead[0] if ahead else (None, False))
     if other is not None:
         own = VectorOf(book.vectors[group.point][-1].name)
-        book.say(f"contact.way_{book.letter}", True, vector=own, other=other)
+        book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, vector=own, other=other)
 
 
 def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
@@ -172,7 +175,7 @@ def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
         assert share.term.size is not None
         parts.append((-share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
     exact = sum(sign * part.number(True) for sign, part in parts)
-    if not parts or abs(exact) <= 1e-10 * book.size_of(book.measure):
+    if not parts or abs(exact) <= _NOTHING * book.size_of(book.measure):
         book.vectors[group.point] = normal
         return
     along = share_of(path, axis)

@@ -191,7 +191,7 @@ class HandCalculation:
 
     def __init__(self, form: Form, asked: Sequence[Quantity], models: Callable[[int], Sequence[Variant]]) -> None:
         self._form, self._asked, self._draw = form, tuple(asked), models
-        self._drawn: tuple[Sequence[Variant], Motion] | None = None
+        self._drawn: tuple[Sequence[Variant], Motion | None] | None = None
         self._worked: list[Worked | None] = []
 
     def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Table:
@@ -245,10 +245,12 @@ class HandCalculation:
             if not any(quantity.component in _OF_AXES for quantity in self._asked):
                 # How a scene lies on paper changes no magnitude: in one pose there are fewer different solutions.
                 variants = [replace(variant, sense=1, turns=0) for variant in variants]
-            self._drawn = variants, solve_variants(variants, max(q.order for q in self._asked))
+            order = max(quantity.order for quantity in self._asked)
+            self._drawn = variants, solve_variants(variants, order) if variants else None
         variants, motion = self._drawn
         if number >= len(variants):
             return None
+        assert motion is not None, "there are variants"
         try:
             return Worked(task_of(variants[number], motion, number, self._asked))
         except LookupError:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from variantgen.mechanism.joints.guide import Guide
 from variantgen.methods.book import Book, Known
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.group import Track
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, positive
-from variantgen.methods.step import Point, Term
+from variantgen.methods.step import Fact, Point, Segment, Term
 
 _DATA_DIGITS = 3  # decimals of an angle that the statement gives (degrees)
 _ROUNDING = 1e-9
@@ -21,7 +22,8 @@ def on_track(book: Book, track: Track) -> tuple[Known, Term]:
     """
     name = Name(book.letter, track.point)
     if track.straight:
-        return (), book.term(name, None, line_angle(book, track), "guide", point=Point(track.point))
+        way, facts = _way_along(book, track)
+        return (), book.term(name, None, line_angle(book, track), way, **facts)
     if book.order == 1:
         return (), across(book, name, None, (track.point, track.centre), 1)
     normal = _normal(book, track, name.component("n"))
@@ -34,13 +36,35 @@ def line_angle(book: Book, track: Track) -> Value:
     exact = degrees(way)
     if abs(exact - round(exact, _DATA_DIGITS)) < _ROUNDING:
         return Value(None, "angle", exact)
+    if other := _side_along(book, track):
+        angle = book.geometry.direction(track.point, other)
+        ahead = (book.geometry.vector(track.point, other).conjugate() * way).real > 0
+        return angle if ahead else Geometry.turned(angle, 180.0)
+    return Value(None, "angle", exact, Constant(exact))
+
+
+def _side_along(book: Book, track: Track) -> str | None:
+    """A point of the same body in the direction of a straight path."""
     for members in book.task.scene.bodies.values():
         for other in members if track.point in members else ():
             side = book.geometry.vector(track.point, other)
-            if other != track.point and abs((side.conjugate() * way).imag) < _ROUNDING * abs(side):
-                angle = book.geometry.direction(track.point, other)
-                return angle if (side.conjugate() * way).real > 0 else Geometry.turned(angle, 180.0)
-    return Value(None, "angle", exact, Constant(exact))
+            if other != track.point and abs((side.conjugate() * track.line).imag) < _ROUNDING * abs(side):
+                return other
+    return None
+
+
+def _way_along(book: Book, track: Track) -> tuple[str, dict[str, Fact]]:
+    """How the direction of a straight path is told: by a guide that the figure shows, by a line of the body."""
+    task, point = book.task, track.point
+    figure, joints = task.form.figure, task.scene.joints
+    guided = point not in figure.bare and any(isinstance(joint, Guide) and joint.point == point for joint in joints)
+    if guided or any(point in task.scene.bodies[body] for body in task.translating):
+        return "guide", {"point": Point(point)}
+    other = _side_along(book, track)
+    # The direction of the centre of a wheel is no matter of the points of its rim.
+    if other is None or other in figure.hidden or any(disc.centre == point for disc in figure.discs):
+        return "straight", {"point": Point(point)}
+    return "slot", {"segment": Segment(point, other)}
 
 
 def forward(line: complex) -> complex:

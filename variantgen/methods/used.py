@@ -13,14 +13,20 @@ from variantgen.methods.step import Derived, Item, Projection, Step, TermTable
 def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     """The steps of which a later one or the ``results`` need a value; those that derive none are kept.
 
-    A step that finds a zero is kept too: it explains why a vector is absent from a later equation.
+    A step that finds a zero is kept too: it explains why a vector is absent from a later equation. What an earlier step
+    has found already is no reason to keep one that writes it down again.
     """
     needed = _names(results)
+    derived = [[item.value for item in step.items if isinstance(item, Derived)] for step in steps]
+    first: dict[Name | None, int] = {}
+    for number, values in enumerate(derived):
+        for value in values:
+            first.setdefault(value.name, number)
     kept: list[Step] = []
-    for step in reversed(steps):
-        values = [item.value for item in step.items if isinstance(item, Derived)]
-        found = {value.name for value in values}
-        if not found or found & needed or any(value.exact == 0 for value in values):
+    for number, step in reversed(list(enumerate(steps))):
+        values = derived[number]
+        found = {value.name for value in values if first[value.name] == number}
+        if not values or found & needed or any(value.exact == 0 for value in values):
             kept.insert(0, step)
             needed |= _names(value for item in step.items for value in read(item))
     return kept

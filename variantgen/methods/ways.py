@@ -13,8 +13,9 @@ from variantgen.methods.sums import Leg
 if TYPE_CHECKING:
     from variantgen.methods.geometry import Geometry
 
-# What a segment costs: itself, a length and a direction that have still to be worked out, a system of equations.
-_SEGMENT, _LENGTH, _DIRECTION, _SYSTEM = 1, 2, 4, 8
+# What a segment costs: itself, a length and a direction that have still to be worked out, a system of equations, an end
+# that the figure does not show, so that the text should not name it.
+_SEGMENT, _LENGTH, _DIRECTION, _SYSTEM, _UNSEEN = 1, 2, 4, 8, 5
 
 
 class Ways:
@@ -80,4 +81,5 @@ class Ways:
         if other == ORIGIN:
             return _SYSTEM if self._places[name].in_system and not geometry.has_coordinates(name) else _SEGMENT
         known = geometry.has_direction(other, name), geometry.has_length(other, name)
-        return _SEGMENT + (0 if known[0] else _DIRECTION) + (0 if known[1] else _LENGTH)
+        unseen = 0 if {name, other}.isdisjoint(geometry.task.form.figure.hidden) else _UNSEEN
+        return _SEGMENT + unseen + (0 if known[0] else _DIRECTION) + (0 if known[1] else _LENGTH)

@@ -105,7 +105,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "curves": [
             [c.weight, c.fill, DASHES[c.dash], [step(kind, len(points)) for kind, points in c.steps]] for c in drawn
         ],
-        "labels": [[*next(places), to_typst(label.formula)] for label in drawing.labels],
+        "labels": [[*next(places), to_typst(label.formula), label.paper] for label in drawing.labels],
     }
 
 

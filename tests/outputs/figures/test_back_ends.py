@@ -141,7 +141,7 @@ def test_tikz_has_every_line_and_label_in_its_place(drawn: Picture) -> None:
     places = [complex(float(x), float(y)) for x, y in re.findall(rf"\(({NUMBER}),({NUMBER})\)", source)]
     near(corners(drawing), places, 0.01)
     near([label.at for label in drawing.labels], places, 0.01)
-    assert source.count(r"\node[letters]") == len(drawing.labels)
+    assert source.count(r"\node[letters") == len(drawing.labels)
     circles = sum(isinstance(line, Arc) and line.full for line in drawing.lines)
     assert source.count("circle[radius=") == circles
     # Nothing but named pens: the styles are said once.

@@ -1,8 +1,8 @@
 """The figure of accelerations: the mechanism with the accelerations of the chain and their components to one scale.
 
 At a point B that is reached from the pole A: a_B, a_A moved there (thin), ``a^n_BA`` towards A and ``a^tau_BA`` across
-AB; where B turns about a fixed point ``a^n_B`` and ``a^tau_B``; at a point that slides on a body the transport,
-relative and Coriolis accelerations. Arcs show the true senses of the angular accelerations.
+AB; where B turns about a fixed point ``a^n_B`` and ``a^tau_B``; at a point that slides on a body the transport (as the
+solution writes it), relative and Coriolis accelerations. Arcs show the true senses of the angular accelerations.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.growing import growing_accelerations
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.solved import Solved, solved
+from variantgen.figure.stated import stated_rates, stated_vectors, telling_points, transport_name
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.chain import Slip, Turn, taken_apart
 from variantgen.methods.instant import Instant
@@ -31,7 +32,9 @@ Named = list[tuple[Symbol, complex]]
 
 def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
     """The figure of one variant. Raises InputError where accelerations are not asked or there are none."""
-    found = solved(variant, motion, index, asked, ORDER)
+    # A point that is asked only for its velocity is no matter of this figure.
+    sought = [quantity for quantity in asked if quantity.order == ORDER]
+    found = solved(variant, motion, index, sought, ORDER)
     annotate = partial(_annotate, found, asked, language)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
@@ -46,50 +49,82 @@ def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, boar
         parts[point] += growing
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
+        whole = named[0][0]
+        wholes = {others[0][0] for others in parts.values()} - {whole}
         for symbol, vector in named_together(named, scale):
-            poles = {absolute("a", turn.pole) for turn in found.chain.turns if turn.point == point}
-            weight = BOLD if symbol == absolute("a", point) else THIN if symbol in poles else MEDIUM
+            weight = BOLD if symbol == whole else THIN if symbol in wholes else MEDIUM
             board.vector(point, scale * vector, symbol, weight)
     draw_acceleration_centres(board, now, asked)
+    rates = stated_rates(found.task, ORDER, language)
     fastest = max((abs(rate) for rate in now.epsilon.values()), default=0.0)
     for body, rate in now.epsilon.items():
         if abs(rate) > _NOTHING * max(fastest, max(abs(omega) for omega in now.omega.values()) ** 2):
-            board.turn(body, rate, "epsilon")
+            board.turn(body, rate, "epsilon", rates.get(body))
 
 
-def components(found: Solved, language: Language, whole: Collection[tuple[str, str]] = ()) -> dict[str, Named]:
-    """The acceleration of each point of the chain and what it is put together from (m/s^2).
+def components(found: Solved, language: Language, entire: Collection[tuple[str, str]] = ()) -> dict[str, Named]:
+    """The acceleration of each point of the chain, first, and what it is put together from (m/s^2).
 
-    ``whole`` are bodies and points of which the components are not wanted.
+    ``entire`` are bodies and points of which the components are not wanted.
     """
     now, chain = found.now, found.chain
-    parts: dict[str, Named] = {point: [(absolute("a", point), now.a[point])] for point in chain.points}
+    stated = stated_vectors(found.task, chain, ORDER, language)
+
+    def whole(point: str) -> tuple[Symbol, complex]:
+        return stated.get(point, absolute("a", point)), now.a[point]
+
+    parts: dict[str, Named] = {point: [whole(point)] for point in telling_points(found.task, chain, chain.points)}
     apart = taken_apart(chain)
     for turn in chain.turns:
-        if (turn.body, turn.point) in apart and (turn.body, turn.point) not in whole:
-            parts[turn.point] += _turn_parts(now, turn, turn.pole in chain.resting, language)
+        told = (turn.body, turn.point) in apart and (turn.body, turn.point) not in entire
+        if told and turn.point in parts and turn.body not in found.task.translating:
+            fixed = turn.pole in chain.resting
+            parts[turn.point] += [] if fixed else [whole(turn.pole)]
+            parts[turn.point] += _turn_parts(now, turn, fixed, language)
     for slip in chain.slips:
-        parts.setdefault(slip.point, []).extend(_slip_parts(now, slip, language))
+        named = parts.setdefault(slip.point, [])
+        lead = transport_name(found.task, chain, slip, "a", stated)
+        if lead is not None or slip.pole is None:
+            transport = now.transport_acceleration(slip.point, slip.body)
+            named.append((lead or compound("a", "tr", slip.point, language), transport))
+        else:
+            fixed = slip.pole in chain.resting
+            named += [] if fixed else [whole(slip.pole)]
+            named += _transport_parts(now, slip, slip.pole, fixed, language)
+        named += _slip_parts(now, slip, language)
     return parts
 
 
 def _turn_parts(now: Instant, turn: Turn, fixed: bool, language: Language) -> Named:
-    """The acceleration of the pole, normal and tangential component."""
+    """Normal and tangential component of the rotation about the pole."""
     point, pole = turn.point, turn.pole
     names = [
         absolute("a", point, upper) if fixed else about("a", point, pole, upper) for upper in component_marks(language)
     ]
-    vectors = now.normal(point, pole), now.tangential(point, pole)
-    own = list(zip(names, vectors, strict=True))
-    return own if fixed else [(absolute("a", pole), now.a[pole]), *own]
+    return list(zip(names, (now.normal(point, pole), now.tangential(point, pole)), strict=True))
+
+
+def _transport_parts(now: Instant, slip: Slip, pole: str, fixed: bool, language: Language) -> Named:
+    """Normal and tangential component of the rotation about the pole, of the point of the carrier below a sliding one.
+
+    They are parts of the transport acceleration where the pole is fixed.
+    """
+    point, arm = slip.point, now.z[slip.point] - now.z[pole]
+    names = [
+        compound("a", "tr", point, language, upper) if fixed else about("a", point, pole, upper)
+        for upper in component_marks(language)
+    ]
+    return list(zip(names, (-(now.omega[slip.body] ** 2) * arm, 1j * now.epsilon[slip.body] * arm), strict=True))
 
 
 def _slip_parts(now: Instant, slip: Slip, language: Language) -> Named:
-    """Transport, relative and Coriolis acceleration."""
+    """Relative and Coriolis acceleration; on a curved path the components of the relative one."""
     point, body = slip.point, slip.body
-    vectors = {
-        "tr": now.transport_acceleration(point, body),
-        "rel": now.relative_acceleration(point, body),
-        "cor": now.coriolis(point, body),
-    }
-    return [(compound("a", word, point, language), vector) for word, vector in vectors.items()]
+    relative = now.relative_acceleration(point, body)
+    coriolis = compound("a", "cor", point, language), now.coriolis(point, body)
+    if slip.path.line is not None:
+        return [(compound("a", "rel", point, language), relative), coriolis]
+    arm = now.z[point] - now.z[slip.path.centre]
+    normal = (relative / arm).real * arm
+    names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
+    return [*zip(names, (normal, relative - normal), strict=True), coriolis]

@@ -59,7 +59,9 @@ def draw_on(axes: Axes, drawing: Drawing) -> None:
     for label in drawing.labels:
         width, height = (side + 2 * AROUND for side in label.size)
         corner = label.at - complex(width, height) / 2
-        paper = Rectangle((corner.real, corner.imag), width, height, facecolor="white", edgecolor="none", zorder=front)
+        paper = Rectangle(
+            (corner.real, corner.imag), width, height, facecolor=_FILLS[label.paper], edgecolor="none", zorder=front
+        )
         axes.add_patch(paper)
         for glyph, at in letters_of(label):
             steps = [(kind, tuple(at + LETTER * point for point in points)) for kind, points in glyph.steps]

@@ -71,7 +71,7 @@ def _paper(label: Label, height: float) -> str:
     width, tall = (side + 2 * AROUND for side in label.size)
     x, y = _number(label.at.real - 0.5 * width), _number(height - label.at.imag - 0.5 * tall)
     box = f'x="{x}" y="{y}" width="{_number(width)}" height="{_number(tall)}"'
-    return f'<rect {box}{_FILLS["paper"]} stroke="none"/>'
+    return f'<rect {box}{_FILLS[label.paper]} stroke="none"/>'
 
 
 def _curve(curve: Curve, height: float) -> str:

@@ -11,7 +11,7 @@ import math
 from textwrap import wrap
 
 from variantgen.figure.curves import AROUND, DASHES
-from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Arc, Drawing, Line, Path, Strokes
+from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Arc, Drawing, Label, Line, Path, Strokes
 from variantgen.outputs.figures import unit
 from variantgen.wording.latex import to_latex
 
@@ -35,7 +35,9 @@ def tikz(drawing: Drawing, width_mm: float | None = None) -> str:
     lines.append("\\begin{tikzpicture}[\n  " + ",\n  ".join(_styles(millimetres)) + "]")
     lines.append(rf"  \path[use as bounding box] (0,0) rectangle {_xy(complex(drawing.width, drawing.height))};")
     lines += [_command(line, millimetres * _POINT) for line in drawing.lines]
-    lines += [rf"  \node[letters] at {_xy(label.at)} {{${to_latex(label.formula)}$}};" for label in drawing.labels]
+    lines += [
+        rf"  \node[{_letters(label)}] at {_xy(label.at)} {{${to_latex(label.formula)}$}};" for label in drawing.labels
+    ]
     return "\n".join([*lines, "\\end{tikzpicture}", ""])
 
 
@@ -54,6 +56,11 @@ def _styles(millimetres: float) -> list[str]:
         ),
         f"letters/.style={{inner sep={AROUND * points:.2f}pt, outer sep=0pt, fill=white, font={size}}}",
     ]
+
+
+def _letters(label: Label) -> str:
+    """The options of a label: on paper, or on the shade of a plate."""
+    return "letters" if label.paper == "paper" else f"letters, {_FILLS[label.paper]}"
 
 
 def _command(line: Line, points: float) -> str:

@@ -1,0 +1,90 @@
+"""Under which names a figure of motion shows what the statement gives, as the solution does.
+
+A wedge that moves with the velocity ``v`` has this velocity at each of its points: it is drawn under this name at the
+driven point, and as the transport velocity of a point that slides on the wedge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.families.expressions import Expression
+from variantgen.families.family import Template
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.drivers.travel import Travel
+from variantgen.mechanism.drivers.vector_motion import VectorMotion
+from variantgen.methods.chain import Chain, Slip
+from variantgen.methods.expression import Value
+from variantgen.methods.given import as_stated, unsigned
+from variantgen.methods.name import Name
+from variantgen.methods.task import Task
+from variantgen.wording.formula import Symbol
+from variantgen.wording.language import Language
+from variantgen.wording.vector_names import absolute
+
+_LETTERS = {1: ("v", "omega"), 2: ("a", "epsilon")}
+
+
+def stated_vectors(task: Task, chain: Chain, order: int, language: Language) -> dict[str, Symbol]:
+    """The symbols of given vectors by point: ``v``, where the statement does not call it ``v_F``."""
+    kind, _ = _LETTERS[order]
+    found = {}
+    for template, driver in zip(task.form.drivers, task.scene.drivers, strict=True):
+        if not isinstance(driver, Travel | VectorMotion):
+            continue
+        # What is given of a point on a circle is its tangential acceleration only.
+        circling = any(turn.point == driver.point and turn.pole in chain.resting for turn in chain.turns)
+        if order == 1 or not circling:
+            found[driver.point] = _symbol(task, template, kind, Name(kind, driver.point), language)
+    return {point: symbol for point, symbol in found.items() if symbol is not None}
+
+
+def stated_rates(task: Task, order: int, language: Language) -> dict[str, Symbol]:
+    """The symbols of given rates by body: ``omega``, where the statement does not call it ``omega_ABD``."""
+    _, kind = _LETTERS[order]
+    found = {}
+    for template, driver in zip(task.form.drivers, task.scene.drivers, strict=True):
+        if isinstance(driver, Rotation) and driver.relative_to is None:
+            found[driver.body] = _symbol(task, template, kind, Name(kind, driver.body), language)
+    return {body: symbol for body, symbol in found.items() if symbol is not None}
+
+
+def _symbol(task: Task, template: Template, field: str, usual: Name, language: Language) -> Symbol | None:
+    """The symbol of a parameter that is the given magnitude itself, if that is not its usual name."""
+    source = template.fields.get(field)
+    size = unsigned(task.expressed(source)) if isinstance(source, Expression) else None
+    name = as_stated(usual, size) if isinstance(size, Value) else usual
+    return None if name == usual else language.symbol(name.of, task.form.symbols)
+
+
+def transport_name(task: Task, chain: Chain, slip: Slip, kind: str, stated: dict[str, Symbol]) -> Symbol | None:
+    """The vector of a translating carrier under the name of the point by which it is known; None for other carriers."""
+    lead = _lead(task, chain, slip)
+    return None if lead is None else stated.get(lead, absolute(kind, lead))
+
+
+def _lead(task: Task, chain: Chain, slip: Slip) -> str | None:
+    """The point of a translating carrier whose motion is given or led by a guide, or else its pole."""
+    if slip.body not in task.translating:
+        return None
+    driven = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    members = [name for name in task.scene.bodies[slip.body] if name not in task.form.figure.hidden]
+    known = [name for names in (driven, chain.guides) for name in members if name in names]
+    return next(iter(known), slip.pole)
+
+
+def telling_points(task: Task, chain: Chain, points: Sequence[str]) -> list[str]:
+    """Points without those that only repeat what another point of the same translating body shows."""
+    driven = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    vital = driven | {quantity.point for quantity in task.asked} | {slip.point for slip in chain.slips}
+    vital |= {lead for slip in chain.slips if (lead := _lead(task, chain, slip))}
+    repeated: set[str] = set()
+    for body in task.translating:
+        alone = [name for name in points if _owners(task, name) == [body]]
+        if vital & set(task.scene.bodies[body]):
+            repeated |= set(alone) - vital
+    return [name for name in points if name not in repeated]
+
+
+def _owners(task: Task, point: str) -> list[str]:
+    return [body for body, members in task.scene.bodies.items() if point in members]
