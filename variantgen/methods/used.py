@@ -15,20 +15,21 @@ def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
 
     A step that finds a zero is kept too: it explains why a vector is absent from a later equation.
     """
-    needed = _names(results)
+    needed = set(in_order(results))
+    names = _names(needed)
     kept: list[Step] = []
     for step in reversed(steps):
         values = [item.value for item in step.items if isinstance(item, Derived)]
-        found = {value.name for value in values}
-        if not found or found & needed or any(value.exact == 0 for value in values):
-            kept.insert(0, step)
-            needed |= _names(value for item in step.items for value in read(item))
-    return kept
+        if not values or any(value.name in names or value.exact == 0 for value in values):
+            kept.append(step)
+            more = in_order((value for item in step.items for value in read(item)), needed)
+            needed.update(more)
+            names |= _names(more)
+    return kept[::-1]
 
 
-def _names(values: Iterable[Value]) -> set[Name | None]:
-    """Names of the values and of all that they are computed from."""
-    return {value.name for value in in_order(values) if value.name is not None}
+def _names(values: Iterable[Value]) -> set[Name]:
+    return {value.name for value in values if value.name is not None}
 
 
 def read(item: Item) -> list[Value]:
