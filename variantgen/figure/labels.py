@@ -152,7 +152,7 @@ def _misleading(
     squares = dx * dx + dy * dy
     # A stranger at the very place that a label names is no stranger.
     same = np.abs(points[:, None] - points[None, :]) < 1e-6
-    mine = np.array([(same & (belongs == k)[None, :]).any(axis=1) for k in range(len(requests))])[owner]
+    mine = ((np.arange(len(requests))[:, None] == belongs).astype(float) @ same.astype(float) > 0)[owner]
     own = np.where(mine, squares, np.inf)
     own_at = np.argmin(own, axis=1)
     nearest = own[np.arange(len(own)), own_at]
@@ -194,6 +194,8 @@ def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
 
 def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
     """Move labels that cover each other until none does; those with the fewest good places move first."""
+    if not first:
+        return
     order = sorted(range(len(choices)), key=lambda i: -float(np.min(choices[i].costs)))
     pending = set(first)
     for _ in range(_SWEEPS):

@@ -34,19 +34,18 @@ class Sketch:
     requests: list[Request] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
     reach: dict[str, float] = field(default_factory=dict)
+    _corners: list[complex] = field(default_factory=list)
     _obstacles: list[tuple[complex, complex]] = field(default_factory=list)
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
-        self.lines.append(line)
-        self._obstacles += segments_of(line)
+        self._add(line, segments_of(line))
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
-        self.lines.append(arc)
-        self._obstacles += segments_of(arc, _SAGITTA)
+        self._add(arc, segments_of(arc, _SAGITTA))
 
     def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
         """Draw a circle."""
@@ -63,14 +62,14 @@ class Sketch:
         stroke = lean * _HATCH_DEPTH / (lean * normal.conjugate()).real
         count = min(_MOST_STROKES, max(2, round((abs(end - start) - 0.6) / _HATCH_STEP)))
         feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
-        self.lines.append(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND))
         first, last = feet[0], feet[-1]
-        self._obstacles += [
+        outline = [
             (first + stroke, last + stroke),
             (first, first + stroke),
             (last, last + stroke),
             (first + stroke / 2, last + stroke / 2),
         ]
+        self._add(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND), outline)
 
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
         """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
@@ -81,9 +80,8 @@ class Sketch:
             ray = cmath.rect(1.0, start + sweep * (i + 0.5) / count)
             foot = centre + radius * ray
             strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
-        self.lines.append(Strokes(tuple(strokes), Layer.GROUND))
         far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
-        self._obstacles += [*segments_of(far, _SAGITTA), strokes[0], strokes[-1]]
+        self._add(Strokes(tuple(strokes), Layer.GROUND), [*segments_of(far, _SAGITTA), strokes[0], strokes[-1]])
 
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
@@ -106,6 +104,12 @@ class Sketch:
     def _head(self, tip: complex, way: complex, layer: Layer, head: float) -> None:
         wing = 0.31 * head * 1j * way
         self.path((tip, tip - head * way + wing, tip - head * way - wing), layer, 0.0, closed=True, fill="ink")
+
+    def _add(self, line: Line, obstacles: Sequence[tuple[complex, complex]]) -> None:
+        """Draw a line that stands in the way of labels as the ``obstacles`` say."""
+        self.lines.append(line)
+        self._corners += _extent(line)
+        self._obstacles += obstacles
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
@@ -165,21 +169,18 @@ class Sketch:
 
     def corners(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn so far."""
-        points = [point for line in self.lines for point in _extent(line)]
-        x, y = [p.real for p in points], [p.imag for p in points]
-        return complex(min(x), min(y)), complex(max(x), max(y))
+        return _box(self._corners)
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
         labels, leaders = place_labels(self.requests, self._segments(), list(named.values()))
-        self.lines += leaders
-        corners = [point for line in self.lines for point in _extent(line)]
+        corners = [*self._corners, *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
             corners += [label.at - half, label.at + half]
-        low = complex(min(c.real for c in corners), min(c.imag for c in corners)) - complex(MARGIN, MARGIN)
-        high = complex(max(c.real for c in corners), max(c.imag for c in corners)) + complex(MARGIN, MARGIN)
-        ordered = sorted(self.lines, key=lambda line: line.layer)
+        low, high = _box(corners)
+        low, high = low - complex(MARGIN, MARGIN), high + complex(MARGIN, MARGIN)
+        ordered = sorted([*self.lines, *leaders], key=lambda line: line.layer)
         return Drawing(
             high.real - low.real,
             high.imag - low.imag,
@@ -203,6 +204,12 @@ def _surrounds(corners: Sequence[complex], place: complex) -> bool:
         if (low.imag > 0) != (high.imag > 0):
             inside ^= low.real - low.imag * (high.real - low.real) / (high.imag - low.imag) > 0
     return inside
+
+
+def _box(points: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of the box about points."""
+    x, y = [p.real for p in points], [p.imag for p in points]
+    return complex(min(x), min(y)), complex(max(x), max(y))
 
 
 def _extent(line: Line) -> list[complex]:

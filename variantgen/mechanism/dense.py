@@ -53,9 +53,9 @@ class DenseSystem:
         for body, members in scene.bodies.items():
             for point in members[1:]:
                 arm = (z[point] - z[members[0]]) / self.length
-                for part, take in enumerate((np.real, np.imag)):
+                for part, turned in enumerate((arm.imag, -arm.real)):
                     equation: dict[int, Any] = {self.columns[point] + part: 1.0, self.columns[members[0]] + part: -1.0}
-                    equation[self.turns[body]] = -take(1j * arm)
+                    equation[self.turns[body]] = turned
                     self._equations.append(equation)
         at = Placement(z, scene.frame)
         for constraint in scene.constraints:
@@ -69,8 +69,8 @@ class DenseSystem:
         equation: dict[int, Any] = {}
         for point, weight in row.points.items():
             column = self.columns[point]
-            equation[column] = equation.get(column, 0.0) + np.real(weight)
-            equation[column + 1] = equation.get(column + 1, 0.0) + np.imag(weight)
+            equation[column] = equation.get(column, 0.0) + weight.real
+            equation[column + 1] = equation.get(column + 1, 0.0) + weight.imag
         # Of a row of angles alone nothing is divided; in the others the arms are in units of the size.
         scale = self.length if row.points else 1.0
         for body, weight in row.bodies.items():
@@ -79,12 +79,12 @@ class DenseSystem:
 
     def _vector(self, row: VectorRow, pole: str | None) -> list[dict[int, Any]]:
         found = []
-        for part, take in enumerate((np.real, np.imag)):
+        for part in (0, 1):
             equation: dict[int, Any] = {self.columns[row.point] + part: 1.0}
             if pole is not None:
                 equation[self.columns[pole] + part] = -1.0
             for body, weight in row.bodies.items():
-                equation[self.turns[body]] = -take(weight) / self.length
+                equation[self.turns[body]] = -(weight.imag if part else weight.real) / self.length
             found.append(equation)
         return found
 
@@ -94,11 +94,11 @@ class DenseSystem:
         for number, value in enumerate(self._sides(order, speeds)):
             right[:, number, 0] = value
         found = np.linalg.solve(self._matrix, right)[:, :, 0]
-        points: dict[str, ComplexField] = {}
-        for name, column in self.columns.items():
-            points[name] = np.asarray(self.length * (found[:, column] + 1j * found[:, column + 1]), dtype=complex)
-        bodies: dict[str, Field] = {body: np.asarray(found[:, column]) for body, column in self.turns.items()}
-        return Rates(points, bodies)
+        last = 2 * len(self.points)
+        vectors = self.length[:, None] * (found[:, 0:last:2] + 1j * found[:, 1:last:2])
+        return Rates(
+            dict(zip(self.points, vectors.T, strict=True)), dict(zip(self.turns, found[:, last:].T, strict=True))
+        )
 
     def _sides(self, order: int, speeds: Rates | None) -> list[Any]:
         """Right-hand sides in the order of the equations, velocities of points in units of the size."""
@@ -108,16 +108,16 @@ class DenseSystem:
             for point in members[1:]:
                 arm = (z[point] - z[members[0]]) / self.length
                 drift = -(speeds.bodies[body] ** 2) * arm if speeds else np.zeros_like(arm)
-                sides += [np.real(drift), np.imag(drift)]
+                sides += [drift.real, drift.imag]
         at = Placement(z, scene.frame)
         known = Speeds(speeds.points, speeds.bodies) if speeds else None
         for constraint in scene.constraints:
             extra = constraint.quadratic(at, known) if known else tuple(0.0 for _ in constraint.shapes())
             for row, rate, term in zip(constraint.rows(at), constraint.rates(order), extra, strict=True):
                 if isinstance(row, ScalarRow):
-                    sides.append((rate - np.real(term)) / (self.length if row.points else 1.0))
+                    sides.append((rate - term.real) / (self.length if row.points else 1.0))
                 else:
-                    sides += [np.real(term) / self.length, np.imag(term) / self.length]
+                    sides += [term.real / self.length, term.imag / self.length]
         return sides
 
 

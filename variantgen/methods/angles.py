@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
@@ -51,7 +51,7 @@ class AngleForm:
 
     def turned(self, by: float) -> AngleForm:
         """The same direction turned by so many degrees."""
-        return replace(self, constant=self.constant + by)
+        return AngleForm(self.parts, self.constant + by)
 
     def is_along(self, other: AngleForm) -> bool:
         """Whether it is the direction of the same line, whatever the angles are."""

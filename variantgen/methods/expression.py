@@ -32,6 +32,10 @@ class Expression:
         """Its number: in full precision, or from the printed numbers."""
         raise NotImplementedError
 
+    def operands(self) -> Sequence[Expression]:
+        """The expressions that it is put together from; a value stands for itself."""
+        return ()
+
     def __add__(self, other: Expression) -> Expression:
         return Total(((1, self), (1, other)))
 
@@ -151,6 +155,10 @@ class Total(Expression):
         """The sum."""
         return sum(sign * term.number(exact) for sign, term in self.terms)
 
+    def operands(self) -> Sequence[Expression]:
+        """The terms."""
+        return [term for _, term in self.terms]
+
 
 @dataclass(frozen=True, slots=True)
 class Times(Expression):
@@ -161,6 +169,10 @@ class Times(Expression):
     def number(self, exact: bool) -> float:
         """The product."""
         return math.prod(factor.number(exact) for factor in self.factors)
+
+    def operands(self) -> Sequence[Expression]:
+        """The factors."""
+        return self.factors
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,6 +185,10 @@ class Ratio(Expression):
     def number(self, exact: bool) -> float:
         """The quotient."""
         return self.above.number(exact) / self.below.number(exact)
+
+    def operands(self) -> Sequence[Expression]:
+        """What stands above and below."""
+        return (self.above, self.below)
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,6 +203,10 @@ class Raised(Expression):
         result: float = self.base.number(exact) ** self.exponent
         return result
 
+    def operands(self) -> Sequence[Expression]:
+        """The base."""
+        return (self.base,)
+
 
 @dataclass(frozen=True, slots=True)
 class SquareRoot(Expression):
@@ -198,6 +218,10 @@ class SquareRoot(Expression):
         """The root; of a square that rounding has made negative, zero."""
         return math.sqrt(max(self.inner.number(exact), 0.0))
 
+    def operands(self) -> Sequence[Expression]:
+        """What stands under the root."""
+        return (self.inner,)
+
 
 @dataclass(frozen=True, slots=True)
 class Magnitude(Expression):
@@ -208,6 +232,10 @@ class Magnitude(Expression):
     def number(self, exact: bool) -> float:
         """The absolute value."""
         return abs(self.inner.number(exact))
+
+    def operands(self) -> Sequence[Expression]:
+        """What stands between the bars."""
+        return (self.inner,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,6 +251,10 @@ class LinearSolution(Expression):
         matrix = np.array([[item.number(exact) for item in row] for row in self.rows])
         right = np.array([item.number(exact) for item in self.right])
         return float(np.linalg.solve(matrix, right)[self.index])
+
+    def operands(self) -> Sequence[Expression]:
+        """The right-hand sides, then the coefficients row by row."""
+        return (*self.right, *(item for row in self.rows for item in row))
 
 
 _FUNCTIONS: dict[str, Callable[[float], float]] = {
@@ -245,6 +277,10 @@ class Applied(Expression):
     def number(self, exact: bool) -> float:
         """The value of the function."""
         return _FUNCTIONS[self.function](self.argument.number(exact))
+
+    def operands(self) -> Sequence[Expression]:
+        """The argument."""
+        return (self.argument,)
 
 
 def cos(angle: Expression) -> Expression:

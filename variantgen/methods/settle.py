@@ -2,21 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
-from variantgen.methods.expression import (
-    Applied,
-    Expression,
-    LinearSolution,
-    Magnitude,
-    Raised,
-    Ratio,
-    SquareRoot,
-    Times,
-    Total,
-    Value,
-    rounded,
-)
+from variantgen.methods.expression import Expression, Value, rounded
 from variantgen.methods.name import Name
 from variantgen.methods.step import (
     ChainGraph,
@@ -57,39 +45,27 @@ def _agrees(answer: Value) -> bool:
     return rounded(answer.shown, ANSWER_DIGITS) == rounded(answer.exact, ANSWER_DIGITS)
 
 
-def in_order(values: Iterable[Value]) -> list[Value]:
-    """The values and all that they are computed from, each after those that it needs."""
-    found: dict[int, Value] = {}
+def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:
+    """The values and all that they are computed from, each after those that it needs; without what is ``known``."""
+    found: dict[Value, None] = {}
 
-    def visit(value: Value) -> None:
-        if id(value) in found:
-            return
-        if value.expression is not None:
-            for part in parts(value.expression):
-                visit(part)
-        found[id(value)] = value
+    def visit(item: Expression) -> None:
+        if not isinstance(item, Value):
+            for operand in item.operands():
+                visit(operand)
+        elif item not in found and item not in known:
+            if item.expression is not None:
+                visit(item.expression)
+            found[item] = None
 
     for value in values:
         visit(value)
-    return list(found.values())
+    return list(found)
 
 
 def parts(item: Expression) -> list[Value]:
     """The values in an expression."""
-    match item:
-        case Value():
-            return [item]
-        case Total(terms):
-            return [value for _, term in terms for value in parts(term)]
-        case Times(factors):
-            return [value for factor in factors for value in parts(factor)]
-        case Ratio(above, below):
-            return [*parts(above), *parts(below)]
-        case Raised(inner, _) | SquareRoot(inner) | Magnitude(inner) | Applied(_, inner):
-            return parts(inner)
-        case LinearSolution(rows, right, _):
-            return [value for item in (*right, *(item for row in rows for item in row)) for value in parts(item)]
-    return []
+    return [item] if isinstance(item, Value) else [value for operand in item.operands() for value in parts(operand)]
 
 
 def items_values(items: Iterable[Item]) -> list[Value]:

@@ -16,7 +16,8 @@ def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     A step that finds a zero is kept too: it explains why a vector is absent from a later equation. What an earlier step
     has found already is no reason to keep one that writes it down again.
     """
-    needed = _names(results)
+    needed = set(in_order(results))
+    names = _names(needed)
     derived = [[item.value for item in step.items if isinstance(item, Derived)] for step in steps]
     first: dict[Name | None, int] = {}
     for number, values in enumerate(derived):
@@ -26,15 +27,16 @@ def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     for number, step in reversed(list(enumerate(steps))):
         values = derived[number]
         found = {value.name for value in values if first[value.name] == number}
-        if not values or found & needed or any(value.exact == 0 for value in values):
-            kept.insert(0, step)
-            needed |= _names(value for item in step.items for value in read(item))
-    return kept
+        if not values or found & names or any(value.exact == 0 for value in values):
+            kept.append(step)
+            more = in_order((value for item in step.items for value in read(item)), needed)
+            needed.update(more)
+            names |= _names(more)
+    return kept[::-1]
 
 
-def _names(values: Iterable[Value]) -> set[Name | None]:
-    """Names of the values and of all that they are computed from."""
-    return {value.name for value in in_order(values) if value.name is not None}
+def _names(values: Iterable[Value]) -> set[Name]:
+    return {value.name for value in values if value.name is not None}
 
 
 def read(item: Item) -> list[Value]:

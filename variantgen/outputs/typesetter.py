@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import chain, islice
+from itertools import islice
 from pathlib import Path
 from typing import Any, Literal
 
@@ -88,31 +88,33 @@ def typesetter() -> Iterator[Typesetter]:
 
 
 def figure_data(drawing: Drawing) -> dict[str, Any]:
-    """A drawing as data for ``figure.typ``: y down, numbers rounded to a hundredth of u."""
-    height = drawing.height
+    """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
+
+    A curve has the kinds of its steps in one string, and the places of all of them one after the other.
+    """
     drawn = curves(drawing.lines)
     points = [point for curve in drawn for _, points in curve.steps for point in points]
-    places = iter(_rounded([*points, *(label.at for label in drawing.labels)], height))
-
-    def step(kind: str, count: int) -> list[Any]:
-        return [kind.lower(), *chain.from_iterable(islice(places, count))]
-
+    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
     return {
         "w": round(drawing.width, 2),
-        "h": round(height, 2),
+        "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing.alt,
         "curves": [
-            [c.weight, c.fill, DASHES[c.dash], [step(kind, len(points)) for kind, points in c.steps]] for c in drawn
+            [
+                *(c.weight, c.fill, DASHES[c.dash], "".join(kind for kind, _ in c.steps).lower()),
+                list(islice(places, 2 * sum(len(points) for _, points in c.steps))),
+            ]
+            for c in drawn
         ],
-        "labels": [[*next(places), to_typst(label.formula), label.paper] for label in drawing.labels],
+        "labels": [[next(places), next(places), to_typst(label.formula), label.paper] for label in drawing.labels],
     }
 
 
-def _rounded(points: Sequence[complex], height: float) -> list[list[float]]:
-    """Pairs of coordinates, y down from a height, with two decimals."""
+def _hundredths(points: Sequence[complex], height: float) -> list[int]:
+    """Coordinates in turn, y down from a height."""
     at = np.array(points, dtype=complex)
-    found: list[list[float]] = np.round(np.stack((at.real, height - at.imag), axis=-1), 2).tolist()
+    found: list[int] = np.rint(100 * np.stack((at.real, height - at.imag), axis=-1)).astype(int).ravel().tolist()
     return found
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
@@ -16,26 +16,26 @@ GREEK = {
     "nu": "ν", "kappa": "κ", "chi": "χ", "pi": "π",
     "prime": "′",  # no letter, but a mark that the markups know by its name in the same way
 }  # fmt: skip
+# Letters, numbers and units are named tuples: they are looked up and compared far more often than they are made. No two
+# of them may have fields of the same kinds, because then they would be equal.
 _LETTERS = re.compile(r"([A-Za-z])(\d*)")
 
 
-@dataclass(frozen=True)
-class Index:
+class Index(NamedTuple):
     """A part of an index: letters of points (italic) or a word (upright)."""
 
     text: str
     upright: bool = False
 
 
-@dataclass(frozen=True)
-class Symbol:
+class Symbol(NamedTuple):
     """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA.
 
     ``upper`` is what stands above the index: the ``n`` or ``tau`` of a component of an acceleration.
     """
 
     base: str
-    index: tuple[Index, ...] = ()
+    index: tuple[Index, ...] = ()  # type: ignore[assignment]  # hides what tuples call so
     upper: tuple[Index, ...] = ()
 
     @property
@@ -44,23 +44,20 @@ class Symbol:
         return self.base not in GREEK and len(self.base) > 1
 
 
-@dataclass(frozen=True)
-class Number:
+class Number(NamedTuple):
     """A number as it is printed in the language of the document."""
 
     text: str
 
 
-@dataclass(frozen=True)
-class UnitText:
+class UnitText(NamedTuple):
     """A unit as it is printed: words with powers, ``(("см/с", 2),)``; ``tight`` if it follows without a space."""
 
     parts: tuple[tuple[str, int], ...]
     tight: bool = False
 
 
-@dataclass(frozen=True)
-class Measured:
+class Measured(NamedTuple):
     """A number with its unit."""
 
     number: Number
