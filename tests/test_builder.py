@@ -58,7 +58,10 @@ def test_sample_roster(exam: str, tmp_path: Path) -> None:
         assert len(set(drawn)) == 30, "two students have the same variant"
         assert all(p["attempt"] >= 1 for p in problem)
         assert all(
-            a["tolerance"] == pytest.approx(0.02 * abs(a["value"]), rel=5e-3) for p in problem for a in p["answers"]
+            a["tolerance"] == pytest.approx(a["relative_tolerance"] * abs(a["value"]), rel=5e-3)
+            and 0.02 <= a["relative_tolerance"] <= 0.03 + 1e-12
+            for p in problem
+            for a in p["answers"]
         )
     rows = list(csv.DictReader(io.StringIO((out / "key.csv").read_text("utf-8-sig"))))
     answers = [a for s in record["students"] for p in s["problems"] for a in p["answers"]]

@@ -11,6 +11,7 @@ from tests.joint_scenes import plate
 from tests.mechanisms import four_bar, slider_crank
 from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
+from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
@@ -76,9 +77,9 @@ def test_how_they_are_written() -> None:
     assert [to_typst(symbol) for symbol in symbols][1] == "abs(omega_(A B))"
     notes = " ".join(sign_notes(asked, language))
     assert all(word in notes for word in ("∠(v, x)", "sgn", "мгновенный центр скоростей", "Ось x"))
-    (answers,) = answer_variants([variant], [tuple(names)], 0.01)
-    # Of an angle a hundredth of a radian may be missing, of a sense nothing.
-    assert answers[0].tolerance == pytest.approx(0.573, abs=1e-3)
+    (answers,) = answer_variants([variant], [tuple(names)], Tolerance(0.05, 0.1))
+    # Of an angle the like part of a radian may be missing, of a sense nothing.
+    assert answers[0].tolerance == pytest.approx(math.degrees(0.05), rel=1e-3)
     assert answers[2].tolerance == 0.0
     assert answers[2].value in {1.0, -1.0}
 

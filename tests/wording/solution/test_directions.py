@@ -50,7 +50,7 @@ def test_an_unknown_vector_has_an_assumed_direction() -> None:
     for text in texts:
         rows = [line for line in text.splitlines() if line.endswith("unknown")]
         assert rows
-        assert all(re.search(r"; assumed at −?[\d.]+°", row) for row in rows)
+        assert all(re.search(r", assumed \w+", row) for row in rows)
     assert any("against the assumed direction" in text for text in texts)
 
 
