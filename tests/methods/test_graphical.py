@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from typing import ClassVar
@@ -138,7 +137,7 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
                 wanted = symbol_of(symbols, value.name)
                 parts = [v for v in plan.vectors if v.symbol == wanted]
                 # A vector that is drawn as two components is measured from the start of one to the end of the other.
-                parts = parts or [v for v in plan.vectors if replace(v.symbol, upper=()) == wanted]
+                parts = parts or [v for v in plan.vectors if v.symbol._replace(upper=()) == wanted]
                 assert parts, wanted
                 steps = [drawing.scale * (v.end - v.start) for v in parts]
                 assert abs(abs(sum(steps)) * MILLIMETRES - value.shown) < RULER
