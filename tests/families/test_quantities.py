@@ -79,7 +79,7 @@ def test_how_they_are_written() -> None:
     assert all(word in notes for word in ("∠(v, x)", "sgn", "мгновенный центр скоростей", "Ось x"))
     (answers,) = answer_variants([variant], [tuple(names)], Tolerance(0.05, 0.1))
     # Of an angle the like part of a radian may be missing, of a sense nothing.
-    assert answers[0].tolerance == pytest.approx(math.degrees(0.05), rel=1e-3)
+    assert answers[0].tolerance == pytest.approx(math.degrees(0.05), rel=5e-3)
     assert answers[2].tolerance == 0.0
     assert answers[2].value in {1.0, -1.0}
 
