@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -89,8 +91,15 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
     assert np.any(needed > 0.01)
     right = np.array([quantity.value(motion) for quantity in asked])
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    for values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).values():
-        assert np.all(distances(right, values, asked) > needed)
+    named = tight.unnoticed(variants, asked, motion)
+    for name, values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).items():
+        distance = distances(right, values, asked)
+        for i in range(40):
+            touched = np.isfinite(distance[:, i])
+            # Some answer shows the mistake, and the key names it at those that do not.
+            assert not touched.any() or (distance[:, i] > needed[:, i])[touched].any()
+            assert [name in own for own in named[i]] == list(distance[:, i] <= needed[:, i])
+    assert any(names for own in named for names in own)
 
 
 def test_without_the_screen_of_mistakes_more_is_drawn() -> None:
@@ -141,6 +150,11 @@ def test_key_and_manifest_have_the_tolerances(tmp_path: Path, language: str, wor
     for answer in answers:
         assert 0.01 <= answer["relative_tolerance"] <= 0.03 + 1e-12
         assert answer["tolerance"] == pytest.approx(answer["relative_tolerance"] * abs(answer["value"]), rel=0.01)
+    marked = [a for a in answers if "unnoticed" in a]
+    assert marked
+    assert any("forgotten" in name for a in marked for name in a["unnoticed"])
+    rows = list(csv.DictReader(io.StringIO((out / "key.csv").read_text("utf-8-sig"))))
+    assert [row["unnoticed"] for row in rows] == ["; ".join(a.get("unnoticed", [])) for a in answers]
     text = " ".join(" ".join(page_texts(out / "key.pdf")).replace("\N{NO-BREAK SPACE}", " ").split())
     assert words in text
     mark = f"±{100 * wide[0]['relative_tolerance']:.3g} %"

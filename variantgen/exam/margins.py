@@ -2,13 +2,14 @@
 
 The tolerance of an answer is the exam's ``floor`` or, where rounding in a worked solution leads further from the exact
 answer (:mod:`variantgen.methods.rounding`), that much. A variant that would need more than the ``ceiling`` punishes
-rounding, and one on which a plausible mistake (:mod:`variantgen.variants.mistakes`) leads to an answer within the
-tolerance lets a wrong way pass: neither is drawn.
+rounding, and one on which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that
+it touches lets a wrong way pass: neither is drawn. Where a mistake is seen in some answers only, the key says which of
+the others do not show it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -49,18 +50,30 @@ class Margins:
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
     ) -> dict[str, NDArray[np.bool_]]:
         """Flags by screen, shape (N,), for variants of one form and their motion (in the same order)."""
-        least = np.full((len(asked), len(variants)), np.inf)
-        if self.tolerance.mistakes:
-            least = _least_distances(variants, asked, motion)
+        needed = np.full((len(asked), len(variants)), self.tolerance.floor)
+        wrong = _distances(variants, asked, motion) if self.tolerance.mistakes else {}
         # What a mistake rules out at the floor already need not be worked out.
-        chosen = np.flatnonzero(np.all(least > self.tolerance.floor, axis=0)).tolist()
-        needed = np.full(least.shape, self.tolerance.floor)
+        chosen = np.flatnonzero(_is_seen(wrong, needed)).tolist()
         if chosen:
             needed[:, chosen] = self.tolerances([variants[i] for i in chosen], asked, motion, chosen)
         return {
-            "plausible mistakes outside the tolerance": np.all(least > needed, axis=0),
+            "plausible mistakes outside the tolerance": _is_seen(wrong, needed),
             "rounding by hand within the ceiling": np.all(needed <= self.tolerance.ceiling * (1 + 1e-9), axis=0),
         }
+
+    def unnoticed(
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
+    ) -> list[list[tuple[str, ...]]]:
+        """By variant and answer the mistakes that change the answer by less than its tolerance.
+
+        ``motion`` is that of the variants, in their order.
+        """
+        needed = self.tolerances(variants, asked, motion, range(len(variants)))
+        found: list[list[list[str]]] = [[[] for _ in asked] for _ in variants]
+        for name, distance in _distances(variants, asked, motion).items():
+            for answer, place in np.argwhere(distance <= needed).tolist():
+                found[place][answer].append(name)
+        return [[tuple(names) for names in own] for own in found]
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -110,13 +123,21 @@ class Margins:
         return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
 
 
-def _least_distances(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
-    """The least relative distance of each answer from a wrong one, shape (answers, N)."""
+def _is_seen(wrong: Mapping[str, Table], tolerances: Table) -> NDArray[np.bool_]:
+    """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
+    found = np.ones(tolerances.shape[1], dtype=bool)
+    for distance in wrong.values():
+        touched = np.isfinite(distance)
+        found &= ~np.any(touched, axis=0) | np.any(touched & (distance > tolerances), axis=0)
+    return found
+
+
+def _distances(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> dict[str, Table]:
+    """By mistake the relative distance of each answer from the wrong one, shape (answers, N)."""
     right = np.array([quantity.value(motion) for quantity in asked], dtype=float)
     form, on_paper = variants[0].form, frame([v.sense for v in variants], [v.turns for v in variants])
     wrong = wrong_answers(form, columns(variants), on_paper, asked, motion)
-    found = [distances(right, values, asked) for values in wrong.values()]
-    return np.asarray(np.min(found, axis=0)) if found else np.full(right.shape, np.inf)
+    return {name: distances(right, values, asked) for name, values in wrong.items()}
 
 
 def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list[Variant]]:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees
+
+import numpy as np
 
 from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.confirm import confirm
@@ -29,7 +31,8 @@ _DIGITS = 8  # significant digits kept, so that a last-bit difference between ma
 class Answer:
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
-    ``margin`` is the relative tolerance (of an angle in radians, of a sense zero).
+    ``margin`` is the relative tolerance (of an angle in radians, of a sense zero); ``unnoticed`` names the plausible
+    mistakes that change the answer by less.
     ``surd`` is the same value in closed form, where it is a simple root or fraction.
     """
 
@@ -39,6 +42,7 @@ class Answer:
     tolerance: float
     margin: float = 0.0
     surd: Surd | None = None
+    unnoticed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -89,7 +93,7 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     asked = [read_ask(variant.form, task.ask) for variant, (_, task) in zip(variants, owners, strict=True)]
     solved = solve_all(variants, asked)
     confirm(variants, asked, solved, [entry.key for entry in entries])
-    answers = _answers(variants, asked, solved, margins)
+    answers = _with_mistakes(_answers(variants, asked, solved, margins), variants, asked, solved, margins)
     items: list[list[Item]] = [[] for _ in students]
     for (i, task), variant, found in zip(owners, variants, answers, strict=True):
         items[i].append(Item(task, variant, found))
@@ -135,6 +139,33 @@ def _tolerance(quantity: Quantity, value: float, margin: float) -> float:
     return float(f"{margin * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
 
 
+def _with_mistakes(
+    answers: Sequence[tuple[Answer, ...]],
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    margins: Margins,
+) -> list[tuple[Answer, ...]]:
+    """The answers with the mistakes that go unnoticed in them."""
+    found = list(answers)
+    for (_, quantities), members in _groups(asked, solved).items():
+        motion = solved[members[0]][0].take(np.array([solved[i][1] for i in members]))
+        every = margins.unnoticed([variants[i] for i in members], quantities, motion)
+        for i, own in zip(members, every, strict=True):
+            found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
+    return found
+
+
+def _groups(
+    asked: Sequence[Sequence[Quantity]], solved: Sequence[tuple[Motion, int]]
+) -> dict[tuple[int, tuple[Quantity, ...]], list[int]]:
+    """Indices of variants that share a batch and the questions."""
+    groups: dict[tuple[int, tuple[Quantity, ...]], list[int]] = {}
+    for i, quantities in enumerate(asked):
+        groups.setdefault((id(solved[i][0]), tuple(quantities)), []).append(i)
+    return groups
+
+
 def answer_variants(
     variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: Tolerance
 ) -> list[tuple[Answer, ...]]:
@@ -150,11 +181,8 @@ def _margins(
     margins: Margins,
 ) -> list[list[float]]:
     """Relative tolerances of all answers; variants that share a form and the questions go together."""
-    groups: dict[tuple[int, tuple[Quantity, ...]], list[int]] = {}
-    for i, quantities in enumerate(asked):
-        groups.setdefault((id(solved[i][0]), tuple(quantities)), []).append(i)
     found: dict[int, list[float]] = {}
-    for (_, quantities), members in groups.items():
+    for (_, quantities), members in _groups(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         table = margins.tolerances([variants[i] for i in members], quantities, motion, places)
         found.update((i, column.tolist()) for i, column in zip(members, table.T, strict=True))

@@ -13,6 +13,8 @@ from variantgen.outputs.typesetter import equals_data
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language
 
+_UNNOTICED = "*"
+
 
 def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
     """Blocks of answers in the order of the roster; the first part carries the heading."""
@@ -29,6 +31,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                         {
                             **equals_data(_equation(a, language, item.variant.form.symbols), a.surd),
                             "margin": _margin(a, exam, language),
+                            "mark": _mark(a),
                         }
                         for a in item.answers
                     ],
@@ -66,7 +69,11 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                     "code": sheet.code,
                     "name": sheet.student.name or sheet.student.id,
                     "values": [
-                        {"value": language.rounded(a.value).text, "margin": _margin(a, exam, language)}
+                        {
+                            "value": language.rounded(a.value).text,
+                            "margin": _margin(a, exam, language),
+                            "mark": _mark(a),
+                        }
                         for a in item.answers
                     ],
                 }
@@ -84,7 +91,7 @@ def _document(
         "title": exam.title,
         "heading": f"{words['title']}: {exam.title}" if heading else "",
         "subheading": f"{exam.course}  ·  {words['tolerance']}: {_percent(exam.tolerance.floor, language)},"
-        f" {words['otherwise']}"
+        f" {words['otherwise']}  ·  {_UNNOTICED} {words['unnoticed']}"
         if heading
         else "",
         "section": words[section] if section and (heading or not students) else "",
@@ -98,6 +105,11 @@ def _document(
 def _margin(answer: Answer, exam: Exam, language: Language) -> str:
     """The relative tolerance of an answer, where it is more than the usual one."""
     return _percent(answer.margin, language) if answer.margin > exam.tolerance.floor else ""
+
+
+def _mark(answer: Answer) -> str:
+    """The sign of an answer that some mistakes change by less than its tolerance."""
+    return _UNNOTICED if answer.unnoticed else ""
 
 
 def _percent(margin: float, language: Language) -> str:

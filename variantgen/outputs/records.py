@@ -22,7 +22,9 @@ def key_csv(sheets: Sequence[Sheet]) -> str:
     """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe."""
     out = io.StringIO(newline="")
     writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance"])
+    writer.writerow(
+        ["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed"]
+    )
     for sheet in sheets:
         who = [_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)]
         for item in sheet.items:
@@ -37,6 +39,7 @@ def key_csv(sheets: Sequence[Sheet]) -> str:
                         repr(answer.value),
                         answer.unit.name,
                         repr(answer.tolerance),
+                        "; ".join(answer.unnoticed),
                     ]
                 )
     return out.getvalue()
@@ -107,6 +110,7 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
                 "unit": a.unit.name,
                 "tolerance": a.tolerance,
                 "relative_tolerance": round(a.margin, 6),
+                **({"unnoticed": list(a.unnoticed)} if a.unnoticed else {}),
             }
             for a in item.answers
         ],
