@@ -26,7 +26,7 @@ from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
 
 # Below this share of accepted draws a large class costs too much time, and ranges are hardly what the author meant.
-_LEAST_ACCEPTANCE = 0.02
+_LEAST_ACCEPTANCE = 0.01
 # An answer that this share of all students has in common is no individual answer.
 _COMMONEST = 0.5
 _NICE = 24  # hand-friendly variants that are drawn
