@@ -78,7 +78,7 @@ def _batch(scene: Scene, places: Mapping[str, Complex], outcome: Real) -> Motion
         scene,
         np.broadcast_to(np.asarray(outcome, dtype=np.int8), shape),
         np.ones(shape),
-        {name: np.broadcast_to(np.asarray(z, dtype=np.complex128), shape) for name, z in places.items()},
+        {name: _full(z, shape, np.complex128) for name, z in places.items()},
         {},
         {},
         {},
@@ -124,8 +124,9 @@ def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
     )
 
 
-def _full(x: Complex, shape: tuple[int, ...], dtype: type = np.float64) -> NDArray[Any]:
-    return np.broadcast_to(np.asarray(x, dtype=dtype), shape)
+def _full(x: Complex, shape: tuple[int, ...], least: type = np.float64) -> NDArray[Any]:
+    """An array over the batch, of doubles (``least``) or of what the scene is given in if that has more digits."""
+    return np.broadcast_to(np.asarray(x, dtype=np.result_type(x, least)), shape)
 
 
 def _rates(scene: Scene, plan: Plan, order: int) -> list[Real]:
