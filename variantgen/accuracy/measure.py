@@ -43,7 +43,9 @@ class Truth:
 class Errors:
     """Errors of one way in one group: relative, by order (positions, velocities, accelerations), a row per variant.
 
-    ``factors`` are the errors of velocities and accelerations divided by (condition number x machine epsilon).
+    ``factors`` are the errors of velocities and accelerations divided by (condition number x machine epsilon), and
+    ``kappas`` their condition numbers. ``least_failed`` is the smallest condition number of an acceleration at which
+    the way failed in any manner.
     ``seconds`` per variant, with ``batch`` variants at once. ``absent``: why the way does not apply.
     """
 
@@ -52,6 +54,8 @@ class Errors:
     notes: dict[str, float] = field(default_factory=dict)
     rows: list[tuple[float, float, float]] = field(default_factory=list)
     factors: list[tuple[float, float]] = field(default_factory=list)
+    kappas: list[tuple[float, float]] = field(default_factory=list)
+    least_failed: float = float("inf")
     failures: dict[str, int] = field(default_factory=lambda: dict.fromkeys(FAILURES, 0))
     variants: int = 0
     seconds: float = float("nan")
@@ -128,12 +132,14 @@ def _judge(result: Computed | None, truth: Truth, found: Errors) -> None:
     failure = _failure(result, truth)
     if failure:
         found.failures[failure] += 1
+        found.least_failed = min(found.least_failed, truth.condition.acceleration)
         return
     assert result is not None, "that would be a failure"
     with many_digits():
         gaps = tuple(float(gap) for gap in deviation(_exactly(result), truth.exact))
     found.rows.append((gaps[0], gaps[1], gaps[2]))
     kappa = truth.condition
+    found.kappas.append((kappa.velocity, kappa.acceleration))
     found.factors.append((gaps[1] / (kappa.velocity * EPS), gaps[2] / (kappa.acceleration * EPS)))
 
 
