@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -29,8 +29,15 @@ class Computed:
 
     def one(self, index: int) -> Computed:
         """The variant at an index."""
-        tables = (self.z, self.v, self.a, self.omega, self.epsilon)
-        return Computed(*({name: values[index] for name, values in table.items()} for table in tables))
+        return self.each(lambda values: values[index])
+
+    def each(self, change: Callable[[Any], Any]) -> Computed:
+        """The same with every value changed; without flags."""
+        z, v, a, omega, epsilon = (
+            {name: change(values) for name, values in table.items()}
+            for table in (self.z, self.v, self.a, self.omega, self.epsilon)
+        )
+        return Computed(z, v, a, omega, epsilon)
 
     @property
     def finite(self) -> bool:

@@ -136,7 +136,7 @@ def _judge(result: Computed | None, truth: Truth, found: Errors) -> None:
         return
     assert result is not None, "that would be a failure"
     with many_digits():
-        gaps = tuple(float(gap) for gap in deviation(_exactly(result), truth.exact))
+        gaps = tuple(float(gap) for gap in deviation(result.each(exact_number), truth.exact))
     found.rows.append((gaps[0], gaps[1], gaps[2]))
     kappa = truth.condition
     found.kappas.append((kappa.velocity, kappa.acceleration))
@@ -158,11 +158,6 @@ def _failure(result: Computed | None, truth: Truth) -> str:
         if not on_branch(truth.scene, places, truth.exact.places, truth.exact.size):
             return "no convergence" if result.lost is not None and bool(result.lost) else "wrong branch"
     return "no convergence" if result.lost is not None and bool(result.lost) else ""
-
-
-def _exactly(result: Computed) -> Computed:
-    tables = (result.z, result.v, result.a, result.omega, result.epsilon)
-    return Computed(*({name: exact_number(x) for name, x in table.items()} for table in tables))
 
 
 def _seconds(action: Callable[[], object], rounds: int) -> float:

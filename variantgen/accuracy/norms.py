@@ -7,8 +7,6 @@ from typing import Any, Protocol
 
 from variantgen.accuracy.reference.motion import Exact
 
-_ORDERS = (("z", ""), ("v", "omega"), ("a", "epsilon"))
-
 
 class Tables(Protocol):
     """What is compared: numbers by point and by body, those of mpmath or such as it can subtract."""
@@ -46,11 +44,12 @@ def deviation(found: Tables, exact: Exact) -> tuple[Any, Any, Any]:
     ``|epsilon| size``). Where all accelerations vanish, by the square of that velocity over the size. What was not
     found (an order, a point) is not compared.
     """
-    scale = scales(exact)
-    return tuple(
-        _worst(getattr(found, points), getattr(exact, points), exact.size, bodies, found, exact) / scale[k]
-        for k, (points, bodies) in enumerate(_ORDERS)
-    )  # type: ignore[return-value]  # three orders
+    size, speed, acceleration = scales(exact)
+    return (
+        _worst(found.z, exact.z, {}, {}, exact.size) / size,
+        _worst(found.v, exact.v, found.omega, exact.omega, exact.size) / speed,
+        _worst(found.a, exact.a, found.epsilon, exact.epsilon, exact.size) / acceleration,
+    )
 
 
 def scales(exact: Exact) -> tuple[Any, Any, Any]:
@@ -65,10 +64,13 @@ def _largest(points: Mapping[str, Any], bodies: Mapping[str, Any], size: Any) ->
 
 
 def _worst(
-    points: Mapping[str, Any], exact_points: Mapping[str, Any], size: Any, bodies: str, found: Tables, exact: Exact
+    points: Mapping[str, Any],
+    exact_points: Mapping[str, Any],
+    bodies: Mapping[str, Any],
+    exact_bodies: Mapping[str, Any],
+    size: Any,
 ) -> Any:
+    """Largest deviation of a point, or of a body's rotation times the size."""
     gaps = [abs(points[name] - x) for name, x in exact_points.items() if name in points]
-    if bodies:
-        mine, theirs = getattr(found, bodies), getattr(exact, bodies)
-        gaps += [abs(mine[name] - x) * size for name, x in theirs.items() if name in mine]
+    gaps += [abs(bodies[name] - x) * size for name, x in exact_bodies.items() if name in bodies]
     return max(gaps, default=0)

@@ -27,7 +27,7 @@ def mpmath() -> Any:
 
 @contextmanager
 def many_digits(digits: int = DIGITS) -> Iterator[Any]:
-    """mpmath with so many decimal digits inside the block."""
+    """The package mpmath with so many decimal digits inside the block."""
     package = mpmath()
     with package.workdps(digits):
         yield package
@@ -41,7 +41,7 @@ def unit_vector(angle: Any) -> Any:
 def exact_number(x: Any) -> Any:
     """A double (or extended double, or complex number) as the number of many digits that it is exactly."""
     package = mpmath()
-    value = np.asarray(x)[()]
+    value: Any = np.asarray(x)[()]
     if isinstance(value, complex | np.complexfloating):
         return package.mpc(_exact_real(value.real), _exact_real(value.imag))
     return _exact_real(value)

@@ -84,7 +84,9 @@ def run(extent: Extent, progress: Progress = lambda _: None) -> Measured:
         progress(module.TITLE)
         classes.append(_measured(module, extent))
     trips = []
-    for passage in [*(turning(n, extent.checks) for n in extent.turns), *(passing(g, extent.checks) for g in extent.gaps)]:  # fmt: skip
+    passages = [turning(n, extent.checks) for n in extent.turns]
+    passages += [passing(gap, extent.checks) for gap in extent.gaps]
+    for passage in passages:
         progress(passage.title)
         trips.append(_followed(passage, extent))
     return Measured(tuple(classes), tuple(trips), machine())

@@ -43,8 +43,8 @@ def four_bars(rng: Generator, count: int, least: float = _OPEN) -> FourBar:
         cosine = (b * b + c * c - square) / (2 * b * c)
         return bool(abs(cosine) < np.sqrt(1 - least**2))
 
-    lengths = chosen(drawn, fits, count)
-    return FourBar(*lengths, *rates(rng, count), sides(rng, count))
+    a, b, c, d, phi = chosen(drawn, fits, count)
+    return FourBar(a, b, c, d, phi, *rates(rng, count), sides(rng, count))
 
 
 def slider_cranks(rng: Generator, count: int, least: float = _OPEN) -> SliderCrank:
@@ -57,10 +57,11 @@ def slider_cranks(rng: Generator, count: int, least: float = _OPEN) -> SliderCra
     def fits(a: float, b: float, height: float, phi: float) -> bool:
         return bool(abs(height - a * np.sin(phi)) / b < np.sqrt(1 - least**2))
 
-    return SliderCrank(*chosen(drawn, fits, count), *rates(rng, count))
+    a, b, height, phi = chosen(drawn, fits, count)
+    return SliderCrank(a, b, height, phi, *rates(rng, count))
 
 
-def chosen(drawn: Callable[[], tuple[Any, ...]], fits: Callable[..., bool], count: int) -> Any:
+def chosen(drawn: Callable[[], tuple[Any, ...]], fits: Callable[..., bool], count: int) -> list[Any]:
     """So many draws that fit, as columns."""
     found: list[tuple[Any, ...]] = []
     while len(found) < count:

@@ -46,7 +46,8 @@ def toggling(rng: Generator, angle: float, count: int) -> FourBar:
         sine = _sine_exactly(a, b, c, d, phi)
         return d > 0.05 and 0.7 * angle < sine < 1.3 * angle
 
-    return FourBar(*chosen(drawn, fits, count), *rates(rng, count), sides(rng, count))
+    a, b, c, d, phi = chosen(drawn, fits, count)
+    return FourBar(a, b, c, d, phi, *rates(rng, count), sides(rng, count))
 
 
 def _sine_exactly(a: float, b: float, c: float, d: float, phi: float) -> float:
@@ -76,6 +77,5 @@ def _upright(rng: Generator, angle: float, count: int) -> SliderCrank:
             cosine = float(mp.sqrt(1 - sine**2)) if abs(sine) < 1 else -1.0
         return 0.7 * angle < cosine < 1.3 * angle
 
-    return SliderCrank(*chosen(drawn, fits, count), *rates(rng, count))
-
-
+    a, b, height, phi = chosen(drawn, fits, count)
+    return SliderCrank(a, b, height, phi, *rates(rng, count))

@@ -46,8 +46,8 @@ def _parallel(rng: Generator, angle: float, count: int) -> FourBar:
         sine = np.imag(np.conj(end - tip) * (end - d)) / (b * c)
         return bool(abs(sine) > 0.3)
 
-    *lengths, wanted = chosen(drawn, fits, count)
-    return FourBar(*lengths, *rates(rng, count), wanted)
+    a, b, c, d, phi, side = chosen(drawn, fits, count)
+    return FourBar(a, b, c, d, phi, *rates(rng, count), side)
 
 
 def _side(tip: complex, end: complex, base: float) -> float:

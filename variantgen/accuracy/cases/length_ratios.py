@@ -45,7 +45,8 @@ def _four_bars(rng: Generator, span: int, count: int) -> FourBar:
         area = (f + (high + low)) * (low - (f - high)) * (low + (f - high)) * (f + (high - low))
         return area > 0 and bool(np.sqrt(area) / (2 * b * c) > 0.05)
 
-    return FourBar(*chosen(drawn, fits, count), *rates(rng, count), sides(rng, count))
+    a, b, c, d, phi = chosen(drawn, fits, count)
+    return FourBar(a, b, c, d, phi, *rates(rng, count), sides(rng, count))
 
 
 def _slider_cranks(rng: Generator, span: int, count: int) -> SliderCrank:
@@ -56,4 +57,5 @@ def _slider_cranks(rng: Generator, span: int, count: int) -> SliderCrank:
     def fits(a: float, b: float, height: float, phi: float) -> bool:
         return bool(abs(height - a * np.sin(phi)) / b < 0.998)
 
-    return SliderCrank(*chosen(drawn, fits, count), *rates(rng, count))
+    a, b, height, phi = chosen(drawn, fits, count)
+    return SliderCrank(a, b, height, phi, *rates(rng, count))

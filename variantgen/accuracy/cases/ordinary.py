@@ -31,5 +31,3 @@ def groups(count: int, rng: Generator) -> list[Group]:
     found.append(grouped("four-bar", four_bars(rng, count), count))
     found.append(grouped("slider-crank", slider_cranks(rng, count), count))
     return found
-
-

@@ -65,7 +65,8 @@ class Passage:
         """What is open in the chain (m): ``a e^(i phi) + b e^(i theta) - d - c e^(i psi)``."""
         bar, (theta, psi) = self.bar, state
         phi = bar.phi + bar.omega * t
-        return bar.a * cmath.exp(1j * phi) + bar.b * cmath.exp(1j * theta) - bar.d - bar.c * cmath.exp(1j * psi)
+        open_chain = bar.a * cmath.exp(1j * phi) + bar.b * cmath.exp(1j * theta) - bar.d - bar.c * cmath.exp(1j * psi)
+        return complex(open_chain)
 
     def rates(self, t: float, state: Any, pull: float = 0.0) -> State:
         """Angular velocities (theta', psi') of a state; ``pull`` (1/s) closes the gap (Baumgarte)::
@@ -134,4 +135,4 @@ def passing(gap: float, checks: int) -> Passage:
     bar = FourBar(0.5, 0.8, 0.8, 0.5 * (1 + gap), -1.0, 1.0, 0.0, 1.0)
     # Half of the instants lie within some gaps of the passage, evenly by their logarithm.
     near = np.geomspace(0.3 * gap, 0.5, checks // 4)
-    return Passage(f"past the pivot at {gap:.0e}", bar, 1.0 + np.concatenate([-near[::-1], [0.0], near, [1.0]]))
+    return Passage(f"past the pivot, gap {gap:.0e}", bar, 1.0 + np.concatenate([-near[::-1], [0.0], near, [1.0]]))

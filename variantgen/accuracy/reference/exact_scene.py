@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.accuracy.reference.series import Series, series
-from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.component import FieldSpec, field_specs
 from variantgen.mechanism.motion import take_scene
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
@@ -47,7 +47,7 @@ def wide_scene(scene: Scene) -> Scene:
 def data(scene: Scene) -> Iterator[Datum]:
     """The numbers of an exact scene that may be perturbed: lengths, angles, ratios, rates; not sides and senses."""
     for number, component in enumerate(_components(scene)):
-        for spec in field_specs(type(component)):
+        for spec in _fields(component):
             if spec.dimension and not spec.words:
                 value = getattr(component, spec.name).value
                 if value != 0:
@@ -68,11 +68,16 @@ def kind(component: Any) -> str:
     return type(component).__module__.rsplit(".", 1)[-1]
 
 
+def _fields(component: Any) -> tuple[FieldSpec, ...]:
+    kind_of: type = type(component)
+    return field_specs(kind_of)
+
+
 def _components(scene: Scene) -> Iterator[Any]:
     """All components, the parts of each after it."""
     for component in (*scene.points.values(), *scene.joints, *scene.drivers, *scene.conditions):
         yield component
-        for spec in field_specs(type(component)):
+        for spec in _fields(component):
             if spec.part:
                 yield from getattr(component, spec.name)
 
@@ -84,7 +89,7 @@ def _changed(scene: Scene, change: Callable[[int, Any, str], Any]) -> Scene:
     def anew(component: Any) -> Any:
         number = next(numbers)
         found: dict[str, Any] = {}
-        for spec in field_specs(type(component)):
+        for spec in _fields(component):
             value = getattr(component, spec.name)
             if spec.dimension:
                 found[spec.name] = change(number, value, spec.name)

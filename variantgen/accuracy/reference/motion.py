@@ -43,7 +43,7 @@ class Solution:
     """The exact motion with what it takes to find that of a neighbouring scene: unknowns and factors."""
 
     exact: Exact
-    terms: tuple[Sequence[Any], Sequence[Any]]
+    terms: tuple[list[Any], list[Any]]
     factors: Factors
 
 
@@ -58,31 +58,27 @@ def solve_exactly(scene: Scene, near: Solution | None = None, guess: Mapping[str
     z = on_paper(scene, at)
     if near is None:
         check_substituted(scene, at)
-        size = _size(z)
-        closing = Closing(scene, z, size)
+        closing = Closing(scene, z, _size(z))
         factors = Factors(_jacobian(closing))
         zero = [mpmath().mpf(0)] * closing.unknowns
-        q1, q2 = zero, zero
+        first, second = zero, zero
     else:
-        size, factors = near.exact.size, near.factors
-        closing = Closing(scene, z, size)
-        q1, q2 = near.terms
+        factors, (first, second) = near.factors, near.terms
+        closing = Closing(scene, z, near.exact.size)
     rounds = 1 if near else _ROUNDS
-    q1 = _corrected(closing, factors, [q1], rounds)
-    q2 = _corrected(closing, factors, [q1, q2], rounds)
+    q1 = _corrected(closing, factors, [first], rounds)
+    q2 = _corrected(closing, factors, [q1, second], rounds)
     return Solution(_exact(closing, at, z, q1, q2), (q1, q2), factors)
 
 
-def _corrected(closing: Closing, factors: Factors, terms: list[Sequence[Any]], rounds: int) -> list[Any]:
+def _corrected(closing: Closing, factors: Factors, terms: Sequence[list[Any]], rounds: int) -> list[Any]:
     """The last of the terms such that the residual of its order vanishes; with one round only corrected."""
     order = len(terms)
     time = Series((mpmath().mpf(0), mpmath().mpf(1), *[mpmath().mpf(0)] * (order - 1)))
     q = list(terms[-1])
     for _ in range(rounds):
         known = zip(*terms[:-1], q, strict=True)
-        left = [
-            r.term(order) for r in closing.residual([Series((mpmath().mpf(0), *group)) for group in known], time)
-        ]
+        left = [r.term(order) for r in closing.residual([Series((mpmath().mpf(0), *group)) for group in known], time)]
         change = factors.solve(left)
         q = [x - d for x, d in zip(q, change, strict=True)]
         most = max((abs(x) for x in q), default=0)

@@ -44,7 +44,7 @@ def check_substituted(scene: Scene, at: Mapping[str, Any]) -> None:
     """Put the places into the definitions. Raises ArithmeticError where one is not met to 60 digits of the size."""
     middle = sum(at.values()) / len(at)
     size = max(abs(z - middle) for z in at.values()) or mpmath().mpf(1)
-    left = []
+    left: list[Any] = []
     for name, item in scene.points.items():
         equations = definition(kind(item))
         assert equations is not None, "a test sees to it that every kind has one"

@@ -45,7 +45,7 @@ class _Search:
     def left(self, z: Mapping[str, Any]) -> list[Any]:
         """What is left of the conditions (m)."""
         places = {**self.at, **z}
-        found = []
+        found: list[Any] = []
         for condition in self.scene.conditions:
             equations = definition(kind(condition))
             assert equations is not None, "a test sees to it that every kind has one"
@@ -58,8 +58,8 @@ class _Search:
         columns = []
         for name in self.names:
             for way in (step, 1j * step):
-                moved = self.left({**z, name: z[name] + way})
-                columns.append([(after - before) / step for after, before in zip(moved, now, strict=True)])
+                beside = self.left({**z, name: z[name] + way})
+                columns.append([(after - before) / step for after, before in zip(beside, now, strict=True)])
         change = Factors([list(row) for row in zip(*columns, strict=True)]).solve(
             [w - x for w, x in zip(wanted, now, strict=True)]
         )

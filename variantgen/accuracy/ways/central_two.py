@@ -8,7 +8,7 @@ from variantgen.accuracy.computed import Computed, Group
 from variantgen.accuracy.ways._differences import Stencil, differentiated
 
 TITLE = "central differences of order 2"
-LETTER = "2"
+SHORT = "central differences, order 2"
 DOUBLE = True
 BATCH = 100
 

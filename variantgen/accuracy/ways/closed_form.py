@@ -7,7 +7,7 @@ from collections.abc import Callable
 from variantgen.accuracy.computed import Computed, Group
 
 TITLE = "closed form of the textbooks"
-LETTER = "T"
+SHORT = "textbook closed form"
 DOUBLE = True
 BATCH = 1000
 

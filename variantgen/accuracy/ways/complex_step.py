@@ -14,7 +14,7 @@ import numpy as np
 from variantgen.accuracy.computed import Computed, Group, Textbook
 
 TITLE = "complex steps of the closed form"
-LETTER = "C"
+SHORT = "complex step"
 DOUBLE = True
 BATCH = 1000
 
@@ -41,9 +41,7 @@ def _run(textbook: Textbook) -> Computed:
     near, after, before = (textbook.coordinates(t) for t in (1j * tiny, h * _WAY, -h * _WAY))
     z = {name: np.real(x) + 1j * np.real(y) for name, (x, y) in near.items()}
     v = {name: (np.imag(x) + 1j * np.imag(y)) / tiny for name, (x, y) in near.items()}
-    a = {
-        name: sum(np.imag(x) + 1j * np.imag(y) for x, y in (after[name], before[name])) / h**2 for name in near
-    }
+    a = {name: sum(np.imag(x) + 1j * np.imag(y) for x, y in (after[name], before[name])) / h**2 for name in near}
     omega, epsilon = {}, {}
     for link, (start, end) in textbook.links().items():
         ray, speed, change = (table[end] - table[start] for table in (z, v, a))

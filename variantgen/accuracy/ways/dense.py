@@ -13,7 +13,7 @@ from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
 
 TITLE = "one dense linear system"
-LETTER = "D"
+SHORT = "dense linear system"
 DOUBLE = True
 BATCH = 200
 

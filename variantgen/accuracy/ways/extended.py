@@ -12,7 +12,7 @@ from variantgen.accuracy.ways.production import solved
 from variantgen.mechanism.structure import analyse
 
 TITLE = "production in extended precision"
-LETTER = "E"
+SHORT = "production, 80 bits"
 DOUBLE = False
 BATCH = 1000
 

@@ -16,13 +16,14 @@ from variantgen.accuracy.computed import Computed, Group
 from variantgen.accuracy.reference.definitions import definition
 from variantgen.accuracy.reference.exact_scene import double_scene, kind
 from variantgen.accuracy.ways.dense import from_places
+from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import Plan, analyse
 
 TITLE = "Newton on the whole, then dense"
-LETTER = "N"
+SHORT = "Newton on the whole"
 DOUBLE = True
 BATCH = 5
 
@@ -56,9 +57,12 @@ def prepare(group: Group) -> Callable[[], Computed]:
 def _one(scene: Scene, motion: Motion, start: Mapping[str, complex], plan: Plan) -> Computed:
     from scipy.optimize import root
 
-    names = [name for name, item in scene.points.items() if kind(item) != "coordinates"]
-    given = {name: complex(*(value.value for value in (item.x, item.y)))
-             for name, item in scene.points.items() if kind(item) == "coordinates"}  # fmt: skip
+    names = [name for name, item in scene.points.items() if not isinstance(item, Coordinates)]
+    given = {
+        name: complex(item.x.value, item.y.value)
+        for name, item in scene.points.items()
+        if isinstance(item, Coordinates)
+    }
 
     def left(x: Any) -> Any:
         at = {**given, **dict(zip(names, (x[0::2] + 1j * x[1::2]).tolist(), strict=True))}

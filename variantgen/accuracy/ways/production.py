@@ -11,7 +11,7 @@ from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import Plan, analyse
 
 TITLE = "production: constructions and blocks"
-LETTER = "P"
+SHORT = "production"
 DOUBLE = True
 BATCH = 1000
 
