@@ -40,7 +40,16 @@ def unit(angle: Real) -> Complex:
         limit = 4 * rounding(cos)
         cos = np.where(np.abs(cos) < limit, 0.0, cos)
         sin = np.where(np.abs(sin) < limit, 0.0, sin)
-    result: Complex = cos + 1j * sin
+    return from_parts(cos, sin)
+
+
+def from_parts(x: Real, y: Real) -> Complex:
+    """``x + i y`` of two numbers or arrays of one shape."""
+    if isinstance(x, np.ndarray) and x.shape == np.shape(y) and x.dtype == np.result_type(y):
+        z = np.empty(x.shape, dtype=np.result_type(x, np.complex64))
+        z.real, z.imag = x, y
+        return z
+    result: Complex = x + 1j * y
     return result
 
 

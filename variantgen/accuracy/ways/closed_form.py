@@ -9,7 +9,7 @@ from variantgen.accuracy.computed import Computed, Group
 TITLE = "closed form of the textbooks"
 SHORT = "textbook closed form"
 DOUBLE = True
-BATCH = 1000
+BATCH = 10_000
 
 
 def applies(group: Group) -> str:

@@ -16,7 +16,7 @@ from variantgen.accuracy.computed import Computed, Group, Textbook
 TITLE = "complex steps of the closed form"
 SHORT = "complex step"
 DOUBLE = True
-BATCH = 1000
+BATCH = 10_000
 
 _TINY = 1e-30
 _STEP = 3e-3  # balances truncation h^4 and rounding eps/h^2

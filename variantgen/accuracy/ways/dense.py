@@ -15,7 +15,7 @@ from variantgen.mechanism.structure import analyse
 TITLE = "one dense linear system"
 SHORT = "dense linear system"
 DOUBLE = True
-BATCH = 200
+BATCH = 1000
 
 
 def applies(group: Group) -> str:

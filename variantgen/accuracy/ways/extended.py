@@ -14,7 +14,7 @@ from variantgen.mechanism.structure import analyse
 TITLE = "production in extended precision"
 SHORT = "production, 80 bits"
 DOUBLE = False
-BATCH = 1000
+BATCH = 2000
 
 
 def applies(group: Group) -> str:

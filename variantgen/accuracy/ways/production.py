@@ -13,7 +13,7 @@ from variantgen.mechanism.structure import Plan, analyse
 TITLE = "production: constructions and blocks"
 SHORT = "production"
 DOUBLE = True
-BATCH = 1000
+BATCH = 10_000
 
 
 def applies(group: Group) -> str:
