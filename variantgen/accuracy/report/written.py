@@ -6,11 +6,12 @@ from pathlib import Path
 
 from variantgen.accuracy.report.diagrams import draw
 from variantgen.accuracy.report.findings import findings
+from variantgen.accuracy.report.short import summary
 from variantgen.accuracy.report.tables import classes_markdown, instants_csv, motion_csv, motion_markdown
 from variantgen.accuracy.run import Measured
 
-REPORT = "report.md"
-FILES = {REPORT, "instants.csv", "motion.csv", "*.pdf", "*.png"}
+REPORT, SUMMARY = "report.md", "summary.md"
+FILES = {REPORT, SUMMARY, "instants.csv", "motion.csv", "*.pdf", "*.png"}
 
 _METHOD = """\
 Reference: positions from the definitions of all points, velocities and accelerations from the residuals of joints and
@@ -28,6 +29,7 @@ def write(measured: Measured, folder: Path) -> None:
     (folder / "motion.csv").write_text(motion_csv(measured), "utf-8")
     draw(measured, folder)
     (folder / REPORT).write_text(report(measured), "utf-8")
+    (folder / SUMMARY).write_text(summary(measured), "utf-8")
 
 
 def report(measured: Measured) -> str:
