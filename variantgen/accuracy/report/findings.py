@@ -50,12 +50,9 @@ def _production(measured: Measured) -> Iterator[str]:
     if refused:
         least = min(line.least_failed for line in refused) * EPS
         yield (
-            f"It refuses {sum(line.failures['refused'] for line in refused)} variants as dead points or not assembled;"
-            f" all have (condition number x machine epsilon) of {least:.1g} or more, so that no digit of their"
-            " accelerations can be had from doubles."
-            if least > 0.1
-            else f"It refuses {sum(line.failures['refused'] for line in refused)} variants as dead points or not"
-            f" assembled, the best of them with (condition number x machine epsilon) of {least:.1g}."
+            f"Refused as dead points or not assembled: {sum(line.failures['refused'] for line in refused)}, the best"
+            f" conditioned of them with a product of condition number and machine epsilon of {least:.1g}"
+            + (": no digit of its accelerations can be had from doubles." if least > 0.1 else ".")
         )
 
 
@@ -82,8 +79,8 @@ def _others(measured: Measured) -> Iterator[str]:
             share = 100 * (worst.variants - worst.solved) / worst.variants
             words = ", ".join(f"{count} {kind}" for kind, count in lost.items() if count)
             yield (
-                f"{discovered()[name].TITLE} fails for {total} of {tried} variants ({words}), most in '{worst.title}'"
-                f" ({share:.0f} %)."
+                f"{_capital(discovered()[name].TITLE)} fails for {total} of {tried} variants ({words}),"
+                f" most in '{worst.title}' ({share:.0f} %)."
             )
     ordinary = {line.way: line for line in by_class(measured.classes[0])}
     times = [
@@ -100,7 +97,7 @@ def _over_time(measured: Measured) -> Iterator[str]:
         plain = _best(trip, "none")
         kept = _best(trip, "projection")
         text = (
-            f"{trip.title[0].upper()}{trip.title[1:]} (stiffness ratio {trip.stiffness:.1e}, angular velocity of the"
+            f"{_capital(trip.title)} (stiffness ratio {trip.stiffness:.1e}, angular velocity of the"
             f" rocker changing by a factor of {trip.jump:.0e}): direct evaluation has an error of"
             f" {direct.velocity:.0e} in {1e3 * direct.seconds:.2g} ms"
         )
@@ -131,6 +128,10 @@ def _explicit_implicit(trip: Trip) -> tuple[Followed | None, Followed | None]:
     implicit = [r for r in found if r.method in IMPLICIT]
     explicit = [r for r in found if r.method in {"RK45", "DOP853"}]
     return min(explicit, key=lambda r: r.velocity, default=None), min(implicit, key=lambda r: r.velocity, default=None)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _of(case: CaseClass, way: str) -> Line:
