@@ -13,6 +13,7 @@ from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
 from variantgen.accuracy.computed import Computed, Group
 from variantgen.accuracy.measure import FAILURES, Errors, discovered, measure, part, truths
 from variantgen.accuracy.run import case_modules
+from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.mechanism.solve import solve
 
 
@@ -62,6 +63,18 @@ def test_time_is_taken_for_a_whole_batch(group: Group, known: list) -> None:
     found = measure("production", group, known, 1)
     assert found.batch == discovered()["production"].BATCH
     assert 0 < found.seconds < 1
+
+
+def test_only_variants_with_a_result_are_timed() -> None:
+    # A parallelogram exactly folded has no velocities: its dense system is singular.
+    bars = FourBar(*(np.array(x) for x in ((0.3, 0.3), (0.8, 0.8), (0.3, 0.3), (0.8, 0.8), (0.0, 1.0))),
+                   np.ones(2), np.ones(2), np.ones(2))  # fmt: skip
+    group = grouped("parallelograms", bars, 2)
+    sound, known = truths(part(group, [1]))
+    found = measure("dense", group, [known[0], known[0]], 1)
+    assert found.failures["exception"] + found.failures["wrong branch"] + found.failures["refused"] == 1
+    assert sound.size == 1
+    assert found.seconds > 0
 
 
 def test_ways_that_do_not_apply_say_so() -> None:

@@ -101,11 +101,11 @@ def measure(name: str, group: Group, known: Sequence[Truth], rounds: int) -> Err
         return found
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        for result, truth in zip(_results(way.prepare, group), known, strict=True):
-            _judge(result, truth, found)
-        if rounds and found.rows:
+        results = zip(_results(way.prepare, group), known, strict=True)
+        good = [number for number, (result, truth) in enumerate(results) if _judge(result, truth, found)]
+        if rounds and good:
             found.batch = way.BATCH
-            batch = part(group, [i % group.size for i in range(way.BATCH)])
+            batch = part(group, [good[i % len(good)] for i in range(way.BATCH)])
             found.seconds = _seconds(way.prepare(batch), rounds) / way.BATCH
     return found
 
@@ -127,13 +127,13 @@ def _single(every: Computed, index: int) -> Computed:
     return Computed(one.z, one.v, one.a, one.omega, one.epsilon, **flags)
 
 
-def _judge(result: Computed | None, truth: Truth, found: Errors) -> None:
-    """Count a variant as failed or note its errors."""
+def _judge(result: Computed | None, truth: Truth, found: Errors) -> bool:
+    """Count a variant as failed or note its errors; whether it has a result."""
     failure = _failure(result, truth)
     if failure:
         found.failures[failure] += 1
         found.least_failed = min(found.least_failed, truth.condition.acceleration)
-        return
+        return False
     assert result is not None, "that would be a failure"
     with many_digits():
         gaps = tuple(float(gap) for gap in deviation(result.each(exact_number), truth.exact))
@@ -141,6 +141,7 @@ def _judge(result: Computed | None, truth: Truth, found: Errors) -> None:
     kappa = truth.condition
     found.kappas.append((kappa.velocity, kappa.acceleration))
     found.factors.append((gaps[1] / (kappa.velocity * EPS), gaps[2] / (kappa.acceleration * EPS)))
+    return True
 
 
 def _failure(result: Computed | None, truth: Truth) -> str:
