@@ -43,7 +43,7 @@ class Extent:
 
 QUICK = Extent(8, 2, 2, (10,), (1e-3, 1e-6), 16, (1e-3, 1e-6, 1e-9), 4_000)
 FULL = Extent(
-    96, 6, 5, (1, 100), (1e-3, 1e-4, 1e-5, 1e-6), 40, tuple(10.0**-k for k in range(3, 13)), 60_000
+    192, 6, 5, (1, 100), (1e-3, 1e-4, 1e-5, 1e-6), 40, tuple(10.0**-k for k in range(3, 13)), 100_000
 )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ def groups(count: int, rng: Generator) -> list[Group]:
         family = load_family(name)
         for label, form in family.forms.items():
             single = replace(family, forms={label: form})
-            number = max(1, count // 24)
+            number = max(1, count // 48)
             keys = [(str(seed), "accuracy") for seed in rng.integers(10**6, size=number)]
             motion = solve_variants(draw(single, None, keys), 0)
             found.append(Group(f"{name}/{label}" if label else name, motion.scene, number))

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.accuracy.precise import exact_number, many_digits
+from variantgen.accuracy.precise import exact_number, many_digits, mpmath
 from variantgen.accuracy.reference.exact_scene import exact_scene
 from variantgen.accuracy.reference.motion import Exact, solve_exactly
 from variantgen.accuracy.reference.series import Series
@@ -99,22 +99,27 @@ class Passage:
     def stiffness(self) -> float:
         """Stiffness ratio: the length of the way times the largest real part, of either sign, of the eigenvalues.
 
-        Those of the derivative of the velocity equations by the state, found by differences along the exact way: how
-        many of the shortest time constants the way has.
+        Those of the derivative of the velocity equations by the state, at the exact states: how many of the shortest
+        time constants the way has. With f = theta', g = psi' and cot of (psi - theta) the derivative is::
+
+            f cot    -a omega cos(phi - psi) / (b sin(psi - theta)) - f cot
+            g cot - a omega cos(phi - theta) / (c sin(psi - theta))    -g cot
         """
-        worst = 0.0
-        for exact, t in zip(self.exact, self.instants, strict=True):
-            state = _state(exact, self.bar.d)
-            step = 1e-7 * min(1.0, abs(math.sin(state[1] - state[0])))
-            base = np.array(self.rates(t, state))
-            columns = [(np.array(self.rates(t, np.add(state, way))) - base) / step for way in step * np.eye(2)]
-            worst = max(worst, float(np.max(np.abs(np.linalg.eigvals(np.array(columns).T).real))))
-        return worst * self.duration
+        with many_digits():
+            return float(max(self._growth(exact) for exact in self.exact)) * self.duration
 
-
-def _state(exact: Exact, base: float) -> State:
-    tip, end = complex(exact.z["A"]), complex(exact.z["B"])
-    return cmath.phase(end - tip), cmath.phase(end - base)
+    def _growth(self, exact: Exact) -> Any:
+        """Largest real part of an eigenvalue, of either sign (1/s), as a number of mpmath."""
+        mp, bar = mpmath(), self.bar
+        crank, rod, rocker = exact.z["A"], exact.z["B"] - exact.z["A"], exact.z["B"] - exact.z["C"]
+        sine, cosine = (rod.conjugate() * rocker).imag, (rod.conjugate() * rocker).real
+        cot, push = cosine / sine, bar.omega / sine
+        f, g = exact.omega["AB"], exact.omega["BC"]
+        upper = -push * (rocker.conjugate() * crank).real - f * cot
+        lower = g * cot - push * (rod.conjugate() * crank).real
+        half, product = (f - g) * cot / 2, -f * g * cot * cot - upper * lower
+        root = mp.sqrt(mp.mpc(half * half - product))
+        return max(abs((half + root).real), abs((half - root).real))
 
 
 def turning(turns: int, checks: int) -> Passage:
