@@ -22,16 +22,34 @@ EPS = float(np.finfo(np.float64).eps)
 _ZERO_ULPS = 16.0
 
 
+def rounding(x: Real) -> float:
+    """Machine epsilon of the numbers of an array: that of doubles, or less where the scene is given in more digits."""
+    kind = np.result_type(x)
+    return EPS if kind.kind not in "fc" else float(np.finfo(kind).eps)
+
+
 def unit(angle: Real) -> Complex:
     """Unit vector ``exp(i*angle)`` (rad), exact at multiples of a right angle.
 
     The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings
-    cannot be told from zero and is set to zero.
+    cannot be told from zero and is set to zero. An angle that is no floating-point number (a truncated series over
+    numbers of many digits, say) is taken as it is.
     """
     cos, sin = np.cos(angle), np.sin(angle)
-    cos = np.where(np.abs(cos) < 4 * EPS, 0.0, cos)
-    sin = np.where(np.abs(sin) < 4 * EPS, 0.0, sin)
-    result: Complex = cos + 1j * sin
+    if isinstance(cos, np.ndarray | np.generic):
+        limit = 4 * rounding(cos)
+        cos = np.where(np.abs(cos) < limit, 0.0, cos)
+        sin = np.where(np.abs(sin) < limit, 0.0, sin)
+    return from_parts(cos, sin)
+
+
+def from_parts(x: Real, y: Real) -> Complex:
+    """``x + i y`` of two numbers or arrays of one shape."""
+    if isinstance(x, np.ndarray) and x.shape == np.shape(y) and x.dtype == np.result_type(y):
+        z = np.empty(x.shape, dtype=np.result_type(x, np.complex64))
+        z.real, z.imag = x, y
+        return z
+    result: Complex = x + 1j * y
     return result
 
 
@@ -61,5 +79,5 @@ def settle(total: Real, magnitude: Real) -> Real:
     ``magnitude`` is the sum of the absolute values of the terms. This makes an instantaneous translation come out
     with an angular velocity of exactly 0.0 and not of 1e-17.
     """
-    result: Real = np.where(np.abs(total) <= _ZERO_ULPS * EPS * magnitude, 0.0, total)
+    result: Real = np.where(np.abs(total) <= _ZERO_ULPS * rounding(total) * magnitude, 0.0, total)
     return result

@@ -41,9 +41,9 @@ def solve_block(
     ``known`` is what an earlier solution with the same coefficients said of them.
     """
     if len(unknowns) == 1:
-        return _solve_one(equations[0], unknowns[0], sides[0])
+        return _solve_one(equations[0], unknowns[0], sides[0], known)
     if len(unknowns) == 2:
-        return _solve_two(equations, unknowns, sides)
+        return _solve_two(equations, unknowns, sides, known)
     return _solve_many(equations, unknowns, sides, known)
 
 
@@ -53,23 +53,29 @@ def _sine(determinant: Real, scale: Real) -> Sine:
     return Sine(np.minimum(value, 1.0), value > SINGULAR)
 
 
-def _solve_one(equation: Assembly, unknown: int, side: tuple[Real, Real]) -> tuple[dict[int, Real], Sine]:
+def _solve_one(
+    equation: Assembly, unknown: int, side: tuple[Real, Real], known: Sine | None
+) -> tuple[dict[int, Real], Sine]:
     a = equation.coefficients[unknown]
-    sine = _sine(a, equation.sizes[unknown])
+    sine = known or _sine(a, equation.sizes[unknown])
     # Adding 0.0 turns a negative zero into zero.
     return {unknown: settle(*side) / np.where(sine.regular, a, 1.0) + 0.0}, sine
 
 
 def _solve_two(
-    equations: Sequence[Assembly], unknowns: Sequence[int], sides: Sequence[tuple[Real, Real]]
+    equations: Sequence[Assembly],
+    unknowns: Sequence[int],
+    sides: Sequence[tuple[Real, Real]],
+    known: Sine | None,
 ) -> tuple[dict[int, Real], Sine]:
     """Cramer's rule; numerators that are nothing but rounding become exact zeros."""
     first, second = equations
     j, k = unknowns
     a, b = first.coefficients.get(j, 0.0), first.coefficients.get(k, 0.0)
     c, d = second.coefficients.get(j, 0.0), second.coefficients.get(k, 0.0)
-    sine = _sine(a * d - b * c, _scale(equations, unknowns))
-    determinant = np.where(sine.regular, a * d - b * c, 1.0)
+    determinant = a * d - b * c
+    sine = known or _sine(determinant, _scale(equations, unknowns))
+    determinant = np.where(sine.regular, determinant, 1.0)
     (p, p_size), (q, q_size) = sides
     x = settle(p * d - q * b, p_size * np.abs(d) + q_size * np.abs(b)) / determinant
     y = settle(q * a - p * c, q_size * np.abs(a) + p_size * np.abs(c)) / determinant

@@ -27,8 +27,15 @@ class Frame:
     turn: Complex = 1.0
     sense: Real = 1.0
 
+    @property
+    def plain(self) -> bool:
+        """Whether everything lies on paper as in the scene, for all variants."""
+        return isinstance(self.turn, float) and isinstance(self.sense, float) and self.turn == self.sense == 1.0
+
     def place(self, z: Complex) -> Complex:
         """A point or vector of the scene, on paper."""
+        if self.plain:
+            return z
         result: Complex = self.turn * (self.sense * np.real(z) + 1j * np.imag(z))
         return result
 

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, along
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along
 from variantgen.mechanism.component import BodyName, PointName, Radius, Side
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
@@ -145,7 +145,9 @@ class Rope(Joint):
         circle that it starts from; a drum that turns by p takes up or gives out ``s r p``.
         """
         before, after = self.pieces(start), self.pieces(moved)
-        swung = [np.angle(now / then) for (then, _), (now, _) in zip(before, after, strict=True)]
+        swung = [
+            np.arctan2(across(then, now), along(then, now)) for (then, _), (now, _) in zip(before, after, strict=True)
+        ]
         change: Real = sum(now - then for (_, then), (_, now) in zip(before, after, strict=True))
         sense = start.frame.sense
         for (first, second), turn in zip(pairwise(self.path), swung, strict=True):

@@ -1,0 +1,1 @@
+"""Motion over time: integration of the velocity equations to an instant, against direct evaluation at each instant."""

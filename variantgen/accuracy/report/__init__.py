@@ -1,0 +1,1 @@
+"""What the measurement found, as tables, diagrams and a short text made from the numbers."""

@@ -1,0 +1,39 @@
+"""``variantgen accuracy``: error against run time, for those who want to know why the key can be trusted."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+HELP = "measure error against run time"
+DESCRIPTION = """\
+Measure the errors of the solver and of other ways to compute against a reference of many digits, and their times:
+report.md, tables (CSV) and diagrams (PDF, PNG) in a new folder. Takes some fifteen minutes, --quick less than one.
+Needs the packages mpmath and matplotlib: pip install 'variantgen[accuracy]'."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
+    parser.add_argument("--quick", action="store_true", help="fewer variants, tolerances and turns")
+    parser.add_argument("--force", action="store_true", help="replace an earlier output of this command whole")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measure and write the folder."""
+    from variantgen.accuracy.report.diagrams import need_matplotlib
+    from variantgen.accuracy.report.findings import findings
+    from variantgen.accuracy.report.written import FILES, write
+    from variantgen.accuracy.run import FULL, QUICK
+    from variantgen.accuracy.run import run as measure
+    from variantgen.outputs.folder import check_free, whole_folder
+
+    need_matplotlib()
+    check_free(arguments.out, arguments.force, FILES)
+    measured = measure(QUICK if arguments.quick else FULL, lambda what: print(what, file=sys.stderr, flush=True))
+    with whole_folder(arguments.out, arguments.force, FILES) as folder:
+        write(measured, folder)
+    for finding in findings(measured):
+        print(finding)
+    return 0
