@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from itertools import count
 from typing import Any, Protocol
 
 from variantgen.mechanism.arithmetic import Complex, Flags
@@ -46,6 +47,35 @@ class Scene:
     def constraints(self) -> tuple[Constraint, ...]:
         """Joints, then drivers."""
         return (*self.joints, *self.drivers)
+
+
+def with_numbers(scene: Scene, change: Callable[[int, Any, str], Any]) -> Scene:
+    """The scene with every number replaced by what ``change(number of its component, value, field)`` gives.
+
+    Components count in the order of points, joints, drivers, conditions, each before its parts.
+    """
+    numbers = count()
+
+    def anew(component: Any) -> Any:
+        number = next(numbers)
+        found: dict[str, Any] = {}
+        component_type: type = type(component)
+        for spec in field_specs(component_type):
+            value = getattr(component, spec.name)
+            if spec.dimension:
+                found[spec.name] = change(number, value, spec.name)
+            elif spec.part:
+                found[spec.name] = tuple(anew(part) for part in value)
+        return replace(component, **found)
+
+    return Scene(
+        {name: anew(item) for name, item in scene.points.items()},
+        scene.bodies,
+        tuple(anew(item) for item in scene.joints),
+        tuple(anew(item) for item in scene.drivers),
+        scene.frame,
+        tuple(anew(item) for item in scene.conditions),
+    )
 
 
 def references(component: Any, kind: str) -> tuple[str, ...]:

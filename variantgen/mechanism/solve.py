@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.assembly import assemble
 from variantgen.mechanism.constructions.near import Near
+from variantgen.mechanism.digits import decided_by_rounding, near_singular
 from variantgen.mechanism.forms import Drifts, Velocities
 from variantgen.mechanism.linear import Assembly, Sine, solve_block
 from variantgen.mechanism.memory import keep_freed_memory
@@ -35,7 +36,23 @@ def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
     plan = plan or analyse(scene)
     places, outcome = place(scene, plan)
     motion = _batch(scene, places, outcome)
-    return add_speeds(motion, plan, order) if order else motion
+    return _without_the_blind(add_speeds(motion, plan, order), plan, order) if order else motion
+
+
+def _without_the_blind(motion: Motion, plan: Plan, order: int) -> Motion:
+    """The motion with the outcome of a dead point where the last bits of the data decide what it is."""
+    near = near_singular(motion)
+    if not near.size:
+        return motion
+    few = motion.take(near)
+
+    def again(scene: Scene) -> Motion:
+        scene = from_picture(scene, {name: few.frame.unplace(z) for name, z in few.z.items()})
+        return add_speeds(_batch(scene, *place(scene, plan)), plan, order)
+
+    outcome = motion.outcome.copy()
+    outcome[near[decided_by_rounding(few, again)]] = Outcome.DEAD_POINT
+    return replace(motion, outcome=outcome)
 
 
 def place(scene: Scene, plan: Plan) -> tuple[dict[str, Complex], Real]:

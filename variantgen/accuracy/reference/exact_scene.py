@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from variantgen.accuracy.reference.series import Series, series
 from variantgen.mechanism.component import FieldSpec, field_specs
 from variantgen.mechanism.motion import take_scene
 from variantgen.mechanism.rows import Frame
-from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.scene import Scene, with_numbers
 
 
 @dataclass(frozen=True)
@@ -28,20 +28,20 @@ def exact_scene(scene: Scene, index: int, size: int) -> Scene:
     """The variant at an index of a batch, all numbers as constant series."""
     one = take_scene(scene, index, size)
     frame = Frame(series(one.frame.turn), series(one.frame.sense))
-    return replace(_changed(one, lambda _, value, __: series(value)), frame=frame)
+    return replace(with_numbers(one, lambda _, value, __: series(value)), frame=frame)
 
 
 def double_scene(scene: Scene, index: int, size: int) -> Scene:
     """The same with doubles as the only terms: for the definitions of points in double precision."""
     one = take_scene(scene, index, size)
     frame = Frame(Series((complex(one.frame.turn),)), Series((float(one.frame.sense),)))
-    return replace(_changed(one, lambda _, value, __: Series((float(value),))), frame=frame)
+    return replace(with_numbers(one, lambda _, value, __: Series((float(value),))), frame=frame)
 
 
 def wide_scene(scene: Scene) -> Scene:
     """A batch with all numbers in extended double precision (80 bits where the machine has them)."""
     frame = Frame(np.asarray(scene.frame.turn, np.clongdouble), np.asarray(scene.frame.sense, np.longdouble))
-    return replace(_changed(scene, lambda _, value, __: np.asarray(value, np.longdouble)), frame=frame)
+    return replace(with_numbers(scene, lambda _, value, __: np.asarray(value, np.longdouble)), frame=frame)
 
 
 def data(scene: Scene) -> Iterator[Datum]:
@@ -60,7 +60,7 @@ def perturbed(scene: Scene, datum: Datum, factor: Any) -> Scene:
     def change(number: int, value: Series, name: str) -> Series:
         return value * factor if (number, name) == (datum.number, datum.field) else value
 
-    return _changed(scene, change)
+    return with_numbers(scene, change)
 
 
 def kind(component: Any) -> str:
@@ -80,28 +80,3 @@ def _components(scene: Scene) -> Iterator[Any]:
         for spec in _fields(component):
             if spec.part:
                 yield from getattr(component, spec.name)
-
-
-def _changed(scene: Scene, change: Callable[[int, Any, str], Any]) -> Scene:
-    """The scene with every number replaced by what ``change(number of the component, value, field)`` gives."""
-    numbers = iter(range(10**6))
-
-    def anew(component: Any) -> Any:
-        number = next(numbers)
-        found: dict[str, Any] = {}
-        for spec in _fields(component):
-            value = getattr(component, spec.name)
-            if spec.dimension:
-                found[spec.name] = change(number, value, spec.name)
-            elif spec.part:
-                found[spec.name] = tuple(anew(part) for part in value)
-        return replace(component, **found)
-
-    return Scene(
-        {name: anew(item) for name, item in scene.points.items()},
-        scene.bodies,
-        tuple(anew(item) for item in scene.joints),
-        tuple(anew(item) for item in scene.drivers),
-        scene.frame,
-        tuple(anew(item) for item in scene.conditions),
-    )
