@@ -3,7 +3,7 @@
 Where the two fixed pivots nearly coincide and one link is hundreds of times shorter than the other two, the whole turns
 almost as one body: the rates are well conditioned, but the closing equation is a small difference of large terms, and
 every way that solves it for the rates loses the ratio of the lengths. The largest error over (kappa eps) seen among
-2000 such four-bars was 122.
+some 800 four-bars of this class was 122.
 """
 
 from __future__ import annotations

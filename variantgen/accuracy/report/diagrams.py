@@ -56,7 +56,7 @@ def draw(measured: Measured, folder: Path) -> list[str]:
             for suffix in ("pdf", "png"):
                 path = folder / f"{name}.{suffix}"
                 metadata = {"CreationDate": None} if suffix == "pdf" else {"Software": None}
-                figure.savefig(path, dpi=200, metadata=metadata)
+                figure.savefig(path, dpi=150, metadata=metadata)
                 made.append(path.name)
     return made
 
