@@ -32,10 +32,10 @@ from variantgen.mechanism.structure import analyse
 from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.typesetter import typesetter
 
-FOUR_BARS = 'title = "T"\nlanguage = "ru"\n' + (
-    '[[problem]]\nfamily = "four_bar"\nform = "crank"\nask = ["v_B", "omega_AB", "omega_BC"]\n' * 5
-)
-ALL_FIVE = 'title = "T"\nlanguage = "ru"\n' + "".join(
+# Sheets and key; what solutions cost is measured by solutions.py.
+_HEAD = 'title = "T"\nlanguage = "ru"\n[solutions]\ndepth = "none"\n'
+FOUR_BARS = _HEAD + ('[[problem]]\nfamily = "four_bar"\nform = "crank"\nask = ["v_B", "omega_AB", "omega_BC"]\n' * 5)
+ALL_FIVE = _HEAD + "".join(
     f'[[problem]]\nfamily = "{name}"\n'
     for name in ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")
 )

@@ -149,6 +149,8 @@ def add_speeds(motion: Motion, plan: Plan, order: int, taken: Callable[[Motion],
 
 def _full(x: Complex, shape: tuple[int, ...], least: type = np.float64) -> NDArray[Any]:
     """An array over the batch, of doubles (``least``) or of what the scene is given in if that has more digits."""
+    if type(x) is np.ndarray and x.shape == shape and x.dtype == least:
+        return x
     return np.broadcast_to(np.asarray(x, dtype=np.result_type(x, least)), shape)
 
 
