@@ -58,6 +58,7 @@ def test_rotations_about_parallel_axes_add_up() -> None:
 
 def test_a_gear_that_turns_uniformly_has_no_tangential_acceleration() -> None:
     assert "contact.uniform" in said("gear_pair_with_crank", "outside", "epsilon_gear2")
+    assert "contact.uniform" in said("roller_on_drum", "outside", "a_O", epsilon_1=0)
     assert "contact.uniform" not in said("planetary_train", "two_planets", "epsilon_gear3")
 
 

@@ -12,6 +12,7 @@ from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.used import read
 from variantgen.variants.needed import shown_points
 
+_RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
 
 
@@ -68,7 +69,7 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
 
 def _needs_axes(item: Item) -> bool:
     """Whether an item cannot be understood without axes."""
-    if isinstance(item, Projection):
+    if isinstance(item, Projection) or (isinstance(item, Sentence) and item.key == _RAYS):
         return True
     names = (value.name for value in _met(item) if value.name is not None)
     return any(name.kind in _OF_AXES or {"x", "y"} & set(name.part.split()) for name in names)
