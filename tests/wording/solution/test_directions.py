@@ -84,3 +84,24 @@ def test_lengths_of_points_that_are_not_shown_are_not_named() -> None:
     data = {"OA": 60, "OC": 32, "AB": 56, "h": 42, "phi": 90, "omega_OA": 3.5, "epsilon_OA": 2}
     text = str(one_variant("sleeve_on_crank", data).explain(language="en"))
     assert not re.search(r"\b[A-Z]*[GH][A-Z]* =", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "length", "points"),
+    [
+        ("spool", "", "PS = ", ("Point P is", "S is the point")),
+        ("wheel_between_racks", "two_moving", "KL = ", ("The contact point K", "The contact point L")),
+        ("wheel_with_rod", "driven_by_slider", "AP = ", ("the contact point P",)),
+    ],
+)
+def test_points_of_contact_are_introduced_before_their_distances(
+    name: str, form: str, length: str, points: tuple[str, ...]
+) -> None:
+    text = text_of(name, form)
+    assert all(text.index(point) < text.index(length) for point in points)
+
+
+def test_that_the_contact_is_the_velocity_centre_is_said_once() -> None:
+    for name, form in (("rolling_wheel", ""), ("wheel_with_rod", "driven_by_slider")):
+        text = re.sub(r"\s+", " ", text_of(name, form))
+        assert len(re.findall("the instantaneous centre of velocity|its instantaneous centre of velocity,", text)) == 1
