@@ -227,6 +227,9 @@ def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: 
         ("sleeve_on_crank", "", 2, {"a_B", "a^n_CB", "a^τ_CB", "a_cor C"}, {"a_tr C"}),
         ("arc_yoke", "", 2, {"a^τ_rel A"}, {"a_rel A"}),
         ("triangle_plate", "scalene", 2, {"ε", "a_B", "a_D"}, {"ε_ABD"}),
+        # A wheel held by its rim has the contact as its pole; a rod led by cranks has the velocity of its first hinge.
+        ("wheel_with_rod", "driven_by_slider", 2, {"P", "a_P", "a^τ_AP", "a_O"}, {"a^τ_AO", "a^τ_OP"}),
+        ("parallelogram_with_disc", "moving_point", 1, {"v_A", "v_rel M", "v_M"}, {"v_C"}),
     ],
 )
 def test_vectors_and_rates_have_the_names_of_the_solution(
