@@ -138,7 +138,7 @@ def test_a_centre_outside_the_paper_is_noted() -> None:
     captions = [figure["caption"] for row in figures.rows() for figure in row]
     assert captions == [
         ["Fig.\xa01. ", "Mechanism"],
-        ["Fig.\xa02. ", "Velocities", " (outside the figure: ", ["P"], ")"],
+        ["Fig.\xa02. ", "Velocities", " ", "(outside the figure: ", ["P"], ")"],
     ]
 
 

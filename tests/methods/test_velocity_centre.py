@@ -18,6 +18,7 @@ from variantgen.methods.points import vector
 from variantgen.methods.step import Sentence, Term
 from variantgen.methods.style import Style
 from variantgen.methods.velocity_centre import distance
+from variantgen.single import one_variant
 
 STYLE = Style("velocity_centre", "pole")
 
@@ -203,3 +204,11 @@ def test_by_one_velocity_and_the_rate() -> None:
     assert book.centres["P", "ABD"].rays["A"].angle.exact == -90.0
     # B is 1 m to the right of A: BP^2 = 1 + 1.5^2.
     assert distance(book, "ABD", "B").exact == pytest.approx(sqrt(3.25), rel=1e-14)
+
+
+def test_the_check_tells_the_corner_from_which_a_direction_follows() -> None:
+    text = str(one_variant("crank_and_disc", form="relative", seed="17").explain(language="en"))
+    check = text[text.index("\nCheck") :]
+    assert check.index("∠AMP = ") < check.index("v_M cos")
+    wheel = str(one_variant("rolling_wheel", seed="17").explain(language="en"))
+    assert "∠OAP = 45°" in wheel

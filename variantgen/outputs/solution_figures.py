@@ -91,6 +91,7 @@ class Figures:
         found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
         if letters := self._beyond.get(name, ()):
             listed = [part for letter in letters for part in (", ", letter)][1:]
+            found.append(" ")
             for part in phrases.sentence("figures.beyond"):
                 found += [part] if isinstance(part, str) else listed
         return tuple(found)
