@@ -62,10 +62,13 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
     word = "rest" if known.is_rest else "same"
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
-    book.say(f"{touch.kind}.{word}_{book.letter}", False, **facts)
+    key = f"{touch.kind}.{word}_{book.letter}"
+    # The differentiated condition is told in full once a step; an earlier step may be left out of the solution.
+    again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
+    book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]
-    if book.order == 2 and turning and not known.is_rest and not _is_said(book, "contact.normal"):
-        book.say("contact.normal")
+    if book.order == 2 and turning and not known.is_rest:
+        book.say_once("contact.normal")
     if touch.place and book.order == 1:
         for side in turning:
             book.say(touch.place, contact=Point(side.name), body=Body(side.body))
