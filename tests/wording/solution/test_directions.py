@@ -7,7 +7,9 @@ import re
 import pytest
 
 from tests.figure.reading import variants_of
-from variantgen.single import one_variant
+from variantgen.single import asked_quantities, one_variant
+from variantgen.wording.language import load_language
+from variantgen.wording.statement import statement
 
 
 def text_of(name: str, form: str) -> str:
@@ -105,3 +107,12 @@ def test_that_the_contact_is_the_velocity_centre_is_said_once() -> None:
     for name, form in (("rolling_wheel", ""), ("wheel_with_rod", "driven_by_slider")):
         text = re.sub(r"\s+", " ", text_of(name, form))
         assert len(re.findall("the instantaneous centre of velocity|its instantaneous centre of velocity,", text)) == 1
+
+
+@pytest.mark.parametrize(("language", "thread"), [("en", "thread"), ("ru", "нить")])
+@pytest.mark.parametrize(("name", "form"), [("winch_with_pulley", "single"), ("movable_pulley", "anchored")])
+def test_statements_and_solutions_call_a_thread_the_same(name: str, form: str, language: str, thread: str) -> None:
+    variant = variants_of(name, form, 1)[0][0]
+    told = statement(variant, asked_quantities(variant), load_language(language)).text
+    assert thread in "".join(part for part in told if isinstance(part, str)).lower()
+    assert thread in str(variant.explain(language=language)).lower()
