@@ -19,6 +19,7 @@ from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.task import task_of
+from variantgen.outputs.solution_figures import Figures
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -119,6 +120,26 @@ def test_centres_lie_where_perpendiculars_to_velocities_meet() -> None:
                     assert near < 1e-6 or any(f"P_{body}" not in text for text in letters), (name, form, body)
                     shown += near < 1e-6
     assert shown > 75
+
+
+def test_a_centre_outside_the_paper_is_noted() -> None:
+    beyond = 0
+    for name, form in FORMS:
+        for variant, _, _, drawing in drawings(name, form, 1):
+            noted = {to_plain(letter) for letter in drawing.beyond}
+            assert not noted & {to_plain(label.formula) for label in drawing.labels}, variant.printed
+            beyond += len(noted)
+    assert beyond
+    variant = one_variant(
+        "slider_crank", {"OA": 34, "AB": 78, "phi": 105, "v_B": 120, "a_B": 60}, form="driven_by_slider"
+    )
+    figures = Figures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
+    figures.draw(["statement", "velocities"])
+    captions = [figure["caption"] for row in figures.rows() for figure in row]
+    assert captions == [
+        ["Fig.\xa01. ", "Mechanism"],
+        ["Fig.\xa02. ", "Velocities", " ", "(outside the figure: ", ["P"], ")"],
+    ]
 
 
 def test_instantaneous_translation_has_no_centre_and_no_arc() -> None:
@@ -227,6 +248,9 @@ def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: 
         ("sleeve_on_crank", "", 2, {"a_B", "a^n_CB", "a^τ_CB", "a_cor C"}, {"a_tr C"}),
         ("arc_yoke", "", 2, {"a^τ_rel A"}, {"a_rel A"}),
         ("triangle_plate", "scalene", 2, {"ε", "a_B", "a_D"}, {"ε_ABD"}),
+        # A wheel held by its rim has the contact as its pole; a rod led by cranks has the velocity of its first hinge.
+        ("wheel_with_rod", "driven_by_slider", 2, {"P", "a_P", "a^τ_AP", "a_O"}, {"a^τ_AO", "a^τ_OP"}),
+        ("parallelogram_with_disc", "moving_point", 1, {"v_A", "v_rel M", "v_M"}, {"v_C"}),
     ],
 )
 def test_vectors_and_rates_have_the_names_of_the_solution(

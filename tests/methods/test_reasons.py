@@ -58,7 +58,13 @@ def test_rotations_about_parallel_axes_add_up() -> None:
 
 def test_a_gear_that_turns_uniformly_has_no_tangential_acceleration() -> None:
     assert "contact.uniform" in said("gear_pair_with_crank", "outside", "epsilon_gear2")
+    assert "contact.uniform" in said("roller_on_drum", "outside", "a_O", epsilon_1=0)
     assert "contact.uniform" not in said("planetary_train", "two_planets", "epsilon_gear3")
+
+
+def test_the_condition_of_a_thread_is_differentiated_once() -> None:
+    found = said("movable_pulley", "two_loads", "a_C epsilon_pulley")
+    assert found.count("rope.same_a") == found.count("rope.again_a") == found.count("contact.normal") == 1
 
 
 def test_a_sleeve_at_rest_and_the_transport_velocity() -> None:

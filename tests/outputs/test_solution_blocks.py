@@ -40,6 +40,14 @@ def test_only_a_paragraph_before_something_else_leads_to_it() -> None:
     assert blocks_data([]) == []
 
 
+def test_a_vector_equation_leads_to_the_table_of_its_vectors() -> None:
+    text, equation, table = Paragraph(("Then ", X, ".")), Lines((SHORT,)), VectorTable(("a", "b", "c"), "unknown", ())
+    for between in ([], [text]):
+        data = blocks_data([text, equation, *between, table, equation])
+        assert [block["leads"] for block in data] == [True, True, *(True for _ in between), False, False]
+    assert [block["leads"] for block in blocks_data([equation, text, text, table])] == [False, False, True, False]
+
+
 def test_tables_and_programs() -> None:
     speed = Measured(Number("3"), UnitText((("cm/s", 1),)))
     table = VectorTable(("a", "b", "c"), "unknown", (VectorRow(X, ("along",), None), VectorRow(Y, ("up",), speed)))

@@ -31,13 +31,14 @@ def draw_centres(board: Board, now: Instant, points: Collection[str], straight: 
     """Add the centre of each body in plane motion with dashed rays to its points and right angles to the velocities.
 
     ``points`` are those whose velocities are drawn, ``straight`` those at which they begin in the point itself.
-    A centre too far away is not shown; short rays show the way to it.
+    A centre too far away is not shown but noted as lying beyond the paper; short rays show the way to it.
     """
     sketch = board.sketch
     low, high = sketch.corners()
     middle, size = 0.5 * (low + high), max((high - low).real, (high - low).imag)
     fastest = max(abs(v) for v in now.v.values())
     places: dict[str, complex] = {}
+    beyond: list[str] = []
     for body in plane_bodies(now):
         members = [name for name in now.scene.bodies[body] if name in points]
         moving = [name for name in members if abs(now.v[name]) > _NOTHING * fastest]
@@ -46,6 +47,8 @@ def draw_centres(board: Board, now: Instant, points: Collection[str], straight: 
         centre = _centre(now, body, moving[0], sketch.scale)
         if centre is not None and abs(centre - middle) < _REACH * size:
             places[body] = centre
+        elif centre is not None:
+            beyond.append(body)
         for name in moving[:_MOST_RAYS]:
             _draw_ray(board, now, name, body, places.get(body), name in straight)
     elsewhere = [name for name in board.shown if all(abs(sketch.at[name] - p) > DOT for p in places.values())]
@@ -53,6 +56,7 @@ def draw_centres(board: Board, now: Instant, points: Collection[str], straight: 
     letters = centre_letters({body: board.form.symbols.get(body, body) for body in plane_bodies(now)}, elsewhere)
     for body, place in places.items():
         _draw_centre(board, place, letters[body])
+    sketch.beyond += [letters[body] for body in beyond]
 
 
 def _centre(now: Instant, body: str, name: str, scale: float) -> complex | None:

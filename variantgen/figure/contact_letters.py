@@ -48,6 +48,11 @@ def draw_contacts(board: MotionBoard, found: Mapping[str, Contact], scale: float
     for name, contact in found.items():
         key = f"contact {name}"
         place = sketch.at[key] = sketch.scale * contact.place
-        sketch.circle(place, DOT, Layer.HINGE, fill="ink")
-        sketch.label(around(Symbol(name), place, DOT))
+        draw_dot(board, place, name)
         board.vector(key, scale * contact.velocity, absolute("v", name), MEDIUM)
+
+
+def draw_dot(board: Board, place: complex, name: str) -> None:
+    """Add a dot with the letter of a point that the mechanism is not drawn with (``place`` in u)."""
+    board.sketch.circle(place, DOT, Layer.HINGE, fill="ink")
+    board.sketch.label(around(Symbol(name), place, DOT))

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import TypeAlias
 
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import Formula, Symbol
 
 BOLD, MEDIUM, THIN = 0.75, 0.45, 0.3  # line weights, u
 LETTER = 4.3  # size of the lettering, u
@@ -107,7 +107,8 @@ class Label:
 class Drawing:
     """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen.
 
-    A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words.
+    A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
+    letters of points to which lines lead that lie outside the paper.
     """
 
     width: float
@@ -118,3 +119,4 @@ class Drawing:
     scale: float = 1.0
     origin: complex = 0j
     language: str = "en"
+    beyond: tuple[Symbol, ...] = ()

@@ -15,6 +15,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, 
 from variantgen.figure.ink import Sides, boxes_crossed, segments_of
 from variantgen.figure.labels import place_labels
 from variantgen.figure.requests import Request
+from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
 HINGE = 1.1  # radius of a hinge circle, u
@@ -26,7 +27,10 @@ _SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 
 @dataclass
 class Sketch:
-    """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre."""
+    """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
+
+    ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them.
+    """
 
     at: dict[str, complex]
     scale: float
@@ -34,6 +38,7 @@ class Sketch:
     requests: list[Request] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
     reach: dict[str, float] = field(default_factory=dict)
+    beyond: list[Symbol] = field(default_factory=list)
     _corners: list[complex] = field(default_factory=list)
     _obstacles: list[tuple[complex, complex]] = field(default_factory=list)
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
@@ -188,6 +193,7 @@ class Sketch:
             tuple(replace(label, at=label.at - low, paper=self._behind(label)) for label in labels),
             scale=self.scale,
             origin=-low,
+            beyond=tuple(self.beyond),
         )
 
     def _behind(self, label: Label) -> str:

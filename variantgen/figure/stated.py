@@ -64,18 +64,25 @@ def transport_name(task: Task, chain: Chain, slip: Slip, kind: str, stated: dict
 
 
 def _lead(task: Task, chain: Chain, slip: Slip) -> str | None:
-    """The point of a translating carrier whose motion is given or led by a guide, or else its pole."""
+    """The point of a translating carrier whose motion is given, led by a guide or by a crank, or else its pole."""
     if slip.body not in task.translating:
         return None
-    driven = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    driven = _driven(task)
     members = [name for name in task.scene.bodies[slip.body] if name not in task.form.figure.hidden]
-    known = [name for names in (driven, chain.guides) for name in members if name in names]
+    led = {turn.point for turn in chain.turns if turn.pole in chain.resting}
+    known = [name for names in (driven, chain.guides, led) for name in members if name in names]
     return next(iter(known), slip.pole)
+
+
+def _driven(task: Task) -> set[str]:
+    """Points whose absolute motion is given: a motion relative to a body is no such motion."""
+    shapes = (shape for driver in task.scene.drivers for shape in driver.shapes() if not shape.bodies)
+    return {point for shape in shapes for point in shape.points}
 
 
 def telling_points(task: Task, chain: Chain, points: Sequence[str]) -> list[str]:
     """Points without those that only repeat what another point of the same translating body shows."""
-    driven = {point for driver in task.scene.drivers for shape in driver.shapes() for point in shape.points}
+    driven = _driven(task)
     vital = driven | {quantity.point for quantity in task.asked} | {slip.point for slip in chain.slips}
     vital |= {lead for slip in chain.slips if (lead := _lead(task, chain, slip))}
     repeated: set[str] = set()

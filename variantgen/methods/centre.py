@@ -274,7 +274,8 @@ def _corner(shape: int, arm: Value, side: Value, spread: Value) -> tuple[float, 
     elif shape == _ISOSCELES:
         expression = Constant(90.0, "angle") - spread / Constant(2.0)
     elif shape == _RIGHT:
-        expression = Applied("arctan", Ratio(arm, side))
+        equal = abs(arm.exact - side.exact) <= NEAR * side.exact
+        expression = Constant(45.0, "angle") if equal else Applied("arctan", Ratio(arm, side))
     else:
         expression = _steep(arm * sin(spread), side - arm * cos(spread), max(arm.exact, side.exact))
     return expression.number(True), expression

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.drivers.extension import Extension
+from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
@@ -83,15 +84,23 @@ class Chain:
 
 
 def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> Chain:
-    """The chain that leads to the asked quantities, through the points that the figure shows."""
+    """The chain that leads to the asked quantities, through the points that the figure shows.
+
+    A wheel that is held by its rim only has the point of contact as its pole, shown or not.
+    """
     resting = frozenset(fixed_points(form.sample) | {name for joint in form.sample.joints for name in joint.resting()})
     needed = needed_for(form, tuple(asked))
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
+    rested = {body: wheel for body, wheel in _rested(form).items() if body in needed.bodies}
+    points = [*(wheel.contact for wheel in rested.values()), *points]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
     guides = _guides(now, points)
     poles = {body: _pole(form, body, visible, guides.keys()) for body in form.bodies}
+    poles |= {body: wheel.contact for body, wheel in rested.items()}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
+    # The centre follows from the rate of such a wheel, by the condition of rolling.
+    turns = [turn for turn in turns if turn.body not in rested or turn.point != rested[turn.body].centre]
     slips = [
         Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for joint in now.scene.joints
@@ -121,6 +130,21 @@ def _useful(
         if fewer == left:
             return left
         left = fewer
+
+
+def _rested(form: Form) -> dict[str, Rolling]:
+    """Wheels on a line at rest that only a link at another point than the centre moves, by body."""
+    scene, found = form.sample, {}
+    for joint in scene.joints:
+        if not isinstance(joint, Rolling) or joint.on is not None:
+            continue
+        others = (other for other in (*scene.joints, *scene.drivers) if other is not joint)
+        shapes = [shape for other in others for shape in other.shapes()]
+        held = any(joint.body in shape.bodies or joint.centre in shape.points for shape in shapes)
+        hinged = sum(joint.centre in members for members in scene.bodies.values()) > 1
+        if not held and not hinged and joint.contact in scene.bodies[joint.body]:
+            found[joint.body] = joint
+    return found
 
 
 def _driven(form: Form) -> set[str]:

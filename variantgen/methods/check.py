@@ -12,6 +12,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.book import Book
 from variantgen.methods.expression import Constant, Value, cos
 from variantgen.methods.name import Name
+from variantgen.methods.settle import in_order
 from variantgen.methods.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
 from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import share_of
@@ -77,7 +78,14 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
     facts |= {"first": VectorOf(terms[0].name), "second": VectorOf(terms[1].name)}
     items: list[Item] = [Sentence("check.projections", facts, detail=False)]
+    angles = [share.angle for share in found if share is not None and share.angle is not None]
+    items += [Derived(corner) for corner in in_order(angles) if _is_new(book, corner)]
     return items + [Derived(_projection(share)) for share in found if share is not None]
+
+
+def _is_new(book: Book, value: Value) -> bool:
+    """Whether a value is a corner of a triangle that no step has needed: the directions here follow from it."""
+    return value.name is not None and value.name.kind == "angle" and value.name not in book.values
 
 
 def _projection(share: Share) -> Value:

@@ -61,7 +61,8 @@ class Touch:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
     ``track`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place`` is the
-    key of the sentence that says where on a turning body the point is, where that is not plain.
+    key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is that of
+    the sentence which says why velocities are equal; one is enough for all contacts of a step.
     """
 
     kind: str
@@ -69,6 +70,7 @@ class Touch:
     second: Side
     track: Track | None = None
     place: str = ""
+    reason: str = ""
 
     @property
     def ways(self) -> tuple[tuple[Side, Side], tuple[Side, Side]]:

@@ -12,11 +12,11 @@ from variantgen.methods.contact_parts import (
     Parts,
     centre_parts,
     combined,
-    component,
     contact_name,
     enter_centre,
     enter_rate,
     enter_with_way,
+    found_component,
     renamed,
     say_same,
     say_sum,
@@ -50,9 +50,7 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
     vector(book, sought.centre)
     with book.step(f"contact.{kind}", *views_of(book), body=Body(group.body)):
         say_same(book, group, group.joint, known, sought)
-        found = component(book, known)
-        if found.size is None and _is_uniform(book, known):
-            book.say("contact.uniform", body=Body(known.body), contact=Point(known.name))
+        found = found_component(book, known)
         if not known.is_rest:
             found = renamed(book, found, sought)
         parts: Parts = [(found.sign, found.size)] if found.size else []
@@ -69,19 +67,11 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
         enter_rate(book, group.body, turning.size, turning.sign * sought.lever, radius)
 
 
-def _is_uniform(book: Book, side: Side) -> bool:
-    """Whether a side has no acceleration along the contact because its body turns uniformly about a fixed point."""
-    if book.order == 1 or not side.lever or side.centre not in book.task.fixed:
-        return False
-    rate = book.omega.get(side.body)
-    return rate is not None and bool(rate.sense)
-
-
 def _solve_centre(book: Book, group: Joined, known: Side, sought: Side) -> None:
     """``v_C = v_K - v_CK`` along the tangent; of a load or a point of a guide simply the velocity of the thread."""
     with book.step(f"contact.{book.letter}", *views_of(book), point=Point(group.point)):
         say_same(book, group, group.joint, known, sought)
-        found = component(book, known)
+        found = found_component(book, known)
         parts: Parts = [(found.sign, found.size)] if found.size else []
         names = [VectorOf(contact_name(book, sought))] if found.size else []
         if sought.lever and (rate := book.rates[sought.body]).sense:

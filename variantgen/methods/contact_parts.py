@@ -60,14 +60,23 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
     if known.body and sought.body:
         facts["other"] = Body(known.body)
     word = "rest" if known.is_rest else "same"
-    book.say(f"{touch.kind}.{word}_{book.letter}", False, **facts)
+    if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
+        book.say(touch.reason, False)
+    key = f"{touch.kind}.{word}_{book.letter}"
+    # The differentiated condition is told in full once a step; an earlier step may be left out of the solution.
+    again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
+    book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]
-    said = any(isinstance(item, Sentence) and item.key == "contact.normal" for item in book.items)
-    if book.order == 2 and turning and not known.is_rest and not said:
-        book.say("contact.normal")
+    if book.order == 2 and turning and not known.is_rest:
+        book.say_once("contact.normal")
     if touch.place and book.order == 1:
         for side in turning:
             book.say(touch.place, contact=Point(side.name), body=Body(side.body))
+
+
+def _is_said(book: Book, key: str) -> bool:
+    """Whether a sentence has been said in the step that is being written."""
+    return any(isinstance(item, Sentence) and item.key == key for item in book.items)
 
 
 def letter_of(book: Book, side: Side, rests: bool) -> Fact:
@@ -96,6 +105,22 @@ def component(book: Book, side: Side) -> Component:
             say_sum(book, side)
         parts.append((rate.sense * side.lever, turning))
     return combined(book, contact_name(book, side), parts)
+
+
+def found_component(book: Book, known: Side) -> Component:
+    """The component of the known side, with the reason where there is none."""
+    found = component(book, known)
+    if found.size is None and _is_uniform(book, known):
+        book.say("contact.uniform", body=Body(known.body), contact=Point(known.name))
+    return found
+
+
+def _is_uniform(book: Book, side: Side) -> bool:
+    """Whether a side has no acceleration along the contact because its body turns uniformly about a fixed point."""
+    if book.order == 1 or not side.lever or side.centre not in book.task.fixed:
+        return False
+    rate = book.omega.get(side.body)
+    return rate is not None and bool(rate.sense)
 
 
 def say_sum(book: Book, side: Side) -> None:

@@ -15,19 +15,19 @@ from variantgen.methods.step import CentreOf, Fact, Point, Segment, Sentence, Te
 _QUARTERS = ("right", "up", "left", "down")
 _CORNERS = ("right_up", "left_up", "left_down", "right_down")
 _STRAIGHT = 1e-6  # degrees within which a direction is that of an axis
-_SIDED = ("ways.guide", "ways.track", "ways.path")
+_SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path")
 
 
 def pointed(book: Book, term: Term) -> Term:
     """A term of a table with the side to which it points told with its line, where the line alone leaves two."""
-    side = _side(book, term)
+    side = side_of(book, term)
     if side is None:
         return term
     key = "ways.assumed" if term.size is None else "ways.pointed"
     return Term(term.name, term.size, term.angle, Sentence(key, {"way": term.way, "side": side}))
 
 
-def _side(book: Book, term: Term) -> Fact | None:
+def side_of(book: Book, term: Term) -> Fact | None:
     """The side as a sentence or word; None for a direction that has no two sides, or is told elsewhere."""
     if term.way.key in _SIDED:
         return Word(_on_paper(term.angle.exact))

@@ -27,7 +27,8 @@ from variantgen.methods.task import Task
 from variantgen.methods.wanted import is_rate_wanted
 from variantgen.methods.whole_vector import whole
 
-_TELLING = ("contact.by_rest_v", "gears.rest_v")  # sentences that say already which point is the centre
+# Sentences that say already which point is the centre.
+_TELLING = ("contact.by_rest_v", "gears.rest_v", "rolling.omega", "rested.pole_v")
 _SAME = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
@@ -81,6 +82,13 @@ def _contact(book: Book, body: str) -> Centre | None:
             centre.rays[axle] = Ray(_radius(book, body, axle, abs(place - task.now.z[axle])), ahead)
         return centre
     return None
+
+
+def contact_fact(book: Book, body: str) -> Fact:
+    """The contact of a wheel with something at rest in a sentence: a point of the figure, or the velocity centre."""
+    place = next((place for _, place in _resting(book.task, body, False)), None)
+    name = "" if place is None else named_place(book, place)
+    return Point(name) if name else Centre(body).fact
 
 
 def _resting(task: Task, body: str, told: bool) -> Iterator[tuple[str, complex]]:

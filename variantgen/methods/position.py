@@ -7,11 +7,12 @@ from collections.abc import Iterable, Sequence
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
 from variantgen.methods.settle import in_order, items_values
-from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step
+from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, VectorLine
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.used import read
 from variantgen.variants.needed import shown_points
 
+_RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
 
 
@@ -22,6 +23,7 @@ def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], resu
     """
     told = [step for step in steps if step.items]
     kept = _used(items, [*(item for step in told for item in step.items)], results)
+    kept = _put_off(task, kept, told)
     if kept:
         told.insert(0, Step(Sentence("position.heading"), kept))
     first = next((step for step in told if any(map(_needs_axes, step.items))), None)
@@ -66,9 +68,40 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
     return kept
 
 
+def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[Item]:
+    """Move lines of points that the statement does not show to the step that needs them first: it names the points.
+
+    Returns the lines that stay: also those which another line that stays is computed from.
+    """
+    shown = shown_points(task.variant, task.asked)
+    stay: list[Item] = []
+    for item in reversed(items):
+        if isinstance(item, Derived) and _is_of_others(item.value, shown) and not _reads(stay, item.value):
+            goal = next((step for step in steps if _reads(step.items, item.value)), None)
+            if goal is not None:
+                first = next(i for i, later in enumerate(goal.items) if _reads([later], item.value))
+                # Nothing comes between a vector equation and its projections.
+                equation = any(isinstance(earlier, VectorLine) for earlier in goal.items[:first])
+                goal.items.insert(0 if equation else first, item)
+                continue
+        stay.insert(0, item)
+    return stay
+
+
+def _is_of_others(value: Value, shown: Sequence[str]) -> bool:
+    """Whether a value is a distance or direction of a point that is not ``shown``."""
+    name = value.name
+    return name is not None and name.kind in ("length", "direction") and not {name.of, name.about} <= set(shown)
+
+
+def _reads(items: Iterable[Item], value: Value) -> bool:
+    """Whether one of the items is computed from a value."""
+    return value in in_order(found for item in items for found in read(item))
+
+
 def _needs_axes(item: Item) -> bool:
     """Whether an item cannot be understood without axes."""
-    if isinstance(item, Projection):
+    if isinstance(item, Projection) or (isinstance(item, Sentence) and item.key == _RAYS):
         return True
     names = (value.name for value in _met(item) if value.name is not None)
     return any(name.kind in _OF_AXES or {"x", "y"} & set(name.part.split()) for name in names)

@@ -7,6 +7,7 @@ from variantgen.methods.expression import Total, Value
 from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.given import amount
 from variantgen.methods.group import Composed, Rested, Rolled, Turned
+from variantgen.methods.known_centre import contact_fact
 from variantgen.methods.name import Name
 from variantgen.methods.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
@@ -63,7 +64,12 @@ def solve_rolled(book: Book, group: Rolled) -> None:
     known = centre in book.vectors
     key = "by_centre" if known else "centre"
     with book.step(f"rolling.{kind}_{key}", body=Body(body), centre=Point(centre)):
-        book.say(f"rolling.{kind}", body=Body(body), centre=Point(centre), vector=VectorOf(Name(book.letter, centre)))
+        facts: dict[str, Fact] = {"centre": Point(centre), "vector": VectorOf(Name(book.letter, centre))}
+        if kind == "omega" and not book.has_said("rested.pole_v", body=Body(body)):
+            # Also in a short solution: later steps may speak of this centre.
+            book.say("rolling.omega", False, body=Body(body), contact=contact_fact(book, body), **facts)
+        else:
+            book.say("rolling.omega_again" if kind == "omega" else "rolling.epsilon", body=Body(body), **facts)
         part = "tau" if group.around and book.order == 2 else ""
         name = Name(book.letter, centre, part=part)
         if known:

@@ -12,10 +12,10 @@ from variantgen.methods.book import Book
 from variantgen.methods.contact import Side
 from variantgen.methods.contact_parts import (
     Parts,
-    component,
     contact_name,
     enter_rate,
     enter_with_way,
+    found_component,
     letter_of,
     renamed,
     say_same,
@@ -42,7 +42,7 @@ def solve_two(book: Book, group: Joined) -> None:
         arms: list[float] = []
         for number, (known, sought) in zip((group.joint, group.second), pairs, strict=True):
             say_same(book, group, number, known, sought)
-            found = renamed(book, component(book, known), sought)
+            found = renamed(book, found_component(book, known), sought)
             flip = 1 if (line.conjugate() * sought.line).real > 0 else -1
             parts += [(found.sign * flip, found.size)] if found.size else [(0, Constant(0.0))]
             arms.append(sought.radius * sought.lever * flip)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods.book import Book
-from variantgen.methods.directions import pointed
+from variantgen.methods.directions import pointed, side_of
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry import Geometry, normal_angle
-from variantgen.methods.step import Derived, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
+from variantgen.methods.step import Derived, Fact, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
 _PARALLEL = 1e-7
@@ -79,7 +79,10 @@ def _projected(
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     if value.exact < 0:
-        book.say("common.opposite", False, vector=VectorOf(term.name))
+        assumed = side_of(book, term)
+        # A short solution has no table: the sentence says itself which direction was assumed.
+        facts: dict[str, Fact] = {"side": assumed} if assumed is not None else {}
+        book.say("common.opposite_to" if facts else "common.opposite", False, vector=VectorOf(term.name), **facts)
     return value
 
 

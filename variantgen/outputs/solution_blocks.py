@@ -21,10 +21,18 @@ _SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
 
 
 def blocks_data(blocks: Sequence[Block]) -> list[dict[str, Any]]:
-    """Blocks in order; each says its ``kind``, and a paragraph whether something stands under it that it leads to."""
+    """Blocks in order; each says its ``kind``, and whether it ``leads`` to what stands under it on the same page.
+
+    A paragraph leads to formulas and tables, and a vector equation to the table of its vectors.
+    """
     found = [_block(item) for item in blocks]
     for i, block in enumerate(found):
-        block["leads"] = block["kind"] == "text" and i + 1 < len(found) and found[i + 1]["kind"] != "text"
+        after = [later["kind"] for later in found[i + 1 : i + 3]]
+        if block["kind"] == "text":
+            block["leads"] = bool(after) and after[0] != "text"
+        else:
+            to_table = after[:1] == ["vectors"] or after == ["text", "vectors"]
+            block["leads"] = block["kind"] == "formulas" and to_table
     return found
 
 

@@ -10,11 +10,14 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.plan_scale import MILLIMETRES
+from variantgen.outputs.sheet_data import text_data
 from variantgen.outputs.typesetter import figure_data
 from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.statement import Text
 
 STATEMENT = "statement"
 _MOST = 3  # figures in a row
@@ -47,6 +50,7 @@ class Figures:
         self.variant, self.asked, self.language = variant, asked, language
         self.numbers: dict[str, int] = {}
         self._place, self._shown = place, (*asked, *centres)
+        self._beyond: dict[str, tuple[Symbol, ...]] = {}
         self._drawn: dict[str, dict[str, Any]] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
@@ -61,6 +65,7 @@ class Figures:
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
                 self._drawn[name] = figure_data(drawing)
+                self._beyond[name] = drawing.beyond
             self.numbers.setdefault(name, len(self.numbers) + 1)
 
     def rows(self) -> list[list[dict[str, Any]]]:
@@ -73,13 +78,23 @@ class Figures:
         return [[self._data(name, self._shared(row)) for name in row] for row in rows]
 
     def _data(self, name: str, shared: float) -> dict[str, Any]:
-        phrases = load_phrases(self.language.name)
-        title = "".join(part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str))
         return {
-            "caption": f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. {title}",
+            "caption": text_data(self._caption(name)),
             "figure": self._drawn[name],
             "unit": _PLAN_UNIT if _is_plan(name) else round(shared, 3),
         }
+
+    def _caption(self, name: str) -> Text:
+        """The number and title of a figure, and which centres lie outside it."""
+        phrases = load_phrases(self.language.name)
+        found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
+        found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
+        if letters := self._beyond.get(name, ()):
+            listed = [part for letter in letters for part in (", ", letter)][1:]
+            found.append(" ")
+            for part in phrases.sentence("figures.beyond"):
+                found += [part] if isinstance(part, str) else listed
+        return tuple(found)
 
     def _shared(self, row: Sequence[str]) -> float:
         """The scale of the figures of the mechanism in a row, mm per unit."""

@@ -7,7 +7,9 @@ import re
 import pytest
 
 from tests.figure.reading import variants_of
-from variantgen.single import one_variant
+from variantgen.single import asked_quantities, one_variant
+from variantgen.wording.language import load_language
+from variantgen.wording.statement import statement
 
 
 def text_of(name: str, form: str) -> str:
@@ -44,17 +46,73 @@ def test_a_guide_is_named_where_there_is_one(name: str, form: str, said: str) ->
     assert ("guide of" in text) == ("guide of" in said)
 
 
-def test_an_unknown_vector_has_an_assumed_direction() -> None:
-    variants, _, _ = variants_of("wedge_and_rod", "inclined", 6)
+@pytest.mark.parametrize(("name", "form"), [("wedge_and_rod", "inclined"), ("ladder", "driven_at_wall")])
+def test_an_unknown_vector_has_an_assumed_direction(name: str, form: str) -> None:
+    variants, _, _ = variants_of(name, form, 6)
     texts = [str(variant.explain(language="en")) for variant in variants]
     for text in texts:
-        rows = [line for line in text.splitlines() if line.endswith("unknown")]
+        rows = [line for line in text.splitlines() if line.endswith("unknown") and "unknown " not in line]
         assert rows
         assert all(re.search(r", assumed \w+", row) for row in rows)
     assert any("against the assumed direction" in text for text in texts)
+
+
+def test_a_short_solution_says_which_direction_was_assumed_though_it_has_no_table() -> None:
+    variants, _, _ = variants_of("ladder", "driven_at_wall", 6)
+    texts = [str(variant.explain(language="en", depth="short")).replace("\n", " ") for variant in variants]
+    said = [found for text in texts for found in re.findall(r"against the assumed direction(.*?)\.", text)]
+    assert said
+    assert all(re.fullmatch(r" \((to the right|upwards|(counter-)?clockwise about A)\)", found) for found in said)
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "reason"),
+    [
+        ("wheel_between_racks", "one_fixed", "There is no slip."),
+        ("wheel_between_racks", "two_moving", "There is no slip."),
+        ("movable_pulley", "two_loads", "The thread is inextensible."),
+    ],
+)
+def test_a_reason_for_two_contacts_is_given_once(name: str, form: str, reason: str) -> None:
+    assert text_of(name, form).count(reason) == 1
+
+
+def test_axes_are_named_before_angles_of_rays_are_told() -> None:
+    text = text_of("plate_acceleration_centre", "square")
+    assert 0 < text.index("The axis x points to the right") < text.index("The angles of the rays")
 
 
 def test_lengths_of_points_that_are_not_shown_are_not_named() -> None:
     data = {"OA": 60, "OC": 32, "AB": 56, "h": 42, "phi": 90, "omega_OA": 3.5, "epsilon_OA": 2}
     text = str(one_variant("sleeve_on_crank", data).explain(language="en"))
     assert not re.search(r"\b[A-Z]*[GH][A-Z]* =", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "length", "points"),
+    [
+        ("spool", "", "PS = ", ("Point P is", "S is the point")),
+        ("wheel_between_racks", "two_moving", "KL = ", ("The contact point K", "The contact point L")),
+        ("wheel_with_rod", "driven_by_slider", "AP = ", ("the contact point P",)),
+    ],
+)
+def test_points_of_contact_are_introduced_before_their_distances(
+    name: str, form: str, length: str, points: tuple[str, ...]
+) -> None:
+    text = text_of(name, form)
+    assert all(text.index(point) < text.index(length) for point in points)
+
+
+def test_that_the_contact_is_the_velocity_centre_is_said_once() -> None:
+    for name, form in (("rolling_wheel", ""), ("wheel_with_rod", "driven_by_slider")):
+        text = re.sub(r"\s+", " ", text_of(name, form))
+        assert len(re.findall("the instantaneous centre of velocity|its instantaneous centre of velocity,", text)) == 1
+
+
+@pytest.mark.parametrize(("language", "thread"), [("en", "thread"), ("ru", "нить")])
+@pytest.mark.parametrize(("name", "form"), [("winch_with_pulley", "single"), ("movable_pulley", "anchored")])
+def test_statements_and_solutions_call_a_thread_the_same(name: str, form: str, language: str, thread: str) -> None:
+    variant = variants_of(name, form, 1)[0][0]
+    told = statement(variant, asked_quantities(variant), load_language(language)).text
+    assert thread in "".join(part for part in told if isinstance(part, str)).lower()
+    assert thread in str(variant.explain(language=language)).lower()

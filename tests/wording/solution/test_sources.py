@@ -142,7 +142,7 @@ READINGS = [
         "M24",
         "velocity_centre",
         ("omega_wheel", "v_A", "v_B", "v_D"),
-        ("known_centre.named_contact",),
+        ("rolling.omega",),
         {"ω": (4, 1e-4), "v_B": (4, 1e-4), "v_A": (2 * sqrt(2), 1e-3), "v_D": (2 * sqrt(2), 1e-3)},
     ),
     Reading(

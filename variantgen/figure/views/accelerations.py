@@ -12,6 +12,7 @@ from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.acceleration_centre import draw_acceleration_centres
+from variantgen.figure.contact_letters import draw_dot
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.growing import growing_accelerations
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
@@ -49,6 +50,8 @@ def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, boar
         parts[point] += growing
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
+        if point not in board.shown:
+            draw_dot(board, board.sketch.at[point], point)
         whole = named[0][0]
         wholes = {others[0][0] for others in parts.values()} - {whole}
         for symbol, vector in named_together(named, scale):

@@ -22,7 +22,8 @@ def touch(task: Task, number: int) -> Touch | None:
     name = joint.contact if joint.on else resting_letter(task, joint.body, joint.contact)
     wheel = Side(name, joint.centre, line, joint.body, abs(arm), 1, radial)
     rail = Side(name, _point_of(task, joint), line, radial=radial)
-    return Touch("rack", wheel, rail, Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None)
+    track = Track(joint.centre, line=line) if _is_along(task, joint.centre, line) else None
+    return Touch("rack", wheel, rail, track, reason="rack.no_slip")
 
 
 def _point_of(task: Task, joint: Rolling) -> str:

@@ -31,7 +31,7 @@ def touch(task: Task, number: int) -> Touch | None:
         second = _tied(task, second)
     elif second.is_rest:
         first = _tied(task, first)
-    return Touch("rope", first, second, place="rope.leaves")
+    return Touch("rope", first, second, place="rope.leaves", reason="rope.inextensible")
 
 
 def _tied(task: Task, side: Side) -> Side:
