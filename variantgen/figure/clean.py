@@ -8,7 +8,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.faults import count_label_faults, leaders
 
 _FAULT = 10  # a label that is crossed or covered, in leaders
-_FEW = 1  # leaders that do not make a drawing crowded
+_FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels
 
 
 def first_clean(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
@@ -18,7 +18,13 @@ def first_clean(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
 
 def first_roomy(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
     """The same, where labels that are led to from afar are too many as well."""
-    return _first(makers, lambda drawing: _FAULT * count_label_faults(drawing) + len(leaders(drawing)), _FEW)
+    return _first(makers, _crowding, 0)
+
+
+def _crowding(drawing: Drawing) -> int:
+    """Faults, and the leaders that are too many for the labels of a drawing."""
+    allowed = max(_FEW, len(drawing.labels) // _SHARE)
+    return _FAULT * count_label_faults(drawing) + max(0, len(leaders(drawing)) - allowed)
 
 
 def _first(makers: Iterable[Callable[[], Drawing]], crowding: Callable[[Drawing], int], allowed: int) -> Drawing:

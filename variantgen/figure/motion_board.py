@@ -32,7 +32,7 @@ _MOST = 96.0  # width and height of a figure but for its labels, u
 _LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
 # Sizes of vectors and mechanism, in proportion to the usual ones, that are tried until letters find room.
-_SIZES = ((1.0, 1.0), (1.25, 1.2), (1.5, 1.2), (0.85, 1.0), (0.7, 1.0))
+_SIZES = ((1.0, 1.0), (1.35, 1.2), (0.8, 1.0))
 _ASIDE = (0.0, 2.2, 3.4, 4.8)  # how far an arrow is moved off a line on which it would lie, u
 _HALF_LANE = 0.35  # half the width of the paper that an arrow takes, u
 _SAMPLES = np.linspace(0.3, 1.0, 15)
