@@ -17,6 +17,7 @@ from variantgen.accuracy.cases import (
     cancellation,
     change_points,
     dead_points,
+    extreme_ratios,
     far_centres,
     length_ratios,
     ordinary,
@@ -71,7 +72,9 @@ def assert_stable(found: Errors, constant: float, may_refuse: bool) -> None:
 
 
 def test_every_class_has_its_constant() -> None:
-    assert {module.__name__ for module in CONSTANTS} == {module.__name__ for module in case_modules()}
+    # Beyond ratios of 1e6 there is no such bound: the module says why.
+    bounded = {module.__name__ for module in case_modules()} - {extreme_ratios.__name__}
+    assert {module.__name__ for module in CONSTANTS} == bounded
     assert max(CONSTANTS.values()) <= 32
 
 
@@ -81,10 +84,6 @@ def test_every_class_has_its_constant() -> None:
 def test_no_class_exceeds_its_constant(module: ModuleType, seed: int) -> None:
     groups = module.groups(1, np.random.default_rng(seed))
     group = groups[seed % len(groups)]
-    if module is length_ratios and isinstance(group.textbook, FourBar):
-        # The known exception, told in the module: fixed pivots that nearly coincide (122 has been seen).
-        bars = group.textbook
-        assume(np.all(bars.d > 1e-6 * np.maximum(bars.a, np.maximum(bars.b, bars.c))))
     assert_stable(judged(group), CONSTANTS[module], module in REFUSING)
 
 

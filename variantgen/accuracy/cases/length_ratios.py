@@ -1,13 +1,13 @@
-"""Length ratios of 1e-6 to 1e6 between the links of a mechanism.
+"""Length ratios of 1e-6 to 1e6 between any two links of a mechanism.
 
-Where the two fixed pivots nearly coincide and one link is hundreds of times shorter than the other two, the whole turns
-almost as one body: the rates are well conditioned, but the closing equation is a small difference of large terms, and
-every way that solves it for the rates loses the ratio of the lengths. The largest error over (kappa eps) seen among
-some 800 four-bars of this class was 122.
+Where the two fixed pivots nearly coincide and one link is much shorter than the other two, the whole turns almost as
+one body: the rates are well conditioned, but the closing equation is a small difference of large terms. Up to these
+ratios the largest error over (kappa eps) seen among 1500 four-bars was 29.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,23 +19,27 @@ from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
 
 TITLE = "length ratios"
-ABOUT = "Lengths drawn evenly by their logarithm over a range of 1e2 to 1e12 (1e-6 to 1e6 m), sine of the angle > 0.05."
+ABOUT = "Lengths drawn evenly by their logarithm over a range of 1e2 to 1e6, sine of the angle > 0.05."
 PLACE = 5
 
 
 def groups(count: int, rng: Generator) -> list[Group]:
     """A group per range and mechanism."""
-    spans = (1, 2, 3, 4, 5, 6)
+    return spanned(count, rng, (1.0, 1.5, 2.0, 2.5, 3.0))
+
+
+def spanned(count: int, rng: Generator, spans: Sequence[float]) -> list[Group]:
+    """A group per mechanism and ``span``: lengths of ``10**-span`` to ``10**span`` m."""
     each = max(1, count // len(spans))
     found = []
     for span in spans:
-        label = f"1e-{span}..1e{span}"
-        found.append(grouped(f"four-bar, {label}", _four_bars(rng, span, each), each, span=float(span)))
-        found.append(grouped(f"slider-crank, {label}", _slider_cranks(rng, span, each), each, span=float(span)))
+        label = f"ratios up to 1e{2 * span:.0f}"
+        found.append(grouped(f"four-bar, {label}", _four_bars(rng, span, each), each, span=span))
+        found.append(grouped(f"slider-crank, {label}", _slider_cranks(rng, span, each), each, span=span))
     return found
 
 
-def _four_bars(rng: Generator, span: int, count: int) -> FourBar:
+def _four_bars(rng: Generator, span: float, count: int) -> FourBar:
     def drawn() -> tuple[Any, ...]:
         phi = rng.uniform(0, 2 * np.pi)
         lengths = list(10 ** rng.uniform(-span, span, 4))
@@ -55,7 +59,7 @@ def _four_bars(rng: Generator, span: int, count: int) -> FourBar:
     return FourBar(a, b, c, d, phi, *rates(rng, count), sides(rng, count))
 
 
-def _slider_cranks(rng: Generator, span: int, count: int) -> SliderCrank:
+def _slider_cranks(rng: Generator, span: float, count: int) -> SliderCrank:
     def drawn() -> tuple[Any, ...]:
         a, b, height = 10 ** rng.uniform(-span, span, 3)
         return a, b, height * rng.choice([-1, 1]), rng.uniform(0, 2 * np.pi)
