@@ -1,4 +1,4 @@
-"""Length ratios beyond 1e6: the one class in which the error of the solver is not bounded by 32 (kappa eps).
+"""Length ratios beyond 1e6, where the error of the solver over (kappa eps) can be larger still.
 
 Positions are doubles in one frame. A link of 1e-9 of the others, or pivots as near as that to each other, is a small
 difference of such positions, whatever is then computed from them; the largest error over (kappa eps) seen among some

@@ -1,8 +1,9 @@
 """Length ratios of 1e-6 to 1e6 between any two links of a mechanism.
 
 Where the two fixed pivots nearly coincide and one link is much shorter than the other two, the whole turns almost as
-one body: the rates are well conditioned, but the closing equation is a small difference of large terms. Up to these
-ratios the largest error over (kappa eps) seen among 1500 four-bars was 29.
+one body: the rates are well conditioned, but the closing equation is a small difference of large terms, and every way
+that solves it for the rates loses digits. The largest error over (kappa eps) seen among 2000 four-bars was 43, the
+median is below 0.1.
 """
 
 from __future__ import annotations
