@@ -1,8 +1,8 @@
-"""The error of the solver is at most a constant times condition number times machine epsilon, in every class of cases.
+"""The error of the solver is at most a constant times condition number times machine epsilon, by class of cases.
 
-The constants below were found by ``variantgen accuracy`` and by these tests with many examples, and rounded up. They are
-at most 32 but for length ratios, whose module says why. A reference of 80 digits decides; no variant may come out as not
-a number or on another branch.
+The constants below were found by ``variantgen accuracy`` and by these tests with many examples, and rounded up.
+They are at most 32 but for length ratios, whose module says why. A reference of 80 digits decides; no variant may
+come out as not a number or on another branch.
 """
 
 from __future__ import annotations
