@@ -8,14 +8,14 @@ point, where velocities stay finite, ``eps / sin^3`` of the accelerations.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import EPS
-from variantgen.mechanism.motion import Field, Motion
+from variantgen.mechanism.motion import Field, Motion, largest_change
 from variantgen.mechanism.scene import Scene, with_numbers
 
 # Scaled determinant below which a variant is looked at: above it no digit that matters is lost.
@@ -60,19 +60,6 @@ def _changed(scene: Scene, signs: tuple[float, ...]) -> Scene:
 def _gap(motion: Motion, moved: Motion) -> Field:
     """Largest change of velocities and accelerations, each relative to the largest of the mechanism."""
     length = motion.length_scale()
-    pairs: list[tuple[Mapping[str, Any], Mapping[str, Any], Any]] = [
-        (motion.v, moved.v, 1.0),
-        (motion.omega, moved.omega, length),
-    ]
-    found = _relative(pairs)
-    if motion.a:
-        found = np.maximum(found, _relative([(motion.a, moved.a, 1.0), (motion.epsilon, moved.epsilon, length)]))
-    return found
-
-
-def _relative(tables: list[tuple[Mapping[str, Any], Mapping[str, Any], Any]]) -> Field:
-    changes = [np.abs(other[name] - x) * scale for table, other, scale in tables for name, x in table.items()]
-    sizes = [np.abs(x) * scale for table, _, scale in tables for x in table.values()]
-    largest = np.max(sizes, axis=0)
-    found: Field = np.max(changes, axis=0) / np.where(largest > 0, largest, 1.0)
-    return found
+    of_velocities = largest_change(motion.v, moved.v, motion.omega, moved.omega, length)
+    of_accelerations = largest_change(motion.a, moved.a, motion.epsilon, moved.epsilon, length)
+    return np.maximum(of_velocities, of_accelerations)

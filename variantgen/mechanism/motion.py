@@ -76,6 +76,29 @@ class Motion:
         )
 
 
+def largest_change(
+    points: Mapping[str, ComplexField],
+    points_again: Mapping[str, ComplexField],
+    bodies: Mapping[str, Field],
+    bodies_again: Mapping[str, Field],
+    length: Field,
+) -> Field:
+    """Largest difference of two tables of velocities (or accelerations), relative to the largest of the first, (N,).
+
+    Rates of bodies count times the ``length`` of the mechanism.
+    """
+    if not points:
+        return np.zeros_like(length)
+    scale = np.max([np.abs(points[p]) for p in points] + [np.abs(bodies[b]) * length for b in bodies], axis=0)
+    worst = np.max(
+        [np.abs(points[p] - points_again[p]) for p in points]
+        + [np.abs(bodies[b] - bodies_again[b]) * length for b in bodies],
+        axis=0,
+    )
+    result: Field = worst / np.where(scale > 0, scale, 1.0)
+    return result
+
+
 def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.chain import Chain
-from variantgen.mechanism.motion import ComplexField, Field, Motion
+from variantgen.mechanism.motion import ComplexField, Field, Motion, largest_change
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.rows import Placement
 
@@ -79,28 +79,9 @@ def recompute(motion: Motion) -> Recomputed:
         a,
         omega,
         epsilon,
-        _deviation(motion.v, v, motion.omega, omega, chain.length),
-        _deviation(motion.a, a, motion.epsilon, epsilon, chain.length),
+        largest_change(motion.v, v, motion.omega, omega, chain.length),
+        largest_change(motion.a, a, motion.epsilon, epsilon, chain.length),
     )
-
-
-def _deviation(
-    points: Mapping[str, ComplexField],
-    points_again: Mapping[str, ComplexField],
-    bodies: Mapping[str, Field],
-    bodies_again: Mapping[str, Field],
-    length: Field,
-) -> Field:
-    if not points:
-        return np.zeros_like(length)
-    scale = np.max([np.abs(points[p]) for p in points] + [np.abs(bodies[b]) * length for b in bodies], axis=0)
-    worst = np.max(
-        [np.abs(points[p] - points_again[p]) for p in points]
-        + [np.abs(bodies[b] - bodies_again[b]) * length for b in bodies],
-        axis=0,
-    )
-    result: Field = worst / np.where(scale > 0, scale, 1.0)
-    return result
 
 
 def _time_step(motion: Motion, length: Field) -> Field:
