@@ -19,14 +19,14 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
-from variantgen.variants.attempts import Tally
+from variantgen.variants.attempts import Judge, Tally
 from variantgen.variants.counting import variety
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
 
 # Below this share of accepted draws a large class costs too much time, and ranges are hardly what the author meant.
-_LEAST_ACCEPTANCE = 0.01
+_LEAST_ACCEPTANCE = 0.02
 # An answer that this share of all students has in common is no individual answer.
 _COMMONEST = 0.5
 _NICE = 24  # hand-friendly variants that are drawn
@@ -41,7 +41,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     tally = Tally()
     start = time.perf_counter()
     try:
-        variants = _drawn(family, form, seeds, tally)
+        variants = _drawn(family, form, seeds, tally, Margins())
     except VariantgenError as error:
         report.failures.append(f"{where}: {error}")
         return
@@ -49,13 +49,14 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     found.variants, found.distinct = seeds, len({variant.identity for variant in variants})
     attempts = sum(variant.attempt for variant in variants)
     found.acceptance = seeds / attempts
+    found.own_acceptance = seeds / sum(v.attempt for v in _drawn(family, form, seeds, Tally(), None))
     found.rejected = dict(tally.rejected.most_common())
     count = variety(family, form, asked, seeds, attempts)
     found.grid, found.valid, found.valid_exact = count.grid, count.valid, count.exact
-    if found.acceptance < _LEAST_ACCEPTANCE:
+    if found.own_acceptance < _LEAST_ACCEPTANCE:
         report.failures.append(
-            f"{where}: only {100 * found.acceptance:.1f} % of the draws are valid ({tally.report()}); narrow the ranges"
-            " to what assembles"
+            f"{where}: only {100 * found.own_acceptance:.1f} % of the draws are valid ({tally.report()});"
+            " narrow the ranges to what assembles"
         )
     motion = solve_variants(variants, 2)
     _check_agreement(motion, found, where, report)
@@ -87,10 +88,10 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
     found.nice = max(1, round(narrowed.forms[form.name].grid_size / found.nice_attempts))
 
 
-def _drawn(family: Family, form: Form, seeds: int, tally: Tally) -> list[Variant]:
+def _drawn(family: Family, form: Form, seeds: int, tally: Tally, judge: Judge | None) -> list[Variant]:
     single = replace(family, forms={form.name: form})
     keys = [(str(seed), *SINGLE) for seed in range(seeds)]
-    return Drawing(single, None, tally, judge=Margins()).after(keys, [0] * seeds)
+    return Drawing(single, None, tally, judge=judge).after(keys, [0] * seeds)
 
 
 def _check_agreement(motion: Motion, found: FormReport, where: str, report: Report) -> None:

@@ -33,7 +33,7 @@ class FormReport:
     """What the draws of one form showed.
 
     ``nice`` is an estimate of the number of hand-friendly variants (0: none were found), each of which took
-    ``nice_attempts`` draws in the mean.
+    ``nice_attempts`` draws in the mean. ``own_acceptance`` leaves out the screens of answers (rounding, mistakes).
     """
 
     name: str
@@ -42,6 +42,7 @@ class FormReport:
     variants: int = 0
     distinct: int = 0
     acceptance: float = 0.0
+    own_acceptance: float = 0.0
     grid: int = 0
     valid: int = 0
     valid_exact: bool = False
@@ -60,7 +61,8 @@ class FormReport:
         worst = ", ".join(f"{name} {number}" for name, number in list(self.rejected.items())[:3] if number)
         return [
             f"    {self.name or 'variants'}: {self.variants} drawn, {self.distinct} distinct, acceptance"
-            f" {100 * self.acceptance:.1f} %, {count} distinct ones of {self.grid:.3g},"
+            f" {100 * self.acceptance:.1f} % ({100 * self.own_acceptance:.1f} % by its own screens),"
+            f" {count} distinct ones of {self.grid:.3g},"
             f" {self.seconds_per_1000:.2f} s per 1000",
             f"        {self.parameters} parameters, blocks {'+'.join(map(str, self.blocks)) or 'none'};"
             f" independent computation within {self.deviation:.0e}, invariants within {self.invariant:.0e}",
