@@ -23,8 +23,9 @@ from pathlib import Path
 
 import numpy as np
 
-from variantgen.builder import SHEETS_PER_PART
+from variantgen.builder import STUDENTS_PER_PART
 from variantgen.exam.blueprint import Exam, read_exam
+from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import assemble
 from variantgen.mechanism.solve import solve
@@ -73,7 +74,9 @@ def typeset_only(path: Path, students: int) -> float:
     """CPU seconds of typesetting the sheets of an exam, everything else being prepared."""
     plan: Exam = read_exam(path)
     sheets = assemble(plan, numbered(students), "0").sheets
-    data = [sheets_data(plan, sheets[i : i + SHEETS_PER_PART]) for i in range(0, students, SHEETS_PER_PART)]
+    data = [
+        sheets_data(Content(plan, sheets[i : i + STUDENTS_PER_PART])) for i in range(0, students, STUDENTS_PER_PART)
+    ]
     with typesetter() as engine:
         before = cpu()
         for part in data:

@@ -26,16 +26,17 @@ from typing import Any
 from variantgen.builder import build
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
+from variantgen.exam.content import Content, Posed, Solved
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, assemble, solve_all
+from variantgen.exam.shown import Figures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.task import task_of
-from variantgen.outputs.documents import problem_documents, problem_key, student_key
-from variantgen.outputs.sheet_data import sheets_data, statement_data
-from variantgen.outputs.solution_data import problem_data
-from variantgen.outputs.solution_figures import Figures, view_order
+from variantgen.outputs.key_data import key_by_problem, key_by_student
+from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.solution_data import problem_data, solutions_data
 from variantgen.outputs.typesetter import figure_data, typesetter
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
@@ -79,18 +80,20 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
     made: list[dict[str, Any]] = []
     for item, (motion, place) in zip(items, solved, strict=True):
         with clock.measuring(STATEMENT):
-            drawn = figure_data(statement_figure(item.variant, motion, place, item.asked, language))
+            drawing = statement_figure(item.variant, motion, place, item.asked, language)
+            known = {id(drawing): figure_data(drawing)}
         with clock.measuring(METHODS):
             task = task_of(item.variant, motion, place, item.asked)
             found = solution(task)
         with clock.measuring(TEXT):
             text = written(task, found, language)
-        on_sheet = {"figure": drawn, **statement_data(statement(item.variant, item.asked, language))}
-        figures = Figures(item.variant, item.asked, language, (motion, place), drawn)
+        posed = Posed(item, statement(item.variant, item.asked, language), drawing)
+        figures = Figures(item.variant, item.asked, language, (motion, place), drawing)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            made.append(problem_data(figures, text, on_sheet))
+            solved = Solved(item.variant, posed.said, text, figures.rows(), figures.numbers)
+            made.append(problem_data(solved, language, known))
     with clock.measuring(JSON):
         json.dumps(made, ensure_ascii=False, separators=(",", ":"))
 
@@ -101,12 +104,20 @@ def typesetting_cost(exam: Path, students: int) -> Clock:
     sheets = assemble(plan, numbered(students), "0").sheets
     clock = Clock()
     with typesetter() as engine:
-        for documents, size in ((problem_documents, 8), (student_key, 40), (problem_key, 40)):
-            for i in range(0, students, size):
-                for document in documents(plan, sheets[i : i + size], i == 0):
-                    with clock.measuring(document.target):
-                        engine.compile(document.template, document.data, tagged=document.tagged)
+        for target, template, data in _documents(plan, sheets):
+            with clock.measuring(target):
+                engine.compile(template, data, tagged=False)
     return clock
+
+
+def _documents(plan: Exam, sheets: Sequence[Sheet]) -> Iterator[tuple[str, str, dict[str, Any]]]:
+    """What a build gives to the engine: target, template and data."""
+    for i in range(0, len(sheets), 8):
+        content = Content(plan, sheets[i : i + 8])
+        yield SHEETS, "sheets.typ", sheets_data(content)
+        yield from ((SOLUTIONS, "solutions.typ", solutions_data(content, n)) for n in range(len(content.sheets)))
+    for data in (key_by_student, key_by_problem):
+        yield from ((KEY, "key.typ", data(plan, sheets[i : i + 40], i == 0)) for i in range(0, len(sheets), 40))
 
 
 def in_fresh_process(task: str, exam: Path, students: int) -> Clock:
@@ -135,7 +146,7 @@ def class_table(students: int) -> list[str]:
             assemble(exam, numbered(students), "0")
         _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
-            sheets_data(exam, sheets)
+            sheets_data(Content(exam, sheets))
         measure_solutions(exam, sheets, clock)
         engine = in_fresh_process("typesetting", exam.path, students)
         whole = in_fresh_process("building", exam.path, students)["build"]

@@ -8,20 +8,19 @@ import multiprocessing.connection
 import os
 import shutil
 import threading
-from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam, read_exam
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
-from variantgen.outputs.documents import Documents, problem_documents, problem_key, student_key
 from variantgen.outputs.folder import check_free, whole_folder
-from variantgen.outputs.join import join_pdfs
+from variantgen.outputs.formats import Part, Piece, Whole, formats, known_files, read_exam
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.variants.attempts import VerificationError
@@ -29,8 +28,7 @@ from variantgen.variants.attempts import VerificationError
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
 # below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
 # does not depend on the number of processes: the same parts give the same bytes.
-SHEETS_PER_PART = 8
-KEYS_PER_PART = 40
+STUDENTS_PER_PART = 8
 
 Progress = Callable[[str, int, int], None]
 
@@ -50,33 +48,40 @@ class Built:
 
 @dataclass(frozen=True)
 class _Made:
-    """The PDFs of a part by their targets, and the families of problems in it that have no worked solution."""
+    """The pieces of a part by format, and the families of problems in it that have no worked solution."""
 
-    paths: tuple[tuple[str, Path], ...]
-    unexplained: tuple[str, ...]
+    pieces: tuple[tuple[str, Piece], ...]
+    unexplained: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
-class _Part:
-    """The documents of a few students that are made in one go."""
+class _Job:
+    """What is made of a few students in one go: their content in every format, or one overview of one format."""
 
     number: int
-    documents: Documents
     exam: Exam
     sheets: tuple[Sheet, ...]
     first: bool
+    summary: tuple[str, int] | None = None
 
     def make(self, folder: Path, engine: Typesetter) -> _Made:
-        """Typeset the part."""
-        paths: list[tuple[str, Path]] = []
-        unexplained: list[str] = []
+        """Make the pieces."""
+        content = Content(self.exam, self.sheets)
+        pieces: list[tuple[str, Piece]] = []
         with _without_collector():
-            for count, document in enumerate(self.documents(self.exam, self.sheets, self.first)):
-                path = folder / f"{self.number:07}-{count:03}.pdf"
-                path.write_bytes(engine.compile(document.template, document.data, tagged=document.tagged)[0])
-                paths.append((document.target, path))
-                unexplained += document.unexplained
-        return _Made(tuple(paths), tuple(unexplained))
+            for name, make in self._makers():
+                own = folder / f"{self.number:07}-{name}"
+                own.mkdir()
+                pieces += [(name, piece) for piece in make(Part(content, self.first, own, engine))]
+        return _Made(tuple(pieces), () if self.summary else content.unexplained)
+
+    def _makers(self) -> Iterator[tuple[str, Callable[[Part], Iterable[Piece]]]]:
+        known = formats()
+        if self.summary:
+            name, place = self.summary
+            yield name, known[name].SUMMARIES[place][1]
+        else:
+            yield from ((name, known[name].make) for name in self.exam.formats)
 
 
 @contextmanager
@@ -104,41 +109,37 @@ def build(
 ) -> Built:
     """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
 
-    Writes ``sheets.pdf``, ``key.pdf``, ``key.csv``, ``manifest.json`` and, if the exam wants solutions,
-    ``solutions.pdf`` (with one file for each student in ``solutions/``, if it wants that). The same input gives the
-    same bytes, whatever ``jobs`` is. Raises InputError for wrong input.
+    Writes ``key.csv``, ``manifest.json`` and what the formats of the exam make (see
+    :mod:`variantgen.outputs.formats`). The same input gives the same bytes, whatever ``jobs`` is. Raises InputError for
+    wrong input, ToolMissingError where a format needs something that is not installed.
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
-    check_free(out, force)
+    known = known_files()
+    check_free(out, force, known)
+    for name in exam.formats:
+        formats()[name].check(exam)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))
     try:
         assembly = assemble(exam, students, seed)
     except InputError as error:
         raise error.located(str(exam.path)) from None
-    with whole_folder(out, force) as folder:
+    with whole_folder(out, force, known) as folder, typesetter() as engine:
         parts_folder = folder / ".parts"
         parts_folder.mkdir()
-        parts = _parts(exam, assembly.sheets)
-        paths: dict[str, list[Path]] = {}
+        pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in exam.formats}
         done = 0
         unexplained: set[str] = set()
-        with _naming(seed), _makers(jobs) as run:
-            for part, made in run(parts, parts_folder):
-                for target, path in made.paths:
-                    paths.setdefault(target, []).append(path)
+        with _naming(seed), _makers(jobs, engine) as run:
+            for job, made in run(_jobs(exam, assembly.sheets), parts_folder):
+                for name, piece in made.pieces:
+                    pieces[name].setdefault(piece.target, []).append(piece.path)
                 unexplained.update(made.unexplained)
-                done += len(part.sheets) if part.documents is problem_documents else 0
+                done += 0 if job.summary else len(job.sheets)
                 progress("typesetting", done, len(students))
-        for target, made_paths in paths.items():
-            language = exam.solutions.language if target == "solutions" else exam.language
-            even = exam.duplex and target != "key"
-            join_pdfs(made_paths, folder / f"{target}.pdf", exam.title, language, even)
-        if exam.solutions.for_students:
-            _hand_out(assembly.sheets, paths["solutions"], folder / "solutions")
-        for path in parts_folder.iterdir():
-            path.unlink()
-        parts_folder.rmdir()
+        for name, own in pieces.items():
+            formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own))
+        shutil.rmtree(parts_folder)
         _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
         _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn))
     return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
@@ -153,47 +154,41 @@ def _naming(seed: str) -> Iterator[None]:
         raise VerificationError(f"{error} (seed {seed})") from error
 
 
-def _parts(exam: Exam, sheets: Sequence[Sheet]) -> list[_Part]:
-    """All parts in the order in which they are joined."""
-    parts: list[_Part] = []
-    wanted = ((problem_documents, SHEETS_PER_PART), (student_key, KEYS_PER_PART), (problem_key, KEYS_PER_PART))
-    for documents, size in wanted:
+def _jobs(exam: Exam, sheets: Sequence[Sheet]) -> list[_Job]:
+    """All jobs in the order in which their pieces are joined."""
+    jobs: list[_Job] = []
+
+    def add(size: int, summary: tuple[str, int] | None) -> None:
         for i in range(0, len(sheets), size):
-            parts.append(_Part(len(parts), documents, exam, tuple(sheets[i : i + size]), i == 0))
-    return parts
+            jobs.append(_Job(len(jobs), exam, tuple(sheets[i : i + size]), i == 0, summary))
+
+    add(STUDENTS_PER_PART, None)
+    for name in exam.formats:
+        for place, (size, _) in enumerate(formats()[name].SUMMARIES):
+            add(size, (name, place))
+    return jobs
 
 
-def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path) -> None:
-    """One file for each student, named by the code of the sheet; where two have the same, a number follows."""
-    folder.mkdir()
-    used: Counter[str] = Counter()
-    for sheet, part in zip(sheets, parts, strict=True):
-        used[sheet.code] += 1
-        number = f"-{used[sheet.code]}" if used[sheet.code] > 1 else ""
-        shutil.copyfile(part, folder / f"{sheet.code}{number}.pdf")
-
-
-Runner = Callable[[Sequence[_Part], Path], Iterator[tuple[_Part, _Made]]]
+Runner = Callable[[Sequence[_Job], Path], Iterator[tuple[_Job, _Made]]]
 
 
 @contextmanager
-def _makers(jobs: int) -> Iterator[Runner]:
-    """A way to make parts, in this process or in several; results come in the order of the parts."""
-    with typesetter() as engine:
-        if jobs <= 1:
-            yield lambda parts, folder: ((part, part.make(folder, engine)) for part in parts)
-            return
-        with ProcessPoolExecutor(jobs, initializer=_leave_with_parent) as pool:
+def _makers(processes: int, engine: Typesetter) -> Iterator[Runner]:
+    """A way to do jobs, in this process or in several; results come in the order of the jobs."""
+    if processes <= 1:
+        yield lambda jobs, folder: ((job, job.make(folder, engine)) for job in jobs)
+        return
+    with ProcessPoolExecutor(processes, initializer=_leave_with_parent) as pool:
 
-            def run(parts: Sequence[_Part], folder: Path) -> Iterator[tuple[_Part, _Made]]:
-                made = pool.map(_make, parts, [folder] * len(parts), [engine] * len(parts))
-                return zip(parts, made, strict=True)
+        def run(jobs: Sequence[_Job], folder: Path) -> Iterator[tuple[_Job, _Made]]:
+            made = pool.map(_make, jobs, [folder] * len(jobs), [engine] * len(jobs))
+            return zip(jobs, made, strict=True)
 
-            try:
-                yield run
-            except BaseException:
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise
+        try:
+            yield run
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
 
 
 def _leave_with_parent() -> None:
@@ -205,8 +200,8 @@ def _leave_with_parent() -> None:
         ).start()
 
 
-def _make(part: _Part, folder: Path, engine: Typesetter) -> _Made:
-    return part.make(folder, engine)
+def _make(job: _Job, folder: Path, engine: Typesetter) -> _Made:
+    return job.make(folder, engine)
 
 
 def _write(path: Path, text: str) -> None:

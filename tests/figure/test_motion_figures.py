@@ -9,6 +9,7 @@ import pytest
 
 from tests.contracts.test_families import arcs_and_labels
 from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, view_drawings
+from variantgen.exam.shown import Figures
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
@@ -19,11 +20,10 @@ from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.task import task_of
-from variantgen.outputs.solution_figures import Figures
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import to_plain
+from variantgen.wording.formula import Symbol, to_plain
 from variantgen.wording.language import load_language
 
 EN = load_language("en")
@@ -135,10 +135,10 @@ def test_a_centre_outside_the_paper_is_noted() -> None:
     )
     figures = Figures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
     figures.draw(["statement", "velocities"])
-    captions = [figure["caption"] for row in figures.rows() for figure in row]
+    captions = [list(figure.caption) for row in figures.rows() for figure in row]
     assert captions == [
         ["Fig.\xa01. ", "Mechanism"],
-        ["Fig.\xa02. ", "Velocities", " ", "(outside the figure: ", ["P"], ")"],
+        ["Fig.\xa02. ", "Velocities", " ", "(outside the figure: ", Symbol("P"), ")"],
     ]
 
 

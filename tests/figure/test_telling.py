@@ -14,6 +14,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.exam.blueprint import read_exam
+from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
 from variantgen.exam.sheets import assemble
@@ -138,7 +139,7 @@ def figures_of(pdf: pikepdf.Pdf) -> list[str]:
 @pytest.mark.parametrize("sample", ["sample_en", "sample_ru"])
 def test_sheets_carry_the_text_of_every_figure(sample: str) -> None:
     exam = read_exam(exam_path(Path(sample)))
-    data = sheets_data(exam, assemble(exam, numbered(2), exam.seed).sheets)
+    data = sheets_data(Content(exam, assemble(exam, numbered(2), exam.seed).sheets))
     with typesetter() as engine:
         made = engine.compile("sheets.typ", data)[0]
     wanted = [problem["figure"]["alt"] for student in data["students"] for problem in student["problems"]]

@@ -55,7 +55,7 @@ def moments(folder: Path, process: subprocess.Popen[str], moment: str) -> None:
     if moment.endswith("s"):
         time.sleep(float(moment[:-1]))
         return
-    pattern = {"folder": ".out.partial-*", "part": ".out.partial-*/.parts/*.pdf", "second": "*/.parts/0000030-*.pdf"}
+    pattern = {"folder": ".out.partial-*", "part": ".out.partial-*/.parts/*/*.pdf", "second": "*/.parts/0000030-*/*.pdf"}
     pattern |= {"joined": ".out.partial-*/sheets.pdf", "key": ".out.partial-*/key.csv"}
     end = time.monotonic() + 20
     while process.poll() is None and time.monotonic() < end and not any(folder.glob(pattern[moment])):

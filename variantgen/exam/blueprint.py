@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import cast
+from types import MappingProxyType
+from typing import Any, cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -44,7 +46,8 @@ class Task:
 class Exam:
     """A checked exam file. ``duplex`` starts every student on an odd page.
 
-    ``path`` is the file it was read from, ``hash`` that of its content.
+    ``path`` is the file it was read from, ``hash`` that of its content. ``formats`` are the outputs to be made, and
+    ``options`` what the file says of each of them.
     """
 
     title: str
@@ -58,6 +61,8 @@ class Exam:
     hash: str = ""
     solutions: Solutions = Solutions()
     notation: Notation = USUAL
+    formats: tuple[str, ...] = ("pdf",)
+    options: Mapping[str, Any] = field(default_factory=dict)
 
     def wish(self, task: Task) -> Wish:
         """What is wished of the solution of a problem."""
@@ -74,10 +79,16 @@ class Exam:
         return load_language(self.solutions.language, self.notation)
 
 
-def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
+def read_exam(
+    path: Path,
+    folders: tuple[Path, ...] | None = None,
+    chosen: Callable[[Sequence[str]], tuple[str, ...]] = tuple,
+    readers: Mapping[str, Callable[[Table], Any]] = MappingProxyType({}),
+) -> Exam:
     """Read and check an exam file. Raises InputError with every problem found.
 
     ``folders`` hold the instructor's own families (None: the environment variable and the folder of the file say).
+    Outputs are not known here: ``chosen`` checks the names of formats, ``readers`` read the table of each of them.
     """
     folders = family_folders(beside=path) if folders is None else folders
     problems: list[Problem] = []
@@ -97,6 +108,10 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     page.finish()
     solutions = read_solutions(top.table("solutions"), language)
     notation = _notation(top.table("notation"))
+    formats: tuple[str, ...] = ("pdf",)
+    with top.collecting("formats"):
+        formats = chosen(top.strings("formats", formats))
+    options = {name: reader(top.table(name)) for name, reader in readers.items()}
     tables = top.tables("problem")
     found = [_task(table, number, folders) for number, table in enumerate(tables, start=1)]
     if not tables:
@@ -120,6 +135,8 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
         digest,
         solutions=solutions,
         notation=notation,
+        formats=formats,
+        options=options,
     )
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from variantgen.exam.content import with_figures
 from variantgen.families.quantities import Quantity
 from variantgen.methods.wish import Wish
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single_page import page_format
 from variantgen.outputs.solution_data import problem_data, solution_words
-from variantgen.outputs.solution_figures import Figures
 from variantgen.outputs.typesetter import typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language
@@ -28,12 +28,13 @@ def write_explained(
     form = page_format(path)
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
     text = explain(variant, motion, 0, asked, language, wish)
+    solved = with_figures(variant, asked, language, (motion, 0), text)
     data = {
         "lang": language.name,
         "title": variant.family.title(language.name),
         "remark": remark,
         "words": solution_words(language),
-        "problem": problem_data(Figures(variant, asked, language, (motion, 0), centres=text.centres), text),
+        "problem": problem_data(solved, language),
         "notes": sign_notes(asked, language),
     }
     with typesetter() as engine:

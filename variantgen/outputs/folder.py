@@ -16,13 +16,12 @@ from types import FrameType
 
 from variantgen.errors import InputError, Problem
 
-KNOWN_FILES = {"sheets.pdf", "key.pdf", "solutions.pdf", "solutions/*.pdf", "key.csv", "manifest.json"}
 
-
-def check_free(target: Path, force: bool, known: Collection[str] = KNOWN_FILES) -> None:
+def check_free(target: Path, force: bool, known: Collection[str]) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made.
 
-    ``known`` are the files of an output, which may be replaced: names or patterns like ``figures/*.svg``.
+    ``known`` are the files of an output, which may be replaced: names or patterns like ``figures/*.svg`` (a star stands
+    for folders too).
     """
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
@@ -52,14 +51,15 @@ def _foreign(folder: Path, known: Collection[str], within: str = "") -> Iterator
     """What a folder holds besides known files."""
     for path in sorted(folder.iterdir()):
         name = within + path.name
-        if path.is_dir() and not path.is_symlink() and any(pattern.startswith(f"{name}/") for pattern in known):
+        inside = (p.startswith(f"{name}/") or fnmatchcase(f"{name}/", p) for p in known)
+        if path.is_dir() and not path.is_symlink() and any(inside):
             yield from _foreign(path, known, f"{name}/")
         elif path.is_dir() or not any(fnmatchcase(name, pattern) for pattern in known):
             yield name
 
 
 @contextmanager
-def whole_folder(target: Path, force: bool = False, known: Collection[str] = KNOWN_FILES) -> Iterator[Path]:
+def whole_folder(target: Path, force: bool, known: Collection[str]) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder

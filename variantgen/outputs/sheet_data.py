@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.sheets import Item, Sheet, solve_all
-from variantgen.figure.build import statement_figure
-from variantgen.mechanism.motion import Motion
+from variantgen.exam.content import Content, Posed
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Formula, UnitText, to_typst
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Statement, Text, sign_notes, statement
+from variantgen.wording.statement import Statement, Text, sign_notes
 
 _SHORT_NAME = 48
 
 
-def sheets_data(exam: Exam, sheets: Sequence[Sheet], first: bool = True) -> dict[str, Any]:
-    """Data for ``sheets.typ``; a first part is like the others."""
-    language = exam.spoken
-    items = [item for sheet in sheets for item in sheet.items]
-    placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
+def sheets_data(content: Content, figures: dict[int, Any] | None = None) -> dict[str, Any]:
+    """Data for ``sheets.typ``; what is made of the drawings is noted in ``figures`` by their ids."""
+    exam, language = content.exam, content.exam.spoken
+    noted = {} if figures is None else figures
     students = [
-        student_data(
-            sheet, [_problem(item, *next(placed), language) for item in sheet.items], language, sheet is sheets[-1]
-        )
-        for sheet in sheets
+        student_data(sheet, [_problem(posed, language, noted) for posed in own], language, sheet is content.sheets[-1])
+        for sheet, own in zip(content.sheets, content.posed, strict=True)
     ]
     return {
         "lang": exam.language,
@@ -53,16 +47,17 @@ def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Languag
     }
 
 
-def _problem(item: Item, motion: Motion, place: int, language: Language) -> dict[str, Any]:
-    said = statement(item.variant, item.asked, language)
+def _problem(posed: Posed, language: Language, figures: dict[int, Any]) -> dict[str, Any]:
+    item, said = posed.item, posed.said
+    drawn = figures[id(posed.figure)] = figure_data(posed.figure)
     return {
         "number": str(item.task.number),
-        "points": _points(item.task.points, language),
+        "points": points_text(item.task.points, language),
         **statement_data(said),
         "headings": [
             heading(symbol, language.unit(answer.unit)) for symbol, answer in zip(said.asked, item.answers, strict=True)
         ],
-        "figure": figure_data(statement_figure(item.variant, motion, place, item.asked, language)),
+        "figure": drawn,
     }
 
 
@@ -85,7 +80,7 @@ def text_data(text: Text) -> list[Any]:
     return [part if isinstance(part, str) else [to_typst(part)] for part in text]
 
 
-def _points(points: int | None, language: Language) -> str:
+def points_text(points: int | None, language: Language) -> str:
     """``10 points`` with the plural of the language (one, few, many)."""
     if points is None:
         return ""

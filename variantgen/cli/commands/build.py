@@ -26,6 +26,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
     parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
+    parser.add_argument(
+        "--format",
+        action="append",
+        metavar="NAME",
+        help="output, or several by commas (default: formats of EXAM, or pdf)",
+    )
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
     parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
     add_families(parser)
@@ -34,11 +40,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Build the folder."""
     from variantgen.builder import build
-    from variantgen.exam.blueprint import read_exam
     from variantgen.exam.roster import numbered, read_roster
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.folders import family_folders
+    from variantgen.outputs.formats import chosen, read_exam
 
     at_least_one("--jobs", arguments.jobs)
     if arguments.variants is not None and not 1 <= arguments.variants <= 1_000_000:
@@ -48,6 +54,8 @@ def run(arguments: argparse.Namespace) -> int:
     exam = read_exam(path, family_folders(arguments.families, beside=path))
     if arguments.no_solutions:
         exam = replace(exam, solutions=replace(exam.solutions, depth=NO_SOLUTIONS))
+    if arguments.format:
+        exam = replace(exam, formats=chosen([w for text in arguments.format for w in text.split(",")], "--format"))
     start = time.perf_counter()
     made = build(exam, students, arguments.out, arguments.seed, arguments.jobs, arguments.force, _Progress().show)
     seconds = time.perf_counter() - start

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
+from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.plan_scale import MILLIMETRES
-from variantgen.outputs.sheet_data import text_data
-from variantgen.outputs.typesetter import figure_data
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Formula, Symbol
+from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import load_phrases
@@ -26,6 +25,16 @@ _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells a
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
 
+@dataclass(frozen=True)
+class Shown:
+    """A figure of a solution: its kind, the drawing, its caption and, for paper, millimetres per figure unit."""
+
+    name: str
+    drawing: Drawing
+    caption: Text
+    unit: float
+
+
 def view_order(text: SolutionText) -> list[str]:
     """The kinds of figures that a solution needs, each once, in the order of the steps; the statement's first."""
     return list(dict.fromkeys([STATEMENT, *(name for section in text.sections for name in section.views)]))
@@ -34,8 +43,8 @@ def view_order(text: SolutionText) -> list[str]:
 class Figures:
     """The figures of one problem, drawn once each; ``place`` is its motion and its index in that batch.
 
-    ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement as data,
-    where it has been drawn before; ``centres`` are rays to acceleration centres that the others show as if asked.
+    ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement, where
+    it has been drawn before; ``centres`` are rays to acceleration centres that the others show as if asked.
     """
 
     def __init__(
@@ -44,14 +53,13 @@ class Figures:
         asked: Sequence[Quantity],
         language: Language,
         place: tuple[Motion, int],
-        known: dict[str, Any] | None = None,
+        known: Drawing | None = None,
         centres: Sequence[Quantity] = (),
     ) -> None:
         self.variant, self.asked, self.language = variant, asked, language
         self.numbers: dict[str, int] = {}
         self._place, self._shown = place, (*asked, *centres)
-        self._beyond: dict[str, tuple[Symbol, ...]] = {}
-        self._drawn: dict[str, dict[str, Any]] = {} if known is None else {STATEMENT: known}
+        self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
         """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
@@ -59,37 +67,33 @@ class Figures:
             if name not in self._drawn:
                 shown = self.asked if name == STATEMENT else self._shown
                 try:
-                    drawing = view(name).draw(self.variant, *self._place, shown, self.language)
+                    self._drawn[name] = view(name).draw(self.variant, *self._place, shown, self.language)
                 except InputError:
                     if name == STATEMENT:
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
-                self._drawn[name] = figure_data(drawing)
-                self._beyond[name] = drawing.beyond
             self.numbers.setdefault(name, len(self.numbers) + 1)
 
-    def rows(self) -> list[list[dict[str, Any]]]:
-        """Rows of figures with millimetres per unit and caption."""
+    def rows(self) -> tuple[tuple[Shown, ...], ...]:
+        """Rows of figures as they fit beside each other on paper."""
         rows: list[list[str]] = [[]]
         for name in self.numbers:
             if rows[-1] and not self._fit([*rows[-1], name]):
                 rows.append([])
             rows[-1].append(name)
-        return [[self._data(name, self._shared(row)) for name in row] for row in rows]
+        return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
 
-    def _data(self, name: str, shared: float) -> dict[str, Any]:
-        return {
-            "caption": text_data(self._caption(name)),
-            "figure": self._drawn[name],
-            "unit": _PLAN_UNIT if _is_plan(name) else round(shared, 3),
-        }
+    def _one(self, name: str, shared: float) -> Shown:
+        unit = _PLAN_UNIT if _is_plan(name) else round(shared, 3)
+        return Shown(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
         """The number and title of a figure, and which centres lie outside it."""
         phrases = load_phrases(self.language.name)
         found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
         found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
-        if letters := self._beyond.get(name, ()):
+        letters = self._drawn[name].beyond if name != STATEMENT else ()
+        if letters:
             listed = [part for letter in letters for part in (", ", letter)][1:]
             found.append(" ")
             for part in phrases.sentence("figures.beyond"):
@@ -108,8 +112,8 @@ class Figures:
         return len(row) <= _MOST and self._shared(row) >= _SMALLEST
 
     def _width(self, name: str) -> float:
-        """The width of a figure in its units."""
-        return float(self._drawn[name]["w"])
+        """The width of a figure in its units, as it is written out."""
+        return round(self._drawn[name].width, 2)
 
 
 def _is_plan(name: str) -> bool:

@@ -1,0 +1,127 @@
+"""What the documents of a few students say and show, free of any format: every output renders the same content.
+
+Statements, figures and solutions are made when an output first asks for them, once for all outputs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from variantgen.errors import InputError
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Item, Sheet, solve_all
+from variantgen.exam.shown import Figures, Shown, view_order
+from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
+from variantgen.figure.drawing import Drawing
+from variantgen.mechanism.motion import Motion
+from variantgen.variants.attempts import VerificationError
+from variantgen.variants.variant import Variant
+from variantgen.wording.language import Language
+from variantgen.wording.solution.document import SolutionText
+from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
+from variantgen.wording.statement import Statement, statement
+
+
+@dataclass(frozen=True)
+class Posed:
+    """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
+
+    item: Item
+    said: Statement
+    figure: Drawing
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A problem with its worked solution, in the language of the solutions.
+
+    ``rows`` are the figures, first that of the statement; ``numbers`` are those of their kinds. ``explained`` is false
+    where no method leads to what is asked: then there are the answers alone.
+    """
+
+    variant: Variant
+    said: Statement
+    text: SolutionText
+    rows: tuple[tuple[Shown, ...], ...]
+    numbers: dict[str, int]
+    explained: bool = True
+
+
+class Content:
+    """The problems of some students of an exam and, where they are wanted, their solutions."""
+
+    def __init__(self, exam: Exam, sheets: Sequence[Sheet]) -> None:
+        self.exam, self.sheets = exam, tuple(sheets)
+
+    @cached_property
+    def posed(self) -> tuple[tuple[Posed, ...], ...]:
+        """The problems of each student."""
+        language = self.exam.spoken
+        items = [item for sheet in self.sheets for item in sheet.items]
+        placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
+        return tuple(tuple(_posed(item, *next(placed), language) for item in sheet.items) for sheet in self.sheets)
+
+    @cached_property
+    def solved(self) -> tuple[tuple[Solved, ...], ...]:
+        """The problems of each student with their solutions; none if the exam wants no solutions."""
+        if not self.exam.solutions.wanted:
+            return tuple(() for _ in self.sheets)
+        items = [item for sheet in self.sheets for item in sheet.items]
+        placed = iter(solve_all([item.variant for item in items], [item.asked for item in items]))
+        same = self.exam.solutions.language == self.exam.language
+        return tuple(
+            tuple(
+                self._solved(sheet, item, next(placed), self.posed[number][position] if same else None)
+                for position, item in enumerate(sheet.items)
+            )
+            for number, sheet in enumerate(self.sheets)
+        )
+
+    @property
+    def unexplained(self) -> tuple[str, ...]:
+        """The families of problems that have an answer, but no worked solution."""
+        return tuple(p.variant.family.name for own in self.solved for p in own if not p.explained)
+
+    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: Posed | None) -> Solved:
+        """One solution; ``known`` is the problem as it was posed in the same language."""
+        language, explained = self.exam.explained, True
+        try:
+            text = explain(item.variant, *place, item.asked, language, self.exam.wish(item.task))
+        except InputError as error:
+            where = f"problem[{item.task.number}]."
+            raise InputError(replace(p, file=str(self.exam.path), key=where + p.key) for p in error.problems) from None
+        except VerificationError as error:
+            where = f"student {sheet.student.id}, problem {item.task.number}"
+            raise VerificationError(f"{error} ({where})") from error
+        except UnexplainedError:
+            explained = False
+            text = answers_only(item.variant, *place, item.asked, language)
+        return with_figures(item.variant, item.asked, language, place, text, known, explained)
+
+
+def with_figures(
+    variant: Variant,
+    asked: Sequence[Quantity],
+    language: Language,
+    place: tuple[Motion, int],
+    text: SolutionText,
+    known: Posed | None = None,
+    explained: bool = True,
+) -> Solved:
+    """A written solution with the problem and the figures that its steps name.
+
+    ``place`` is the motion of the variant and its index in that batch, ``known`` the problem as it was posed in the
+    same language.
+    """
+    said = known.said if known else statement(variant, asked, language)
+    figures = Figures(variant, asked, language, place, known.figure if known else None, text.centres)
+    figures.draw(view_order(text))
+    return Solved(variant, said, text, figures.rows(), figures.numbers, explained)
+
+
+def _posed(item: Item, motion: Motion, place: int, language: Language) -> Posed:
+    said = statement(item.variant, item.asked, language)
+    return Posed(item, said, statement_figure(item.variant, motion, place, item.asked, language))

@@ -1,0 +1,132 @@
+"""The outputs of a build, one module per format, found by their names (``--format``, or ``formats`` in an exam file).
+
+A module has
+
+- ``HELP``, a line on what it makes; ``FILES``, the names or patterns of its files, which ``--force`` may replace;
+- ``read_options(table)``, which reads the table of its name in an exam file (mistakes are noted in the table);
+- ``check(exam)``: raises ToolMissingError or InputError before any work is done;
+- ``make(part)``: what can be made of the content of a few students, as pieces;
+- ``SUMMARIES``: pairs of a number of students and a function that makes pieces of an overview, like a key;
+- ``finish(whole)``: puts the pieces of all students together in the output folder.
+
+``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any, Protocol, cast
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.exam import blueprint
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.content import Content
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.typesetter import Typesetter
+from variantgen.tables import Table
+
+COMMON = ("key.csv", "manifest.json")  # files of every build
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A file made of a part of the students, and the output that it belongs to."""
+
+    target: str
+    path: Path
+
+
+@dataclass(frozen=True)
+class Part:
+    """A few students of an exam. ``folder`` is an empty folder for pieces, ``first`` whether it is the first part."""
+
+    content: Content
+    first: bool
+    folder: Path
+    engine: Typesetter
+
+    @property
+    def exam(self) -> Exam:
+        """The exam."""
+        return self.content.exam
+
+    @property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """The sheets of these students."""
+        return self.content.sheets
+
+    def piece(self, target: str, content: bytes, ending: str = "") -> Piece:
+        """Write a piece of an output; ``ending`` is that of the name of the file."""
+        path = self.folder / f"{target.replace('/', '-')}-{sum(1 for _ in self.folder.iterdir()):04}{ending}"
+        path.write_bytes(content)
+        return Piece(target, path)
+
+
+@dataclass(frozen=True)
+class Whole:
+    """All students of an exam, the pieces of a format by target in the order of the students, the output folder."""
+
+    exam: Exam
+    sheets: Sequence[Sheet]
+    seed: str
+    folder: Path
+    engine: Typesetter
+    pieces: dict[str, list[Path]] = field(default_factory=dict)
+
+
+class Format(Protocol):
+    """A module of this package."""
+
+    HELP: str
+    FILES: tuple[str, ...]
+    SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...]
+
+    def read_options(self, table: Table) -> Any:
+        """The options of the format, of the table of its name in an exam file."""
+
+    def check(self, exam: Exam) -> None:
+        """Raise ToolMissingError or InputError if the exam cannot be made in this format."""
+
+    def make(self, part: Part) -> Iterable[Piece]:
+        """Pieces of the documents of a few students."""
+
+    def finish(self, whole: Whole) -> None:
+        """The files in the output folder."""
+
+
+@cache
+def formats() -> dict[str, Format]:
+    """All formats by name."""
+    names = sorted(info.name for info in pkgutil.iter_modules(__path__))
+    return {name: cast(Format, importlib.import_module(f"{__name__}.{name}")) for name in names}
+
+
+def chosen(names: Sequence[str], key: str = "formats") -> tuple[str, ...]:
+    """Names of formats, each once, in the order of the alphabet. Raises InputError, which names the key."""
+    known = formats()
+    if wrong := [name for name in names if name not in known]:
+        raise InputError(Problem("unknown format", key=key, value=name, remedy=nearest(name, known)) for name in wrong)
+    if not names:
+        raise InputError(Problem("expected at least one format", key=key, remedy=nearest("", known)))
+    return tuple(sorted(set(names)))
+
+
+def known_files() -> tuple[str, ...]:
+    """Names and patterns of all files that a build may have made."""
+    return (*COMMON, *(name for module in formats().values() for name in module.FILES))
+
+
+def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
+    """Read and check an exam file with the options of all formats. Raises InputError with every problem found."""
+    return blueprint.read_exam(path, folders, chosen, {name: module.read_options for name, module in formats().items()})
+
+
+def options(exam: Exam, name: str) -> Any:
+    """The options of a format; those of an exam file without a table for it if none were read."""
+    found = exam.options.get(name)
+    return formats()[name].read_options(Table({}, name, [])) if found is None else found
