@@ -60,6 +60,7 @@ class _Job:
 
     number: int
     exam: Exam
+    seed: str
     sheets: tuple[Sheet, ...]
     first: bool
     summary: tuple[str, int] | None = None
@@ -72,7 +73,7 @@ class _Job:
             for name, make in self._makers():
                 own = folder / f"{self.number:07}-{name}"
                 own.mkdir()
-                pieces += [(name, piece) for piece in make(Part(content, self.first, own, engine))]
+                pieces += [(name, piece) for piece in make(Part(content, self.seed, self.first, own, engine))]
         return _Made(tuple(pieces), () if self.summary else content.unexplained)
 
     def _makers(self) -> Iterator[tuple[str, Callable[[Part], Iterable[Piece]]]]:
@@ -131,7 +132,7 @@ def build(
         done = 0
         unexplained: set[str] = set()
         with _naming(seed), _makers(jobs, engine) as run:
-            for job, made in run(_jobs(exam, assembly.sheets), parts_folder):
+            for job, made in run(_jobs(exam, seed, assembly.sheets), parts_folder):
                 for name, piece in made.pieces:
                     pieces[name].setdefault(piece.target, []).append(piece.path)
                 unexplained.update(made.unexplained)
@@ -154,13 +155,13 @@ def _naming(seed: str) -> Iterator[None]:
         raise VerificationError(f"{error} (seed {seed})") from error
 
 
-def _jobs(exam: Exam, sheets: Sequence[Sheet]) -> list[_Job]:
+def _jobs(exam: Exam, seed: str, sheets: Sequence[Sheet]) -> list[_Job]:
     """All jobs in the order in which their pieces are joined."""
     jobs: list[_Job] = []
 
     def add(size: int, summary: tuple[str, int] | None) -> None:
         for i in range(0, len(sheets), size):
-            jobs.append(_Job(len(jobs), exam, tuple(sheets[i : i + size]), i == 0, summary))
+            jobs.append(_Job(len(jobs), exam, seed, tuple(sheets[i : i + size]), i == 0, summary))
 
     add(STUDENTS_PER_PART, None)
     for name in exam.formats:

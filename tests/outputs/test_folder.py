@@ -55,11 +55,22 @@ def moments(folder: Path, process: subprocess.Popen[str], moment: str) -> None:
     if moment.endswith("s"):
         time.sleep(float(moment[:-1]))
         return
-    pattern = {"folder": ".out.partial-*", "part": ".out.partial-*/.parts/*/*.pdf", "second": "*/.parts/0000030-*/*.pdf"}
-    pattern |= {"joined": ".out.partial-*/sheets.pdf", "key": ".out.partial-*/key.csv"}
+    pattern = {
+        "folder": ".out.partial-*",
+        "part": ".out.partial-*/.parts/*/*.pdf",
+        "second": "*/.parts/0000030-*/*.pdf",
+    }
+    pattern |= {"joined": "*/sheets.pdf", "key": "*/key.csv"}
     end = time.monotonic() + 20
-    while process.poll() is None and time.monotonic() < end and not any(folder.glob(pattern[moment])):
+    while process.poll() is None and time.monotonic() < end and not seen(folder, pattern[moment]):
         time.sleep(0.002)
+
+
+def seen(folder: Path, pattern: str) -> bool:
+    try:
+        return any(folder.glob(pattern))
+    except FileNotFoundError:  # a folder has gone while it was being looked through
+        return False
 
 
 def complete_or_absent(folder: Path) -> bool:

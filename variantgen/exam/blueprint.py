@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -63,6 +64,10 @@ class Exam:
     notation: Notation = USUAL
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
+
+    def build_id(self, seed: str) -> str:
+        """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
+        return hashlib.sha256(f"{self.hash}\n{seed}".encode()).hexdigest()[:8]
 
     def wish(self, task: Task) -> Wish:
         """What is wished of the solution of a problem."""

@@ -44,6 +44,18 @@ class Answer:
     surd: Surd | None = None
     unnoticed: tuple[str, ...] = ()
 
+    @property
+    def windows(self) -> tuple[tuple[float, float], ...]:
+        """The intervals, ends included, in which an answer counts as right.
+
+        A direction near ±180° has two: an angle of −179.9° is as good as 180.1°.
+        """
+        low, high = self.value - self.tolerance, self.value + self.tolerance
+        if self.quantity.component == "angle" and (low < -180.0 or high > 180.0):
+            turn = 360.0 if low < -180.0 else -360.0
+            return ((low, high), (low + turn, high + turn))
+        return ((low, high),)
+
 
 @dataclass(frozen=True)
 class Item:
@@ -97,9 +109,8 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     items: list[list[Item]] = [[] for _ in students]
     for (i, task), variant, found in zip(owners, variants, answers, strict=True):
         items[i].append(Item(task, variant, found))
-    sheets = tuple(
-        Sheet(student, variant_code(seed, student), tuple(own)) for student, own in zip(students, items, strict=True)
-    )
+    codes = variant_codes(seed, students)
+    sheets = tuple(Sheet(student, code, tuple(own)) for student, code, own in zip(students, codes, items, strict=True))
     redrawn = tuple(dict.fromkeys(students[owners[k][0]].id for k in again))
     return Assembly(sheets, redrawn)
 
@@ -109,14 +120,30 @@ def _pool_choice(seed: str, student: Student, task: Task) -> int:
     return number % len(task.families)
 
 
-def variant_code(seed: str, student: Student) -> str:
-    """A short code like ``7Q4-K2M`` for the sheet of a student."""
-    number = int.from_bytes(digest("code", seed, student.id), "big")
+def variant_codes(seed: str, students: Sequence[Student]) -> list[str]:
+    """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same.
+
+    Where two students would have the same code, one of them gets another three letters; the ids decide which.
+    """
+    numbers = [int.from_bytes(digest("code", seed, student.id), "big") for student in students]
+    found = [_code(number, 2) for number in numbers]
+    for length in range(3, 10):
+        holders: dict[str, int] = {}
+        for i in sorted(range(len(students)), key=lambda i: numbers[i]):
+            if holders.setdefault(found[i], i) != i:
+                found[i] = _code(numbers[i], length)
+        if len(holders) == len(students):
+            break
+    return found
+
+
+def _code(number: int, groups: int) -> str:
+    """Groups of three letters from a number."""
     letters = []
-    for _ in range(6):
+    for _ in range(3 * groups):
         number, k = divmod(number, len(_CODE_LETTERS))
         letters.append(_CODE_LETTERS[k])
-    return "".join(letters[:3]) + "-" + "".join(letters[3:])
+    return "-".join("".join(letters[i : i + 3]) for i in range(0, len(letters), 3))
 
 
 def solve_all(

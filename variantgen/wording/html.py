@@ -7,7 +7,7 @@ from html import escape
 
 from variantgen.wording.formula.markup import MARKS_ABOVE, Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
-from variantgen.wording.formula.tree import GREEK, SIGNS, Formula, Index, Symbol, UnitText, letters
+from variantgen.wording.formula.tree import ANGLE, GREEK, SIGNS, Formula, Index, Symbol, UnitText, letters
 
 _MINUS, _SPACE, _NARROW = "\N{MINUS SIGN}", "\N{NO-BREAK SPACE}", "\N{NARROW NO-BREAK SPACE}"
 _ABOUT = {"modulus": "|{}|", "angle": "∠({}, <i>x</i>)", "sense": "sgn\N{NO-BREAK SPACE}{}"}
@@ -80,6 +80,8 @@ _HTML = _Html()
 
 
 def _base(base: str, mark: str = "") -> str:
+    if base.startswith(ANGLE):
+        return ANGLE + _base(base.removeprefix(ANGLE))
     if base in GREEK:
         return f"<i>{GREEK[base]}{mark}</i>"
     if base.isdecimal():

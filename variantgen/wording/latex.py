@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from variantgen.wording.formula.markup import Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
-from variantgen.wording.formula.tree import GREEK, Formula, Index, Symbol, UnitText, letters
+from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Symbol, UnitText, letters
 
 _GREEK = {"epsilon": r"\varepsilon", "phi": r"\varphi"}  # the forms that the figures and the engine use
 _ESCAPES = {
@@ -90,6 +90,8 @@ _LATEX = _Latex()
 
 
 def _base(base: str) -> str:
+    if base.startswith(ANGLE):
+        return rf"\angle {_base(base.removeprefix(ANGLE))}"
     if base in GREEK:
         return _GREEK.get(base, rf"\{base}")
     if base.isdecimal():

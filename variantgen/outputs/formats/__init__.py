@@ -46,6 +46,7 @@ class Part:
     """A few students of an exam. ``folder`` is an empty folder for pieces, ``first`` whether it is the first part."""
 
     content: Content
+    seed: str
     first: bool
     folder: Path
     engine: Typesetter

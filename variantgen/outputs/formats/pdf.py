@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,7 +41,7 @@ def make(part: Part) -> Iterator[Piece]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     figures: dict[int, Any] = {}
     data = sheets_data(part.content, figures)
-    yield part.piece("sheets", part.engine.compile("sheets.typ", data, tagged=False)[0])
+    yield part.piece("sheets", part.engine.compile("sheets.typ", data, tagged=False)[0], ".pdf")
     if not part.exam.solutions.wanted:
         return
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
@@ -51,19 +50,19 @@ def make(part: Part) -> Iterator[Piece]:
     tagged = part.exam.solutions.for_students
     for number in range(len(part.sheets)):
         solved = solutions_data(part.content, number, figures)
-        yield part.piece("solutions", part.engine.compile("solutions.typ", solved, tagged=tagged)[0])
+        yield part.piece("solutions", part.engine.compile("solutions.typ", solved, tagged=tagged)[0], ".pdf")
 
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
     data = key_by_student(part.exam, part.sheets, part.first)
-    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0])
+    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0], ".pdf")
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem."""
     data = key_by_problem(part.exam, part.sheets, part.first)
-    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0])
+    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0], ".pdf")
 
 
 SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
@@ -81,10 +80,7 @@ def finish(whole: Whole) -> None:
 
 
 def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path) -> None:
-    """One file for each student, named by the code of the sheet; where two have the same, a number follows."""
+    """One file for each student, named by the code of the sheet."""
     folder.mkdir()
-    used: Counter[str] = Counter()
     for sheet, part in zip(sheets, parts, strict=True):
-        used[sheet.code] += 1
-        number = f"-{used[sheet.code]}" if used[sheet.code] > 1 else ""
-        shutil.copyfile(part, folder / f"{sheet.code}{number}.pdf")
+        shutil.copyfile(part, folder / f"{sheet.code}.pdf")

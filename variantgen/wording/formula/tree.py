@@ -16,6 +16,7 @@ GREEK = {
     "nu": "ν", "kappa": "κ", "chi": "χ", "pi": "π",
     "prime": "′",  # no letter, but a mark that the markups know by its name in the same way
 }  # fmt: skip
+ANGLE = "\N{ANGLE}"  # before the letters of the three points of an angle, in the base of a symbol
 # Letters, numbers and units are named tuples: they are looked up and compared far more often than they are made. No two
 # of them may have fields of the same kinds, because then they would be equal.
 _LETTERS = re.compile(r"([A-Za-z])(\d*)")

@@ -6,9 +6,8 @@ from functools import lru_cache
 
 from variantgen.wording.formula.markup import Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
-from variantgen.wording.formula.tree import GREEK, Formula, Index, Number, Symbol, UnitText, letters
+from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Number, Symbol, UnitText, letters
 
-_ANGLE = "\N{ANGLE}"  # before the letters of its three points
 _ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: "arrow({})", Mark.DOT: "dot({})", Mark.DOTS: "dot.double({})"}
 
@@ -98,8 +97,8 @@ _TYPST = _Typst()
 
 
 def _base(base: str) -> str:
-    if base.startswith(_ANGLE):
-        return f"angle {_base(base.removeprefix(_ANGLE))}"
+    if base.startswith(ANGLE):
+        return f"angle {_base(base.removeprefix(ANGLE))}"
     if base in GREEK or base.isdecimal():
         return base
     return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))

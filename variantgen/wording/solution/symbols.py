@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from variantgen.families.family import Form
 from variantgen.methods.name import Name
 from variantgen.wording.formula import Dotted, Formula, Function, Index, Listing, Symbol, Vector
+from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
 from variantgen.wording.vector_names import COMPONENTS, image, transport_image
@@ -97,9 +98,9 @@ class Symbols:
         start, end = name.about.split()
         if name.part == "vertex":
             centre = self.centre(name.of, name.body)
-            return Symbol(f"\N{ANGLE}{centre.base}", centre.index)
+            return Symbol(f"{ANGLE}{centre.base}", centre.index)
         last = self.centre(end, name.body) if name.part == "centre" else Symbol(end)
-        return Symbol(f"\N{ANGLE}{start}{name.of}{last.base}", last.index)
+        return Symbol(f"{ANGLE}{start}{name.of}{last.base}", last.index)
 
     def centre(self, letter: str, body: str) -> Symbol:
         """The letter of a velocity centre (P) or an acceleration centre (Q), with the index that tells bodies apart."""

@@ -1,0 +1,104 @@
+"""Formulas as MathML: sound, of MathML Core, and saying what plain text says."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from variantgen.families.load import family_names, load_family
+from variantgen.families.quantities import parse_quantity
+from variantgen.wording.formula import (
+    Absolute,
+    Cross,
+    Dotted,
+    Equation,
+    Fraction,
+    Function,
+    Graph,
+    Index,
+    Measured,
+    Number,
+    Place,
+    Power,
+    Product,
+    Root,
+    Sum,
+    Surd,
+    Symbol,
+    UnitText,
+    Vector,
+    to_plain,
+)  # fmt: skip
+from variantgen.wording.language import load_language
+from variantgen.wording.mathml import NAMESPACE, to_mathml
+
+V, A = Symbol("v", (Index("B"),)), Symbol("a", (Index("B"),), (Index("n"),))
+# https://www.w3.org/TR/mathml-core/
+CORE = {
+    "math", "mi", "mn", "mo", "mtext", "mspace", "mrow", "mfrac", "msqrt", "msub", "msup", "msubsup", "mover",
+    "munderover",
+}  # fmt: skip
+CHILDREN = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "munderover": 3}
+FORMULAS = [
+    (V, "<msub><mi>v</mi><mi>B</mi></msub>"),
+    (Symbol("O1"), "<mrow><msub><mi>O</mi><mn>1</mn></msub></mrow>"),
+    (Power(V, 2), "<msubsup><mi>v</mi><mi>B</mi><mn>2</mn></msubsup>"),
+    (A, "<msubsup><mi>a</mi><mi>B</mi><mi>n</mi></msubsup>"),
+    (Vector(V), '<msub><mover accent="true"><mi>v</mi><mo stretchy="false">→</mo></mover><mi>B</mi></msub>'),
+    (Dotted(Symbol("phi"), 2), '<mover accent="true"><mi>φ</mi><mo stretchy="false">¨</mo></mover>'),
+    (Number("\N{MINUS SIGN}0,5"), '<mo form="prefix">−</mo><mn>0,5</mn>'),
+    (Measured(Number("45"), UnitText((("°", 1),), tight=True)), "<mn>45</mn><mtext>°</mtext>"),
+    (
+        Measured(Number("3"), UnitText((("см/с", 2),))),
+        '<mn>3</mn><mspace width="0.167em"/><msup><mtext>см/с</mtext><mn>2</mn></msup>',
+    ),
+    (Surd(40, 3, 3), "<mfrac><mrow><mn>40</mn><msqrt><mn>3</mn></msqrt></mrow><mn>3</mn></mfrac>"),
+    (Root(Sum(((1, V), (1, V)))), None),
+    (Fraction(Product((Number("2"), V)), Symbol("OA")), None),
+    (Equation(V, Sum(((-1, V), (1, A), (-1, Power(A, 2))))), None),
+    (Function("cos", Symbol("phi")), None),
+    (Power(Function("sin", Symbol("phi")), 2), None),
+    (Absolute(Sum(((1, V), (-1, V)))), None),
+    (Cross(Vector(Symbol("omega")), Vector(Symbol("AB"))), None),
+    (Place(Symbol("A"), Number("3"), Number("4")), None),
+    (Graph(Symbol("O"), ((Number("1"), Symbol("phi"), Symbol("A")),)), None),
+]
+
+
+def checked(formula: object) -> ET.Element:
+    root = ET.fromstring(to_mathml(formula))
+    for element in root.iter():
+        space, name = element.tag[1:].split("}")
+        assert space == NAMESPACE
+        assert name in CORE
+        if name in CHILDREN:
+            assert len(element) == CHILDREN[name], ET.tostring(element, "unicode")
+        if name in {"mi", "mn", "mo", "mtext"}:
+            assert (element.text or "").strip()
+            assert len(element) == 0
+        else:
+            assert not (element.text or "").strip()
+    return root
+
+
+@pytest.mark.parametrize(("formula", "inner"), FORMULAS)
+def test_markup(formula: object, inner: str | None) -> None:
+    checked(formula)
+    if inner is not None:
+        assert to_mathml(formula) == f'<math xmlns="{NAMESPACE}">{inner}</math>'
+
+
+def test_words_are_escaped() -> None:
+    assert "<mtext>&lt;b&gt;&amp;</mtext>" in to_mathml(UnitText((("<b>&", 1),)))
+
+
+@pytest.mark.parametrize("name", family_names())
+def test_every_quantity_reads_like_plain_text(name: str) -> None:
+    language = load_language("ru")
+    for form in load_family(name).forms.values():
+        for asked in form.askable:
+            formula = language.quantity(parse_quantity(asked, form.sample), form.symbols)
+            bare = str.maketrans("", "", "_^ \xa0\u2009")
+            text = "".join(checked(formula).itertext())
+            assert sorted(text.translate(bare)) == sorted(to_plain(formula).translate(bare))

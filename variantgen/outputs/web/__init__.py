@@ -1,0 +1,1 @@
+"""Problems and solutions as fragments of HTML, for pages and for learning platforms."""

@@ -1,0 +1,124 @@
+"""Statements and worked solutions as HTML that is XML too; an output chooses how formulas and figures are written.
+
+Text from outside is escaped here and nowhere else; words of families and languages too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from html import escape
+
+from variantgen.exam.content import Solved
+from variantgen.exam.shown import Shown
+from variantgen.figure.drawing import Drawing
+from variantgen.outputs.rows import Pieces, rows
+from variantgen.outputs.solution_data import see, solution_words
+from variantgen.wording.formula import Formula
+from variantgen.wording.language import Language
+from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
+from variantgen.wording.statement import Statement, Text
+
+
+@dataclass(frozen=True)
+class Style:
+    """How an output writes what is not text.
+
+    ``math(formula, display)`` is a formula inside a line (``display``: fractions of full size); ``figure(drawing,
+    millimetres)`` a figure of a width. ``heading`` is the tag of headings inside a problem.
+    """
+
+    math: Callable[[Formula, bool], str]
+    figure: Callable[[Drawing, float], str]
+    heading: str = "h4"
+
+    def text(self, text: Text) -> str:
+        """Words with formulas in them."""
+        return "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in text)
+
+    def formulas(self, found: Sequence[Formula]) -> str:
+        """Formulas after each other."""
+        return ", ".join(self.math(formula, False) for formula in found)
+
+
+def statement_html(said: Statement, language: Language, style: Style) -> str:
+    """What a problem says, what is given and what is asked, as paragraphs."""
+    words = language.words("sheet")
+    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given)}.</p>" if said.given else ""
+    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked)}.</p>"
+    return f"<p>{style.text(said.text)}</p>{given}{found}"
+
+
+def notes_html(notes: Sequence[str]) -> str:
+    """The conventions of signs as a small paragraph."""
+    return f'<p class="notes"><small>{escape(" ".join(notes))}</small></p>' if notes else ""
+
+
+def solution_html(solved: Solved, language: Language, style: Style) -> str:
+    """A worked solution: figures, plan, numbered steps, answer, check."""
+    words, text = solution_words(language), solved.text
+    parts = [_figures(row, style) for row in solved.rows]
+    if text.plan:
+        parts.append(f"<p><strong>{escape(words['plan'])}:</strong> {style.text(text.plan)}</p>")
+    for number, section in enumerate(text.sections, start=1):
+        parts += _section(number, section, solved, language, style)
+    parts.append(f'<p class="answer"><strong>{escape(words["answer"])}:</strong> {style.text(text.answer)}</p>')
+    if text.check:
+        parts.append(f"<{style.heading}>{escape(words['check'])}</{style.heading}>")
+        parts += blocks_html(text.check, style)
+    return "".join(parts)
+
+
+def _figures(row: Sequence[Shown], style: Style) -> str:
+    """Figures beside each other, with captions."""
+    shown = (
+        f"<figure>{style.figure(one.drawing, one.drawing.width * one.unit)}"
+        f"<figcaption>{style.text(one.caption)}</figcaption></figure>"
+        for one in row
+    )
+    return f'<div class="figures">{"".join(shown)}</div>'
+
+
+def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:
+    told = see(section, solved, language)
+    after = f' <span class="see">{escape(told)}</span>' if told else ""
+    yield f"<{style.heading}>{number}. {style.text(section.heading)}.{after}</{style.heading}>"
+    yield from blocks_html(section.blocks, style)
+
+
+def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
+    """Paragraphs, rows of formulas, tables of vectors, listings."""
+    for block in blocks:
+        match block:
+            case Paragraph(text):
+                yield f"<p>{style.text(text)}</p>"
+            case Lines(lines):
+                every = list(rows(lines))
+                for number, row in enumerate(every, start=1):
+                    end = ";" if number < len(every) else "."
+                    pieces = '; <span class="gap"> </span>'.join(_pieces(one, style) for one in row)
+                    yield f'<p class="formulas">{pieces}{end}</p>'
+            case VectorTable():
+                yield _table(block, style)
+            case Program(code):
+                yield f"<pre><code>{escape(code.strip(chr(10)))}</code></pre>"
+
+
+def _pieces(pieces: Pieces, style: Style) -> str:
+    """A formula that may be broken before the signs between its pieces."""
+    found = []
+    for sign, formula in pieces:
+        before = f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else ""
+        found.append(f'<span class="piece">{before}{style.math(formula, True)}</span>')
+    return " ".join(found)
+
+
+def _table(table: VectorTable, style: Style) -> str:
+    """The vectors of an equation with what is known of them."""
+    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in table.heads)
+    body = "".join(
+        f"<tr><td>{style.math(row.vector, False)}</td><td>{style.text(row.direction)}</td><td>"
+        f"{escape(table.unknown) if row.magnitude is None else style.math(row.magnitude, False)}</td></tr>"
+        for row in table.rows
+    )
+    return f'<table class="vectors"><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>'
