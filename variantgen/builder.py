@@ -19,7 +19,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
-from variantgen.outputs.folder import check_free, whole_folder
+from variantgen.outputs.folder import check_free, file_hashes, whole_folder
 from variantgen.outputs.formats import Part, Piece, Whole, formats, known_files, read_exam
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.typesetter import Typesetter, typesetter
@@ -142,7 +142,7 @@ def build(
             formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own))
         shutil.rmtree(parts_folder)
         _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
-        _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn))
+        _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn, file_hashes(folder)))
     return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
 
 

@@ -29,13 +29,23 @@ def read_limited(path: Path, limit: int) -> bytes:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """The content of a TOML file, numbers with a decimal point as Decimal. Raises InputError."""
+    return parse_toml(read_text(path), path)
+
+
+def read_text(path: Path) -> str:
+    """The text of a TOML file. Raises InputError."""
     try:
-        content = read_limited(path, _MAX_BYTES)
-        return tomllib.loads(content.decode("utf-8-sig"), parse_float=Decimal)
+        return read_limited(path, _MAX_BYTES).decode("utf-8-sig")
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     except UnicodeDecodeError:
         raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
+
+
+def parse_toml(text: str, path: Path) -> dict[str, Any]:
+    """The content of the text of a file, numbers with a decimal point as Decimal. Raises InputError."""
+    try:
+        return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:
         raise InputError(
             Problem(f"is not valid TOML: {error}", file=str(path), remedy="compare it with a file of the catalogue")

@@ -19,8 +19,7 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
 from variantgen.methods.wish import Depth, Wish
-from variantgen.resources import file_hash
-from variantgen.tables import Table, read_toml
+from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
 
@@ -47,8 +46,8 @@ class Task:
 class Exam:
     """A checked exam file. ``duplex`` starts every student on an odd page.
 
-    ``path`` is the file it was read from, ``hash`` that of its content. ``formats`` are the outputs to be made, and
-    ``options`` what the file says of each of them.
+    ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
+    to be made, and ``options`` what the file says of each of them.
     """
 
     title: str
@@ -60,6 +59,7 @@ class Exam:
     duplex: bool = True
     path: Path = Path()
     hash: str = ""
+    text: str = ""
     solutions: Solutions = Solutions()
     notation: Notation = USUAL
     formats: tuple[str, ...] = ("pdf",)
@@ -93,11 +93,24 @@ def read_exam(
     """Read and check an exam file. Raises InputError with every problem found.
 
     ``folders`` hold the instructor's own families (None: the environment variable and the folder of the file say).
-    Outputs are not known here: ``chosen`` checks the names of formats, ``readers`` read the table of each of them.
     """
     folders = family_folders(beside=path) if folders is None else folders
+    return parse_exam(read_text(path), path, folders, chosen, readers)
+
+
+def parse_exam(
+    text: str,
+    path: Path,
+    folders: tuple[Path, ...],
+    chosen: Callable[[Sequence[str]], tuple[str, ...]] = tuple,
+    readers: Mapping[str, Callable[[Table], Any]] = MappingProxyType({}),
+) -> Exam:
+    """The exam of the text of a file. Raises InputError with every problem found, which names the path.
+
+    Outputs are not known here: ``chosen`` checks the names of formats, ``readers`` read the table of each of them.
+    """
     problems: list[Problem] = []
-    top = Table(read_toml(path), "", problems)
+    top = Table(parse_toml(text, path), "", problems)
     version = top.take("schema", int, SCHEMA)
     if version != SCHEMA:
         top.problem(f"expected schema {SCHEMA}", "schema", version, "the file is for another version of the program")
@@ -126,7 +139,7 @@ def read_exam(
     top.finish()
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
-    digest = file_hash(path)
+    digest = hashlib.sha256(text.encode()).hexdigest()[:16]
     tasks = tuple(t for t in found if t)
     return Exam(
         title,
@@ -138,6 +151,7 @@ def read_exam(
         duplex,
         path,
         digest,
+        text,
         solutions=solutions,
         notation=notation,
         formats=formats,

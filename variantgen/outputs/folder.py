@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import glob
+import hashlib
 import os
 import shutil
 import signal
@@ -56,6 +57,15 @@ def _foreign(folder: Path, known: Collection[str], within: str = "") -> Iterator
             yield from _foreign(path, known, f"{name}/")
         elif path.is_dir() or not any(fnmatchcase(name, pattern) for pattern in known):
             yield name
+
+
+def file_hashes(folder: Path) -> dict[str, str]:
+    """SHA-256 of all files below a folder by their paths in it, in the order of the alphabet."""
+    found = {}
+    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+        with path.open("rb") as file:
+            found[path.relative_to(folder).as_posix()] = hashlib.file_digest(file, "sha256").hexdigest()
+    return found
 
 
 @contextmanager

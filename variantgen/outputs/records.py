@@ -5,16 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.record import SCHEMA, made_with
 from variantgen.exam.sheets import Item, Sheet
-from variantgen.resources import catalog_dir, folder_hash
 from variantgen.version import VERSION
 
-MANIFEST_SCHEMA = 1
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -49,18 +48,20 @@ def _safe(text: str) -> str:
     return "'" + text if text.startswith(_FORMULA_STARTS) else text
 
 
-def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str]) -> str:
+def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str], files: Mapping[str, str]) -> str:
     """Everything that is needed to make each sheet again, as JSON.
 
-    ``catalog_hash`` is that of the catalogue, ``families`` has that of the folder of each family used.
+    ``made_with`` says what a sheet depends on besides this file; ``files`` has the SHA-256 of the other files.
     """
-    used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
     content = {
-        "schema": MANIFEST_SCHEMA,
+        "schema": SCHEMA,
         "program": {"name": "variantgen", "version": VERSION},
+        "made_with": made_with(exam),
         "exam": {
             "title": exam.title,
+            "id": exam.build_id(seed),
             "hash": exam.hash,
+            "text": exam.text,
             "language": exam.language,
             "tolerance": exam.tolerance.floor,
             "tolerance_ceiling": exam.tolerance.ceiling,
@@ -68,8 +69,7 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
         },
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
         "notation": asdict(exam.notation),
-        "catalog_hash": folder_hash(catalog_dir()),
-        "families": {name: folder_hash(used[name]) for name in sorted(used)},
+        "formats": list(exam.formats),
         "seed": seed,
         "redrawn": list(redrawn),
         "students": [
@@ -82,6 +82,7 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
             }
             for sheet in sheets
         ],
+        "files": dict(files),
     }
     return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
 

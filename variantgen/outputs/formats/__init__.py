@@ -127,6 +127,12 @@ def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     return blueprint.read_exam(path, folders, chosen, {name: module.read_options for name, module in formats().items()})
 
 
+def parse_exam(text: str, path: Path, folders: tuple[Path, ...]) -> Exam:
+    """The exam of the text of a file, as :func:`read_exam`; ``path`` is named in messages."""
+    readers = {name: module.read_options for name, module in formats().items()}
+    return blueprint.parse_exam(text, path, folders, chosen, readers)
+
+
 def options(exam: Exam, name: str) -> Any:
     """The options of a format; those of an exam file without a table for it if none were read."""
     found = exam.options.get(name)

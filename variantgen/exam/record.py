@@ -1,0 +1,177 @@
+"""The manifest of a finished exam, read and checked: who got which variant, with which answers, made with what."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
+from variantgen.resources import folder_hash, templates_dir
+from variantgen.tables import Table, read_limited
+from variantgen.version import VERSION
+
+SCHEMA = 2
+NAME = "manifest.json"
+_MAX_BYTES = 2_000_000_000
+_WORDS = {
+    "program": "the version of variantgen",
+    "engine": "the version of the typesetting engine",
+    "templates": "the templates of the program",
+}
+
+
+@dataclass(frozen=True)
+class RecordedAnswer:
+    """An answer of the key: the name of its quantity, value and tolerance in the unit of that name."""
+
+    quantity: str
+    value: float
+    unit: str
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class RecordedProblem:
+    """A variant as it was handed out; ``parameters`` are printed values or words by name."""
+
+    number: int
+    family: str
+    form: str
+    parameters: Mapping[str, str]
+    mirrored: bool
+    quarter_turns: int
+    attempt: int
+    answers: tuple[RecordedAnswer, ...]
+
+
+@dataclass(frozen=True)
+class RecordedSheet:
+    """What a student got."""
+
+    student: Student
+    code: str
+    problems: tuple[RecordedProblem, ...]
+
+
+@dataclass(frozen=True)
+class Record:
+    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder."""
+
+    path: Path
+    made_with: Mapping[str, str]
+    exam_text: str
+    exam_hash: str
+    solutions: Mapping[str, str] | None
+    formats: tuple[str, ...]
+    seed: str
+    sheets: tuple[RecordedSheet, ...]
+    files: Mapping[str, str]
+
+    def differences(self, exam: Exam) -> list[str]:
+        """What a sheet depends on and is not as it was when the exam was made, in words."""
+        now = made_with(exam)
+        found = []
+        for name in sorted(self.made_with.keys() | now.keys()):
+            then, here = self.made_with.get(name, "nothing"), now.get(name, "nothing")
+            if then != here:
+                what = _WORDS.get(name) or f"the folder of the {name.replace(':', ' ')}"
+                found.append(f"{what}: {then} when the exam was made, {here} now")
+        return found
+
+
+def made_with(exam: Exam) -> dict[str, str]:
+    """What the sheets of an exam depend on besides the manifest: versions, and hashes of templates and families."""
+    used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
+    found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
+    return {**found, **{f"family:{name}": folder_hash(used[name]) for name in sorted(used)}}
+
+
+def read_record(folder: Path) -> Record:
+    """The manifest of an output folder. Raises InputError with every problem found."""
+    path = folder / NAME
+    problems: list[Problem] = []
+    record = _record(Table(_json(path), "", problems), path)
+    if problems:
+        raise InputError(problem.located(str(path)) for problem in problems)
+    return record
+
+
+def _json(path: Path) -> Any:
+    try:
+        return json.loads(read_limited(path, _MAX_BYTES), parse_float=Decimal, parse_constant=Decimal)
+    except FileNotFoundError:
+        remedy = "name the folder that  variantgen build  has made"
+        raise InputError(Problem("there is no manifest", file=str(path), remedy=remedy)) from None
+    except OSError as error:
+        raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
+    except (ValueError, ArithmeticError, RecursionError) as error:
+        remedy = "it has been changed since the build; restore it from a copy"
+        raise InputError(Problem(f"is not valid JSON: {error}", file=str(path), remedy=remedy)) from None
+
+
+def _record(top: Table, path: Path) -> Record:
+    schema = top.need("schema", int, SCHEMA)
+    if schema != SCHEMA:
+        top.problem(
+            f"expected schema {SCHEMA}", "schema", schema, "the exam was made by another version of the program"
+        )
+        return Record(path, {}, "", "", None, (), "", (), {})
+    exam = top.table("exam")
+    solutions = top.table("solutions") if top.data.get("solutions") is not None else None
+    top.expect("solutions", "program", "notation", "redrawn")
+    return Record(
+        path,
+        _strings(top.table("made_with")),
+        exam.need("text", str, ""),
+        exam.need("hash", str, ""),
+        _strings(solutions) if solutions else None,
+        top.strings("formats"),
+        top.need("seed", str, ""),
+        tuple(_sheet(table) for table in top.tables("students")),
+        _strings(top.table("files")),
+    )
+
+
+def _strings(table: Table) -> dict[str, str]:
+    return {name: table.take(name, str, "") for name in table.data}
+
+
+def _sheet(table: Table) -> RecordedSheet:
+    student = Student(table.need("id", str, ""), table.take("name", str, ""), table.take("group", str, ""))
+    return RecordedSheet(
+        student, table.need("code", str, ""), tuple(_problem(problem) for problem in table.tables("problems"))
+    )
+
+
+def _problem(table: Table) -> RecordedProblem:
+    pose = table.table("pose")
+    parameters = table.table("parameters")
+    turns = pose.need("quarter_turns", int, 0)
+    if turns not in range(4):
+        pose.problem("expected 0 to 3", "quarter_turns", turns)
+    return RecordedProblem(
+        table.need("problem", int, 0),
+        table.need("family", str, ""),
+        table.need("form", str, ""),
+        {name: parameters.table(name).need("value", str, "") for name in parameters.data},
+        pose.need("mirrored", bool, False),
+        turns,
+        table.need("attempt", int, 1),
+        tuple(_answer(answer) for answer in table.tables("answers")),
+    )
+
+
+def _answer(table: Table) -> RecordedAnswer:
+    return RecordedAnswer(
+        table.need("quantity", str, ""),
+        float(table.number("value", 0)),
+        table.need("unit", str, ""),
+        float(table.number("tolerance", 0)),
+    )

@@ -1,0 +1,109 @@
+"""A finished exam from its manifest: the exam, and every student's variants as they were handed out."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from decimal import Decimal, InvalidOperation
+from functools import cached_property
+from pathlib import Path
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.record import Record, RecordedProblem, RecordedSheet
+from variantgen.exam.sheets import Item, Sheet, answer_variants
+from variantgen.exam.solutions import NONE, Solutions
+from variantgen.families.family import Parameter
+from variantgen.outputs.formats import parse_exam
+from variantgen.variants.variant import Variant
+
+
+@dataclass(frozen=True)
+class Finished:
+    """A finished exam. ``differences`` say what it was made with and is not as it was then."""
+
+    record: Record
+    exam: Exam
+    differences: tuple[str, ...]
+
+    @cached_property
+    def variants(self) -> list[list[Variant]]:
+        """The variants of each student. Raises InputError with every problem found."""
+        problems: list[Problem] = []
+        found = [[_variant(self.exam, p, where, problems) for where, p in _placed(s)] for s in self.record.sheets]
+        if problems:
+            raise InputError(problem.located(str(self.record.path)) for problem in problems)
+        return [[variant for variant in own if variant is not None] for own in found]
+
+    def sheets(self, places: range) -> tuple[Sheet, ...]:
+        """The sheets of some students, by their places, with answers computed anew."""
+        chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
+        tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
+        flat = [variant for _, own in chosen for variant in own]
+        answers = iter(answer_variants(flat, [task.ask for own in tasks for task in own], self.exam.tolerance))
+        return tuple(
+            Sheet(
+                sheet.student,
+                sheet.code,
+                tuple(Item(task, variant, next(answers)) for task, variant in zip(own, variants, strict=True)),
+            )
+            for (sheet, variants), own in zip(chosen, tasks, strict=True)
+        )
+
+
+def restore(record: Record, folders: tuple[Path, ...]) -> Finished:
+    """The exam of a manifest; ``folders`` hold the instructor's own families. Raises InputError."""
+    if hashlib.sha256(record.exam_text.encode()).hexdigest()[:16] != record.exam_hash:
+        remedy = "the manifest has been changed since the build; restore it from a copy"
+        raise InputError(
+            Problem("the exam file does not have its hash", file=str(record.path), key="exam.text", remedy=remedy)
+        )
+    exam = parse_exam(record.exam_text, record.path.with_name("exam.toml"), folders)
+    options: Mapping[str, str] = record.solutions or {"depth": NONE}
+    known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}
+    exam = replace(exam, solutions=replace(exam.solutions, **known), formats=record.formats or exam.formats)
+    return Finished(record, exam, tuple(record.differences(exam)))
+
+
+def _placed(sheet: RecordedSheet) -> list[tuple[str, RecordedProblem]]:
+    """Problems with words that say whose they are."""
+    return [(f"student {sheet.student.id}, problem {problem.number}", problem) for problem in sheet.problems]
+
+
+def _task(exam: Exam, problem: RecordedProblem) -> Task:
+    return next(task for task in exam.tasks if task.number == problem.number)
+
+
+def _variant(exam: Exam, problem: RecordedProblem, where: str, problems: list[Problem]) -> Variant | None:
+    """The variant of a record; what does not belong to the exam is noted."""
+    task = next((task for task in exam.tasks if task.number == problem.number), None)
+    family = next((f for f in task.families if f.name == problem.family), None) if task else None
+    form = family.forms.get(problem.form) if family else None
+    if family is None or form is None:
+        value = f"{problem.family} {problem.form}".strip()
+        problems.append(Problem("the exam has no such problem, family or form", key=where, value=value))
+        return None
+    printed: dict[str, Decimal] = {}
+    for name, parameter in form.parameters.items():
+        found = _printed(parameter, problem.parameters.get(name, ""))
+        if found is None:
+            problems.append(
+                Problem("no such value of the parameter", key=where, value=f"{name} = {problem.parameters.get(name)}")
+            )
+        else:
+            printed[name] = found
+    if len(printed) < len(form.parameters):
+        return None
+    return Variant(family, form, printed, -1 if problem.mirrored else 1, problem.quarter_turns, problem.attempt)
+
+
+def _printed(parameter: Parameter, text: str) -> Decimal | None:
+    """The printed value of a parameter, of a choice the number behind the word; None if it cannot be."""
+    if parameter.unit is None:
+        return parameter.printed[parameter.words.index(text)] if text in parameter.words else None
+    try:
+        value = Decimal(text)
+    except InvalidOperation:
+        return None
+    return value if value.is_finite() and value in parameter.printed else None

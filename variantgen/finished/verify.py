@@ -1,0 +1,157 @@
+"""Verification of a finished exam from its manifest alone: every answer is computed again by the independent path.
+
+The variants are taken from the manifest; the motion is found by closing the chain of joints anew at moved instants and
+differentiating numerically (:mod:`variantgen.mechanism.verify`), which shares nothing with the solver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from variantgen.exam.record import NAME, RecordedAnswer
+from variantgen.families.asking import read_ask
+from variantgen.families.quantities import Quantity
+from variantgen.finished.restore import Finished
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.verify import recompute
+from variantgen.outputs.folder import file_hashes
+from variantgen.variants.variant import Variant, solve_variants
+
+# Of an answer's size, or of the largest speed (acceleration) of the mechanism: numbers of the key have eight digits,
+# and the differentiation is good to about 1e-9 of the largest.
+_RELATIVE, _OF_LARGEST = 1e-6, 1e-7
+_AT_ONCE = 512  # students whose motions are in memory together
+
+
+@dataclass(frozen=True)
+class Verified:
+    """How many answers were computed again, the largest relative difference, and what is wrong, in words."""
+
+    students: int
+    answers: int
+    largest: float
+    faults: tuple[str, ...]
+
+
+def verify(finished: Finished, folder: Path) -> Verified:
+    """Compute every answer again and look whether the files are as they were built."""
+    faults = list(_files(finished, folder))
+    largest, count = 0.0, 0
+    for start in range(0, len(finished.record.sheets), _AT_ONCE):
+        for place, number, answer, again, scale in _recomputed(finished, start):
+            count += 1
+            if answer is None or again is None:
+                faults.append(f"{_who(finished, place, number)}: the key does not answer what the exam asks")
+                continue
+            difference = _difference(answer, again)
+            allowed = max(_RELATIVE * abs(again), _OF_LARGEST * scale)
+            if not difference <= allowed:
+                faults.append(
+                    f"{_who(finished, place, number)}: {answer.quantity} is {answer.value:.8g} {answer.unit} in the "
+                    f"manifest, {again:.8g} by the independent path"
+                )
+            elif again:
+                largest = max(largest, difference / max(abs(again), _OF_LARGEST / _RELATIVE * scale))
+    return Verified(len(finished.record.sheets), count, largest, tuple(faults))
+
+
+def _who(finished: Finished, place: int, number: int) -> str:
+    sheet = finished.record.sheets[place]
+    return f"student {sheet.student.id}, problem {sheet.problems[number].number}"
+
+
+def _difference(answer: RecordedAnswer, again: float) -> float:
+    """The difference of two values; directions may differ by a full turn."""
+    plain = abs(answer.value - again)
+    return min(plain, abs(plain - 360.0)) if answer.quantity.endswith(".angle") else plain
+
+
+Compared = tuple[int, int, RecordedAnswer | None, float | None, float]
+
+
+def _recomputed(finished: Finished, start: int) -> Iterator[Compared]:
+    """Place of the student, index of the problem, the answer of the manifest, the value again, the largest of its kind.
+
+    Where the manifest has not the answers that the exam asks, both are None.
+    """
+    places = range(start, min(start + _AT_ONCE, len(finished.variants)))
+    groups: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for place in places:
+        for number, variant in enumerate(finished.variants[place]):
+            groups.setdefault((id(variant.form), _task_number(finished, place, number)), []).append((place, number))
+    for members in groups.values():
+        variants = [finished.variants[place][number] for place, number in members]
+        asked = _asked(finished, *members[0])
+        motion, values, scales = independent(variants, asked)
+        for i, (place, number) in enumerate(members):
+            answers = finished.record.sheets[place].problems[number].answers
+            names = [(q.name, q.unit(variants[i].family.length_unit).name) for q in asked]
+            if [(a.quantity, a.unit) for a in answers] != names or not motion.solved[i]:
+                yield place, number, None, None, 0.0
+                continue
+            for k, answer in enumerate(answers):
+                yield place, number, answer, float(values[k][i]), float(scales[k][i])
+
+
+def _task_number(finished: Finished, place: int, number: int) -> int:
+    return finished.record.sheets[place].problems[number].number
+
+
+def _asked(finished: Finished, place: int, number: int) -> list[Quantity]:
+    wanted = _task_number(finished, place, number)
+    task = next(task for task in finished.exam.tasks if task.number == wanted)
+    return read_ask(finished.variants[place][number].form, task.ask)
+
+
+def independent(variants: Sequence[Variant], asked: Sequence[Quantity]) -> tuple[Motion, np.ndarray, np.ndarray]:
+    """The motion, and the values of the asked quantities by the independent path, in printed units, shape (answers, N).
+
+    The last table has the largest value of the kind in the mechanism, in the same unit (of an angle 180°).
+    """
+    order = max(quantity.order for quantity in asked)
+    motion = solve_variants(variants, order)
+    found = recompute(motion)
+    again = replace(
+        motion,
+        v={**motion.v, **found.v},
+        omega={**motion.omega, **found.omega},
+        a={**motion.a, **found.a} if order > 1 else motion.a,
+        epsilon={**motion.epsilon, **found.epsilon} if order > 1 else motion.epsilon,
+    )
+    length = variants[0].family.length_unit
+    values, scales = [], []
+    for quantity in asked:
+        unit = quantity.unit(length)
+        values.append([unit.from_si(float(x)) for x in quantity.value(again)])
+        scales.append([unit.from_si(float(x)) for x in _largest(quantity, motion)])
+    return motion, np.array(values), np.array(scales)
+
+
+def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
+    """The largest rate or vector of the kind of a quantity, SI, shape (N,)."""
+    if quantity.is_angle:
+        return np.full(motion.size, np.pi)
+    if quantity.component == "sense":
+        return np.zeros(motion.size)
+    if quantity.is_centre:
+        return np.abs(quantity.value(motion))
+    points = (motion.v if quantity.order == 1 else motion.a).values()
+    largest = np.max([np.abs(x) for x in points], axis=0)
+    return np.asarray(largest / motion.length_scale() if quantity.is_rotation else largest)
+
+
+def _files(finished: Finished, folder: Path) -> Iterator[str]:
+    """What is not as it was built: files that are missing, changed or new."""
+    now = {name: hashed for name, hashed in file_hashes(folder).items() if name != NAME}
+    then = finished.record.files
+    for name in sorted(then.keys() | now.keys()):
+        if name not in now:
+            yield f"{name}: the file is missing"
+        elif name not in then:
+            yield f"{name}: the file does not belong to the exam"
+        elif now[name] != then[name]:
+            yield f"{name}: the file has been changed since the build"
