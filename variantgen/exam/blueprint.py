@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any, cast
 
 from variantgen.errors import InputError, Problem
+from variantgen.exam import printable
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
 from variantgen.families.asking import read_ask
@@ -116,6 +117,7 @@ def parse_exam(
         top.problem(f"expected schema {SCHEMA}", "schema", version, "the file is for another version of the program")
     title = top.need("title", str, "")
     course = top.take("course", str, "")
+    problems += printable.problems(title, "the title", "title") + printable.problems(course, "the course", "course")
     language = top.need("language", str, "en", " or ".join(f'"{name}"' for name in languages()))
     with top.collecting("language"):
         load_language(language)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import unicodedata
 import zipfile
 import zlib
 from dataclasses import dataclass
@@ -12,11 +11,11 @@ from functools import cache
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.exam import printable
 from variantgen.tables import read_limited
 from variantgen.wording.language import languages, load_language
 
 _MAX_BYTES = 50_000_000
-_MAX_CELL = 20_000
 # What the reader of workbooks raises on damaged ones, as found by damaging them.
 _BROKEN_WORKBOOK = (
     zipfile.BadZipFile, zlib.error, LookupError, ValueError, TypeError, AttributeError, SyntaxError, EOFError, OSError,
@@ -190,10 +189,5 @@ def _cell_problems(found: dict[str, str], key: str) -> list[Problem]:
     for column, text in found.items():
         if not text and column != "group":
             problems.append(Problem(f"the {column} is empty", key=key, remedy="fill it in or remove the row"))
-        if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in text):
-            problems.append(
-                Problem(f"the {column} holds a control character", key=key, value=ascii(text[:40]), remedy="remove it")
-            )
-        if len(text) > _MAX_CELL:
-            problems.append(Problem(f"the {column} has {len(text)} characters", key=key, remedy=f"at most {_MAX_CELL}"))
+        problems += printable.problems(text, f"the {column}", key)
     return problems

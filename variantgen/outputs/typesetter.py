@@ -42,7 +42,7 @@ class Typesetter:
     def compile(
         self,
         template: str,
-        data: Mapping[str, Any],
+        data: Mapping[str, Any] | Sequence[Any],
         form: Literal["pdf", "png", "svg"] = "pdf",
         ppi: float = 200.0,
         tagged: bool = True,
