@@ -44,7 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"and {len(found.faults) - _SHOWN} more", file=sys.stderr)
     told = f"{found.answers} answers of {found.students} students computed again"
     if found.faults:
-        print(f"{told}: {len(found.faults)} faults", file=sys.stderr)
+        print(f"{told}; faults: {len(found.faults)}", file=sys.stderr)
         return 1
     print(f"{told}: all right (largest difference {found.largest:.0e}), no file changed", file=sys.stderr)
     return 0
