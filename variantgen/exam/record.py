@@ -39,12 +39,12 @@ class RecordedAnswer:
 
 @dataclass(frozen=True)
 class RecordedProblem:
-    """A variant as it was handed out; ``parameters`` are printed values or words by name."""
+    """A variant as it was handed out; ``parameters`` are printed values with their units, or words with none."""
 
     number: int
     family: str
     form: str
-    parameters: Mapping[str, str]
+    parameters: Mapping[str, tuple[str, str]]
     mirrored: bool
     quarter_turns: int
     attempt: int
@@ -144,10 +144,11 @@ def _strings(table: Table) -> dict[str, str]:
 
 
 def _sheet(table: Table) -> RecordedSheet:
-    student = Student(table.need("id", str, ""), table.take("name", str, ""), table.take("group", str, ""))
-    return RecordedSheet(
-        student, table.need("code", str, ""), tuple(_problem(problem) for problem in table.tables("problems"))
-    )
+    student = Student(table.need("id", str, ""), table.need("name", str, ""), table.need("group", str, ""))
+    problems = tuple(_problem(problem) for problem in table.tables("problems"))
+    found = RecordedSheet(student, table.need("code", str, ""), problems)
+    table.finish()
+    return found
 
 
 def _problem(table: Table) -> RecordedProblem:
@@ -156,22 +157,35 @@ def _problem(table: Table) -> RecordedProblem:
     turns = pose.need("quarter_turns", int, 0)
     if turns not in range(4):
         pose.problem("expected 0 to 3", "quarter_turns", turns)
-    return RecordedProblem(
+    found = RecordedProblem(
         table.need("problem", int, 0),
         table.need("family", str, ""),
         table.need("form", str, ""),
-        {name: parameters.table(name).need("value", str, "") for name in parameters.data},
+        {name: _value(parameters.table(name)) for name in parameters.data},
         pose.need("mirrored", bool, False),
         turns,
         table.need("attempt", int, 1),
         tuple(_answer(answer) for answer in table.tables("answers")),
     )
+    table.expect("nice", "methods")
+    table.finish()
+    pose.finish()
+    return found
+
+
+def _value(table: Table) -> tuple[str, str]:
+    found = table.need("value", str, ""), table.take("unit", str, "")
+    table.finish()
+    return found
 
 
 def _answer(table: Table) -> RecordedAnswer:
-    return RecordedAnswer(
+    found = RecordedAnswer(
         table.need("quantity", str, ""),
         float(table.number("value", 0)),
         table.need("unit", str, ""),
         float(table.number("tolerance", 0)),
     )
+    table.expect("relative_tolerance", "unnoticed")
+    table.finish()
+    return found

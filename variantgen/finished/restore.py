@@ -86,20 +86,26 @@ def _variant(exam: Exam, problem: RecordedProblem, where: str, problems: list[Pr
         return None
     printed: dict[str, Decimal] = {}
     for name, parameter in form.parameters.items():
-        found = _printed(parameter, problem.parameters.get(name, ""))
+        found = _printed(parameter, *problem.parameters.get(name, ("", "")))
         if found is None:
-            problems.append(
-                Problem("no such value of the parameter", key=where, value=f"{name} = {problem.parameters.get(name)}")
-            )
+            problems.append(Problem("no such value of the parameter", key=where, value=_told(name, problem)))
         else:
             printed[name] = found
+    for name in sorted(problem.parameters.keys() - form.parameters.keys()):
+        problems.append(Problem("no such parameter", key=where, value=_told(name, problem)))
     if len(printed) < len(form.parameters):
         return None
     return Variant(family, form, printed, -1 if problem.mirrored else 1, problem.quarter_turns, problem.attempt)
 
 
-def _printed(parameter: Parameter, text: str) -> Decimal | None:
+def _told(name: str, problem: RecordedProblem) -> str:
+    return f"{name} = {' '.join(problem.parameters[name])}" if name in problem.parameters else f"{name} is missing"
+
+
+def _printed(parameter: Parameter, text: str, unit: str) -> Decimal | None:
     """The printed value of a parameter, of a choice the number behind the word; None if it cannot be."""
+    if unit != (parameter.unit.name if parameter.unit else ""):
+        return None
     if parameter.unit is None:
         return parameter.printed[parameter.words.index(text)] if text in parameter.words else None
     try:
