@@ -6,13 +6,14 @@ import hashlib
 from dataclasses import dataclass
 
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.plans import without_millimetres
 from variantgen.outputs.figures import svg, unit
 from variantgen.outputs.figures.engine import page_by
 from variantgen.outputs.typesetter import Typesetter
 
 FORMS = ("svg", "png")
-# Pixels of style sheets for a millimetre on paper: letters of pages are larger (16 pixels) than ours on paper.
-_PIXELS = 1.4 * 96 / 25.4
+_PIXELS = 96 / 25.4  # of style sheets, in a millimetre
+_LARGER = 1.4  # than on paper, as the letters of a page are
 
 
 @dataclass(frozen=True)
@@ -29,8 +30,12 @@ class FigureFile:
         return self.drawing.alt
 
     def size(self, millimetres: float | None = None) -> tuple[int, int]:
-        """Width and height on a screen, in pixels, for a width on paper (None: the usual one)."""
-        scale = unit(self.drawing, millimetres) * _PIXELS
+        """Width and height on a screen, in pixels, for a width on paper (None: the usual one).
+
+        A plan that tells what a millimetre means keeps its millimetres, which the browser prints true.
+        """
+        measured = len(without_millimetres(self.drawing).labels) < len(self.drawing.labels)
+        scale = unit(self.drawing, millimetres) * _PIXELS * (1.0 if measured else _LARGER)
         return round(scale * self.drawing.width), round(scale * self.drawing.height)
 
 
