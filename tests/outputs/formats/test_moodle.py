@@ -25,8 +25,8 @@ MOODLE = 'formats = ["moodle"]\n'
 NO_SOLUTIONS = '[solutions]\ndepth = "none"\n'
 KNOWN = (
     "alpha angle approx backslash beta cdot circ ddot displaystyle dot frac gamma left mathop mathopen mu nolimits "
-    "omega operatorname overrightarrow parallel perp phi pi psi right sqrt tau text theta times to varepsilon varphi vec "
-    "xrightarrow"
+    "omega operatorname overrightarrow parallel perp phi pi psi right sqrt tau text theta times to varepsilon varphi "
+    "vec xrightarrow"
 )
 CLASS = [Student("17", "Иванов Иван", "М-21"), Student("4", "Öztürk Ann", "М-22"), Student("99", "De la Cruz", "М-21")]
 
