@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from decimal import Decimal
@@ -105,6 +105,16 @@ class Table:
             self.problem(f"missing, expected {expected or _kind_name(kind)}", name)
             return default
         return self.take(name, kind, default, expected)
+
+    def choice(self, name: str, known: Sequence[str], default: str = "") -> str:
+        """One of the known words; the default (or the first) when the key is absent or wrong (which is noted)."""
+        default = default or known[0]
+        value = self.take(name, str, default)
+        if value in known:
+            return value
+        expected = ", ".join(f'"{word}"' for word in known)
+        self.problem(f"expected one of {expected}", name, value, nearest(value, known))
+        return default
 
     def expect(self, *names: str) -> None:
         """Note keys that the table may have, so that a mistyped one is compared with them."""

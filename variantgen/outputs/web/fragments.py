@@ -76,7 +76,7 @@ def _figures(row: Sequence[Shown], style: Style) -> str:
         f"<figcaption>{style.text(one.caption)}</figcaption></figure>"
         for one in row
     )
-    return f'<div class="figures">{"".join(shown)}</div>'
+    return f'<div class="figures d-flex flex-wrap">{"".join(shown)}</div>'
 
 
 def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:
@@ -121,4 +121,4 @@ def _table(table: VectorTable, style: Style) -> str:
         f"{escape(table.unknown) if row.magnitude is None else style.math(row.magnitude, False)}</td></tr>"
         for row in table.rows
     )
-    return f'<table class="vectors"><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>'
+    return f'<table class="vectors table table-sm w-auto"><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>'

@@ -1,0 +1,39 @@
+"""The cloze notation of Moodle: numbers to be entered inside a text, like ``{1:NUMERICAL:=12.5:0.1}``.
+
+Moodle reads ``12,5`` as it reads ``12.5`` whatever the language of the reader: a comma is a decimal mark unless there
+is a point or another comma too. Where commas separate thousands (English) a reader of a question with immediate
+feedback is asked to write the number without it; at the end of a quiz it counts as 12.5 there too.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from variantgen.exam.sheets import Answer
+from variantgen.outputs.web.numbers import plain
+
+_BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
+
+
+def inert(html: str) -> str:
+    """HTML in which nothing can be taken for a part of the question, whatever the text says."""
+    return html.translate(_BRACES)
+
+
+def part(answer: Answer, weight: int) -> str:
+    """An answer to be entered. One that may be written in two ways, a turn apart, has two right values."""
+    value, tolerance = Decimal(repr(answer.value)), plain(Decimal(repr(answer.tolerance)))
+    first = answer.windows[0][0]
+    values = (value + round(low - first) for low, _ in answer.windows)
+    return f"{{{weight}:NUMERICAL:{'~'.join(f'={plain(one)}:{tolerance}' for one in values)}}}"
+
+
+def weights(points: int | None, parts: int) -> list[int]:
+    """Whole numbers whose sum, the mark of the question, is the number of points, as even as can be.
+
+    All are 1 where nothing is said of points, or where there are fewer points than parts.
+    """
+    if points is None or points < parts:
+        return [1] * parts
+    each, more = divmod(points, parts)
+    return [each + (number < more) for number in range(parts)]
