@@ -88,6 +88,15 @@ class Table:
         found: T = value
         return found
 
+    def choice(self, name: str, known: tuple[str, ...], default: str) -> str:
+        """One of some words, or the default when the key is absent or wrong (which is noted)."""
+        value = self.take(name, str, default)
+        if value in known:
+            return value
+        expected = ", ".join(f'"{word}"' for word in known)
+        self.problem(f"expected one of {expected}", name, value, nearest(value, known))
+        return default
+
     def need(self, name: str, kind: type[T] | tuple[type[T], ...], default: T, expected: str = "") -> T:
         """Like :meth:`take`, and noted when absent."""
         self._seen.add(name)
