@@ -9,6 +9,7 @@ In an exam file, ``[canvas]``:
 - ``statement = "each"`` (usual): every question has the statement and the figure; ``statement = "once"``: they stand in
   a text before the questions of a problem, which New Quizzes may drop;
 - ``names = true``: the quizzes of students are titled by their names too;
+- ``formulas`` of solutions: ``"html"`` (usual), letters, indices and powers in the text, or ``"mathml"``;
 - ``figures``: ``"png"`` (usual) or ``"svg"``.
 
 Margins are exact in decimals. Canvas reads numbers in the habits of the language that a student has chosen there; a

@@ -5,6 +5,8 @@ In an exam file, ``[qti21]``:
 - ``tests = "draw"`` (usual): one test, which gives every student a sheet by chance, all its problems together;
   ``tests = "students"``: a test for each sheet, titled by its code;
 - ``names = true``: the tests of students are titled by their names too;
+- ``formulas`` of solutions: ``"mathml"`` (usual) or ``"html"``, letters, indices and powers in the text, for platforms
+  that do not show MathML; statements are always written so;
 - ``figures``: ``"png"`` (usual) or ``"svg"``.
 
 Numbers have a decimal point, since QTI knows no other; students are asked to enter them so.

@@ -19,7 +19,7 @@ from variantgen.outputs.formats import Part, Piece, Whole
 from variantgen.outputs.qti import canvas_quiz as quiz
 from variantgen.outputs.qti.canvas_item import Items
 from variantgen.outputs.qti.figures import FOLDER, Figures
-from variantgen.outputs.qti.options import Options, read_options
+from variantgen.outputs.qti.options import HTML, Options, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
 from variantgen.outputs.qti.tree import document, line
@@ -41,14 +41,14 @@ class CanvasOptions(Options):
 
 def read_table(table: Table) -> CanvasOptions:
     """The table ``[canvas]``."""
-    shared = read_options(table, "quizzes", "draw", "students", "students")
+    shared = read_options(table, "quizzes", ("draw", "students"), Options(formulas=HTML, drawn=False))
     once = table.choice("statement", ("each", "once"), "each") == "once"
     if once and shared.drawn:
         table.problem(
             "a text would be drawn like a question", "statement", "once", 'leave it out with quizzes = "draw"'
         )
     table.finish()
-    return CanvasOptions(shared.figures, shared.drawn, shared.names, once)
+    return CanvasOptions(shared.figures, shared.formulas, shared.drawn, shared.names, once)
 
 
 def check(exam: Exam) -> None:
@@ -78,7 +78,7 @@ def make(part: Part) -> Iterator[Piece]:
     """The questions of a few students with their figures."""
     options: CanvasOptions = formats.options(part.exam, NAME)
     figures = Figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
-    items = Items(part.exam, figures, options.once)
+    items = Items(part.exam, figures, options, options.once)
     files: dict[str, bytes] = {}
     quizzes: list[str] = []
     for _, own in groupby(questions(part), lambda question: question.sheet.code):

@@ -17,12 +17,12 @@ from xml.etree.ElementTree import Element
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer
 from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.item import identifier, turned
-from variantgen.outputs.qti.tree import element, line, number
+from variantgen.outputs.qti.item import accepted, identifier
+from variantgen.outputs.qti.options import Options, in_text
+from variantgen.outputs.qti.tree import element, fragment, html, line, number
 from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
 from variantgen.outputs.web.points import shares
 from variantgen.outputs.web.questions import Asked, Question
-from variantgen.wording.formula import Formula
 from variantgen.wording.html import to_html
 
 _RESPONSE = {"respident": "response1"}
@@ -35,6 +35,7 @@ class Items:
 
     exam: Exam
     figures: Figures
+    options: Options
     once: bool
 
     def items(self, question: Question) -> Iterator[Element]:
@@ -68,7 +69,7 @@ class Items:
 
     @property
     def _style(self) -> Style:
-        return Style(_formula, self.figures.image)
+        return Style(in_text, self.figures.image)
 
     def _statement(self, question: Question) -> str:
         posed = question.posed
@@ -91,12 +92,8 @@ class Items:
         if question.solved is None:
             return ""
         language = self.exam.explained
-        return f'<div lang="{language.name}">{solution_html(question.solved, language, self._style)}</div>'
-
-
-def _formula(formula: Formula, display: bool) -> str:
-    """Letters, indices and powers: Canvas does not keep MathML wherever texts are shown."""
-    return to_html(formula)
+        written = fragment(solution_html(question.solved, language, self.options.style(self.figures)))
+        return html(element("div", {"lang": language.name}, *written))
 
 
 def field(label: str, entry: str) -> Element:
@@ -133,20 +130,17 @@ def _processing(answer: Answer, explained: bool) -> Element:
         shown = element("displayfeedback", {"feedbacktype": "Response", "linkrefid": _FEEDBACK})
         always = element("conditionvar", {}, element("other"))
         conditions.append(element("respcondition", {"continue": "Yes"}, always, shown))
-    value = Decimal(repr(answer.value + 0.0))
-    near = element("and", {}, *_between(value, answer))
-    conditions.append(_full(element("or", {}, element("varequal", _RESPONSE, number(value)), near)))
-    conditions += [_full(*_between(other, answer)) for other in turned(answer)]
+    first, *others = (_between(*bounds) for bounds in accepted(answer))
+    # Canvas takes the margin from the distance of the bounds, so they are exact in decimals.
+    exact = element("varequal", _RESPONSE, number(answer.value))
+    conditions.append(_full(element("or", {}, exact, element("and", {}, *first))))
+    conditions += [_full(*other) for other in others]
     return element("resprocessing", {}, *conditions)
 
 
-def _between(value: Decimal, answer: Answer) -> tuple[Element, Element]:
-    """The ends of the margins, exact in decimals: Canvas finds the margin as a difference of them."""
-    margin = Decimal(repr(answer.tolerance))
-    return (
-        element("vargte", _RESPONSE, number(value - margin)),
-        element("varlte", _RESPONSE, number(value + margin)),
-    )
+def _between(low: Decimal, high: Decimal) -> tuple[Element, Element]:
+    """The bounds of a number, which may be reached."""
+    return element("vargte", _RESPONSE, number(low)), element("varlte", _RESPONSE, number(high))
 
 
 def _full(*conditions: Element) -> Element:

@@ -30,7 +30,7 @@ Sheet = dict[str, Any]  # of the index: its code, the name of the student, the i
 
 def read_table(table: Table) -> Options:
     """The table of a format of QTI."""
-    found = read_options(table, "tests", "draw", "students", "draw")
+    found = read_options(table, "tests", ("draw", "students"), Options())
     table.finish()
     return found
 
@@ -39,7 +39,7 @@ def make(part: Part, dialect: Dialect) -> Iterator[Piece]:
     """The items of a few students with their figures."""
     options: Options = formats.options(part.exam, dialect.name)
     figures = Figures(part.engine, options.figures)
-    items = Items(dialect, part.exam, figures)
+    items = Items(dialect, part.exam, figures, options)
     files: dict[str, bytes] = {}
     sheets: dict[str, Sheet] = {}
     for question in questions(part):

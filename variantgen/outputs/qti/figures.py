@@ -16,6 +16,7 @@ from variantgen.outputs.typesetter import Typesetter
 FORMS = ("png", "svg")
 FOLDER = "images"
 _PIXELS = 96 / 25.4  # of a style sheet in a millimetre
+_SCREEN = 1.3  # of the size on paper, which is seen from nearer
 _DOTS = 200.0  # of a picture to the inch, at the usual size
 
 
@@ -39,8 +40,8 @@ class Figures:
         return ElementTree.tostring(element("img", shown), encoding="unicode")
 
     def statement(self, drawing: Drawing) -> str:
-        """A figure in its usual size, as a paragraph."""
-        return f'<p class="figure">{self.image(drawing, unit(drawing) * drawing.width)}</p>'
+        """A figure in its usual size on a screen, as a paragraph."""
+        return f'<p class="figure">{self.image(drawing, _SCREEN * unit(drawing) * drawing.width)}</p>'
 
     def _name(self, drawing: Drawing) -> str:
         if id(drawing) not in self._known:

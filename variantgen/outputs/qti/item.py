@@ -11,15 +11,17 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.figures import Figures
+from variantgen.outputs.qti.options import Options, in_text
 from variantgen.outputs.qti.tree import element, line, number
 from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
 from variantgen.outputs.web.points import shares
 from variantgen.outputs.web.questions import Asked, Question
 from variantgen.version import VERSION
-from variantgen.wording.mathml import to_mathml
+from variantgen.wording.html import to_html
 from variantgen.wording.solution.phrases import load_phrases
 
 _SCORE, _MAXIMUM, _FEEDBACK, _SOLUTION = "SCORE", "MAXSCORE", "FEEDBACK", "SOLUTION"
+_BOUNDS = ("gte", "lte")
 _BOX = "10"  # letters that a box for a number has room for
 
 
@@ -42,6 +44,7 @@ class Items:
     dialect: Dialect
     exam: Exam
     figures: Figures
+    options: Options
 
     def item(self, question: Question) -> Element:
         """The item of a question."""
@@ -70,7 +73,7 @@ class Items:
 
     @property
     def _style(self) -> Style:
-        return Style(to_mathml, self.figures.image)
+        return Style(in_text, self.figures.image)
 
     def _response(self, part: Asked) -> Element:
         """The declaration of a number that is to be entered, with the right one."""
@@ -103,9 +106,11 @@ class Items:
         box = self.dialect.element(
             "textEntryInteraction", {"responseIdentifier": _response_name(part), "expectedLength": _BOX}
         )
-        symbol, space = self.dialect.html(to_mathml(part.symbol)), "\N{NO-BREAK SPACE}"
-        unit = self.dialect.html(to_mathml(part.unit)) if part.unit.parts else []
-        return element("p", {"class": "answer"}, *symbol, f"{space}={space}", box, space if unit else "", *unit)
+        space = "\N{NO-BREAK SPACE}"
+        unit = f"{space}{to_html(part.unit)}" if part.unit.parts else ""
+        (symbol,) = self.dialect.html(f"<span>{to_html(part.symbol)}{space}={space}</span>")
+        (after,) = self.dialect.html(f"<span>{unit}</span>")
+        return element("p", {"class": "answer"}, symbol, box, *([after] if unit else []))
 
     def _processing(self, question: Question, points: Sequence[Decimal], explained: bool) -> Iterator[Element]:
         """For each part its points if the number is right; at last the solution is shown."""
@@ -124,21 +129,28 @@ class Items:
             yield make("setOutcomeValue", {"identifier": _FEEDBACK}, shown)
 
     def _right(self, part: Asked) -> Element:
-        """Whether the number of a part is right; a direction may be given with a whole turn more or less."""
-        make, name = self.dialect.element, _response_name(part)
-        given = {"identifier": name}
-        found = [make("equal", _tolerance(part.answer), make("variable", given), make("correct", given))]
-        for value in turned(part.answer):
-            other = make("baseValue", {"baseType": "float"}, number(value))
-            found.append(make("equal", _tolerance(part.answer), make("variable", given), other))
+        """Whether the number of a part is right; a direction may be given with a whole turn more or less.
+
+        Its bounds are compared one by one: there are platforms that know no tolerance of ``equal``.
+        """
+        make = self.dialect.element
+        found = [
+            make("and", {}, *(self._compared(part, name, value) for name, value in zip(_BOUNDS, bounds, strict=True)))
+            for bounds in accepted(part.answer)
+        ]
         return make("or", {}, *found) if len(found) > 1 else found[0]
+
+    def _compared(self, part: Asked, how: str, bound: Decimal) -> Element:
+        make = self.dialect.element
+        given = make("variable", {"identifier": _response_name(part)})
+        return make(how, {}, given, make("baseValue", {"baseType": "float"}, number(bound)))
 
     def _solution(self, question: Question) -> Iterator[Element]:
         """The worked solution, which is shown after an attempt."""
         if question.solved is None:
             return
         language = self.exam.explained
-        content = self.dialect.html(solution_html(question.solved, language, self._style))
+        content = self.dialect.html(solution_html(question.solved, language, self.options.style(self.figures)))
         shown = {
             "outcomeIdentifier": _FEEDBACK,
             "identifier": _SOLUTION,
@@ -148,10 +160,11 @@ class Items:
         yield self.dialect.feedback(shown, element("div", {"xml:lang": language.name}, *content))
 
 
-def turned(answer: Answer) -> list[Decimal]:
-    """The same direction with a whole turn more or less, where it may be given so."""
-    (low, _), *others = answer.windows
-    return [Decimal(repr(answer.value)) + round(other - low) for other, _ in others]
+def accepted(answer: Answer) -> list[tuple[Decimal, Decimal]]:
+    """The intervals in which a number is right, first that around the answer, as exact decimals."""
+    value, margin = Decimal(repr(answer.value)), Decimal(repr(answer.tolerance))
+    turns = (round(low - answer.windows[0][0]) for low, _ in answer.windows)
+    return [(value + turn - margin, value + turn + margin) for turn in turns]
 
 
 def _response_name(part: Asked) -> str:
@@ -160,12 +173,3 @@ def _response_name(part: Asked) -> str:
 
 def _declared(name: str, kind: str) -> dict[str, str]:
     return {"identifier": name, "cardinality": "single", "baseType": kind}
-
-
-def _tolerance(answer: Answer) -> dict[str, str]:
-    """How near a number must be, ends included."""
-    if answer.tolerance == 0:
-        return {"toleranceMode": "exact"}
-    margin = number(answer.tolerance)
-    ends = {"includeLowerBound": "true", "includeUpperBound": "true"}
-    return {"toleranceMode": "absolute", "tolerance": f"{margin} {margin}", **ends}

@@ -38,13 +38,25 @@ def element(tag: str, attributes: Mapping[str, str] | None = None, *content: str
 
 
 def fragment(html: str) -> list[Element]:
-    """The elements of a fragment of HTML that is XML too. Formulas have the namespace of MathML."""
+    """The elements of a fragment of HTML that is XML too.
+
+    Formulas have the namespace of MathML; a figure that nothing is said of in words has those of its caption.
+    """
     root = ElementTree.fromstring(f"<div>{clean(html)}</div>")  # noqa: S314  (written by this program)
     for found in root.iter():
         found.tag = found.tag.rpartition("}")[2]
         if found.tag == "math":
             _declare(found)
+        elif found.tag == "figure":
+            _tell(found)
     return list(root)
+
+
+def _tell(figure: Element) -> None:
+    """Words for readers who do not see."""
+    image, caption = figure.find("img"), figure.find("figcaption")
+    if image is not None and caption is not None and not image.get("alt"):
+        image.set("alt", line("".join(caption.itertext())))
 
 
 def _declare(math: Element) -> None:
@@ -57,14 +69,20 @@ def _declare(math: Element) -> None:
         math[:] = [style]
 
 
+def html(tree: Element) -> str:
+    """A tree as text of HTML."""
+    return ElementTree.tostring(tree, encoding="unicode", method="html")
+
+
 def images(tree: Element) -> list[str]:
     """The files of the images in a tree, each once, in order."""
     return list(dict.fromkeys(found.get("src", "") for found in tree.iter("img")))
 
 
 def number(value: float | Decimal) -> str:
-    """A number with a decimal point and without an exponent, as every platform reads it."""
-    return format(Decimal(repr(value + 0.0)) if isinstance(value, float) else value, "f")
+    """A number with a decimal point if it needs one and without an exponent, as every platform reads it."""
+    exact = Decimal(repr(value)) if isinstance(value, float) else value
+    return format(exact.normalize() if exact else Decimal(0), "f")
 
 
 def document(root: Element) -> bytes:
