@@ -17,6 +17,7 @@ FORMS = ("png", "svg")
 FOLDER = "images"
 _PIXELS = 96 / 25.4  # of a style sheet in a millimetre
 _SCREEN = 1.3  # of the size on paper, which is seen from nearer
+_PLAN = 0.99  # of the usual size: only plans of vectors have it in solutions
 _DOTS = 200.0  # of a picture to the inch, at the usual size
 
 
@@ -29,7 +30,18 @@ class Figures:
         self._known: dict[int, tuple[Drawing, str]] = {}  # with the drawing, so that no other one takes its place
 
     def image(self, drawing: Drawing, millimetres: float) -> str:
-        """The image of a figure, shown at a width; its words are those for readers who do not see."""
+        """The image of a figure that has a width on paper; its words are those for readers who do not see.
+
+        It is larger on the screen, but for plans: the text tells lengths of them.
+        """
+        is_plan = millimetres > _PLAN * unit(drawing) * drawing.width
+        return self._image(drawing, millimetres if is_plan else _SCREEN * millimetres)
+
+    def statement(self, drawing: Drawing) -> str:
+        """The figure of a problem, as a paragraph."""
+        return f'<p class="figure">{self._image(drawing, _SCREEN * unit(drawing) * drawing.width)}</p>'
+
+    def _image(self, drawing: Drawing, millimetres: float) -> str:
         width = round(millimetres * _PIXELS)
         shown = {
             "src": self._source(self._name(drawing)),
@@ -38,10 +50,6 @@ class Figures:
             "height": str(round(width * drawing.height / drawing.width)),
         }
         return ElementTree.tostring(element("img", shown), encoding="unicode")
-
-    def statement(self, drawing: Drawing) -> str:
-        """A figure in its usual size on a screen, as a paragraph."""
-        return f'<p class="figure">{self.image(drawing, _SCREEN * unit(drawing) * drawing.width)}</p>'
 
     def _name(self, drawing: Drawing) -> str:
         if id(drawing) not in self._known:
