@@ -7,13 +7,20 @@ import io
 import json
 import re
 import zipfile
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from variantgen.cli import main
+from variantgen.exam.content import Content
+from variantgen.exam.roster import numbered
+from variantgen.exam.sheets import assemble
+from variantgen.outputs.formats import Part, read_exam
+from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.web.questions import Question, questions
 
 # A title and a name that no markup, file name or document of XML may break on.
 TITLE = '<b>&amp; ]]> "Тест" ../../x {{7*7}} \u0007\u202e %s'
@@ -52,6 +59,34 @@ def exam(*problems: str, language: str = "ru", head: str = "", tables: str = "",
         f'title = {json.dumps(title, ensure_ascii=False)}\nlanguage = "{language}"\nseed = 3\n'
         f"{head}\n{tables}\n{tables_of_problems}\n"
     )
+
+
+@contextmanager
+def direction(folder: Path) -> Iterator[tuple[Part, Callable[[float], Question]]]:
+    """A part of an exam without solutions, and its question for a direction with another answer, within 1 degree."""
+    (folder / "exam.toml").write_text(
+        exam('family = "four_bar"\nask = ["v_B.angle"]', tables='[solutions]\ndepth = "none"'), "utf-8"
+    )
+    read = read_exam(folder / "exam.toml")
+    sheets = assemble(read, numbered(1), "1").sheets
+    with typesetter() as engine:
+        part = Part(Content(read, sheets), "1", True, folder, engine)
+        asked = next(questions(part))
+        (number,) = asked.parts
+
+        def answered(value: float) -> Question:
+            answer = replace(number.answer, value=value, tolerance=1.0)
+            return replace(asked, parts=(replace(number, answer=answer),))
+
+        yield part, answered
+
+
+# Directions, and what is right and wrong for them within 1 degree.
+SEAM = [
+    (179.5, [179.5, 178.6, 180.4, -180.5, -179.6, -181.4], [178.4, 180.6, -179.4, -181.6, 0.5]),
+    (-179.5, [-179.5, -178.6, 180.5, 181.4], [-178.4, 178.0, 181.6]),
+    (10.0, [10.0, 9.1, 10.9], [8.9, 370.0, -350.0]),
+]
 
 
 def key(out: Path) -> dict[tuple[str, str], list[Row]]:

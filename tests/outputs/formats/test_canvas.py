@@ -17,8 +17,10 @@ import pytest
 
 from tests.outputs.formats.packages import (
     NAME,
+    SEAM,
     TITLE,
     build,
+    direction,
     every,
     exam,
     files_of,
@@ -29,6 +31,9 @@ from tests.outputs.formats.packages import (
     unpacked,
 )
 from variantgen.cli import main
+from variantgen.outputs.qti.canvas_item import Items
+from variantgen.outputs.qti.figures import Figures
+from variantgen.outputs.qti.options import Options
 
 QTI = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
 SEEN = re.sub(r"\s+", " ", TITLE.replace("\u0007", "\N{REPLACEMENT CHARACTER}"))
@@ -212,6 +217,16 @@ def test_right_numbers_of_the_key_score_and_others_do_not(out: Path) -> None:
                 assert score(item, row.value + side * step) == 0
             if ".angle" in row.quantity and abs(row.value) + row.tolerance < 180:
                 assert score(item, row.value + 360) == 0
+
+
+def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(tmp_path: Path) -> None:
+    with direction(tmp_path) as (part, answered):
+        make = Items(part.exam, Figures(part.engine, "svg"), Options(formulas="html"), once=False)
+        for value, right, wrong in SEAM:
+            (item,) = make.items(answered(value))
+            assert [score(item, given) for given in right] == [100] * len(right)
+            assert [score(item, given) for given in wrong] == [0] * len(wrong)
+            assert shown(item).count("<img") == 1
 
 
 def test_points_are_those_of_the_problems(out: Path) -> None:

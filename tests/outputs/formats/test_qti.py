@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 from xml.etree.ElementTree import Element
+from xml.parsers.expat import ExpatError
 
 import pytest
 from hypothesis import given
@@ -15,9 +14,11 @@ from hypothesis import strategies as st
 
 from tests.outputs.formats.packages import (
     NAME,
+    SEAM,
     TITLE,
     XML,
     build,
+    direction,
     every,
     exam,
     files_of,
@@ -30,18 +31,14 @@ from tests.outputs.formats.packages import (
 )
 from tests.outputs.formats.qti_reading import MATHML, Attempt, check
 from variantgen.cli import main
-from variantgen.exam.content import Content
-from variantgen.exam.roster import numbered
-from variantgen.exam.sheets import assemble
-from variantgen.outputs.formats import Part, read_exam
 from variantgen.outputs.qti.dialect import QTI21, QTI30, Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import Items
 from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.package import contents, indexes, names, pack
+from variantgen.outputs.qti.package import package as zip_package
 from variantgen.outputs.qti.tree import document
-from variantgen.outputs.typesetter import typesetter
 from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Question, questions
 
 NAMESPACES = {
     "qti21": ("http://www.imsglobal.org/xsd/imsqti_v2p1", "http://www.imsglobal.org/xsd/imscp_v1p1"),
@@ -291,39 +288,38 @@ def test_same_bytes_for_any_number_of_processes(tmp_path: Path) -> None:
         assert (one / name).read_bytes() == (two / name).read_bytes()
 
 
-@pytest.fixture(scope="module")
-def question(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Part, Question]]:
-    """A question that asks for a direction."""
-    folder = tmp_path_factory.mktemp("direction")
-    path = folder / "exam.toml"
-    path.write_text(exam('family = "four_bar"\nask = ["v_B.angle"]', tables='[solutions]\ndepth = "none"'), "utf-8")
-    read = read_exam(path)
-    sheets = assemble(read, numbered(1), "1").sheets
-    with typesetter() as engine:
-        part = Part(Content(read, sheets), "1", True, folder, engine)
-        yield part, next(questions(part))
-
-
 @pytest.mark.parametrize("dialect", [QTI21, QTI30])
-@pytest.mark.parametrize(
-    ("value", "right", "wrong"),
-    [
-        (179.5, [179.5, 178.6, 180.4, -180.5, -179.6, -181.4], [178.4, 180.6, -179.4, -181.6, 0.5]),
-        (-179.5, [-179.5, -178.6, 180.5, 181.4], [-178.4, 178.0, 181.6]),
-        (10.0, [10.0, 9.1, 10.9], [8.9, 370.0, -350.0]),
-    ],
-)
-def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(
-    question: tuple[Part, Question], dialect: Dialect, value: float, right: list[float], wrong: list[float]
-) -> None:
-    part, asked = question
-    (number,) = asked.parts
-    moved = replace(asked, parts=(replace(number, answer=replace(number.answer, value=value, tolerance=1.0)),))
-    items_of = Items(dialect, part.exam, Figures(part.engine, "svg"), Options())
-    item = plain(parsed(document(items_of.item(moved))))
-    check(item, dialect is QTI30)
-    assert [score(item, [given])[0] for given in right] == [1.0] * len(right)
-    assert [score(item, [given])[0] for given in wrong] == [0.0] * len(wrong)
+def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(dialect: Dialect, tmp_path: Path) -> None:
+    with direction(tmp_path) as (part, answered):
+        items_of = Items(dialect, part.exam, Figures(part.engine, "svg"), Options())
+        for value, right, wrong in SEAM:
+            item = plain(parsed(document(items_of.item(answered(value)))))
+            check(item, dialect is QTI30)
+            assert [score(item, [given])[0] for given in right] == [1.0] * len(right)
+            assert [score(item, [given])[0] for given in wrong] == [0.0] * len(wrong)
+
+
+def test_a_package_holds_a_file_of_several_parts_once(tmp_path: Path) -> None:
+    pieces = []
+    for number, files in enumerate(
+        ({"a.xml": b"<a/>", "images/x.png": b"x"}, {"b.xml": b"<b/>", "images/x.png": b"x"})
+    ):
+        pieces.append(tmp_path / f"{number}.zip")
+        pieces[-1].write_bytes(pack(files, [number]))
+    assert list(indexes(pieces)) == [[0], [1]]
+    assert list(names(pieces, "images/")) == ["images/x.png"]
+    with zip_package(tmp_path / "whole.zip") as made:
+        with made.outline("o.xml") as outline, outline.inside("o", {"t": '<&"\u0007\n'}):
+            outline.add(Element("p"))
+        for name, content in contents(pieces):
+            made.add(name, content)
+    found = unpacked(tmp_path / "whole.zip")
+    assert list(found) == ["o.xml", "a.xml", "images/x.png", "b.xml"]
+    assert parsed(found["o.xml"]).get("t") == '<&"\N{REPLACEMENT CHARACTER}\n'
+    with pytest.raises(ExpatError), zip_package(tmp_path / "bad.zip") as made, made.outline("o.xml") as outline:
+        with outline.inside("no name"):
+            pass
+        outline.close()
 
 
 @given(points=st.none() | st.integers(1, 1000), parts=st.integers(1, 40))

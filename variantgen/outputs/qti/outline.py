@@ -13,16 +13,21 @@ from variantgen.outputs.qti.tree import clean
 
 
 class Outline:
-    """A document under way. Only the tags that are open are held."""
+    """A document under way. Only the tags that are open are held; what is written is read again at once.
+
+    Methods raise ExpatError if the document is not XML: a defect of the program.
+    """
 
     def __init__(self, file: IO[bytes]) -> None:
-        self._out = XMLGenerator(file, "utf-8", short_empty_elements=True)
+        self._reader = expat.ParserCreate()
+        self._out = XMLGenerator(_Read(file, self._reader), "utf-8", short_empty_elements=True)
         self._out.startDocument()
 
     @contextmanager
     def inside(self, tag: str, attributes: Mapping[str, str] | None = None) -> Iterator[None]:
         """What is written inside the block is inside this element."""
-        self._start(tag, attributes or {})
+        found = {name: clean(value) for name, value in (attributes or {}).items()}
+        self._out.startElement(tag, found)  # type: ignore[arg-type]  # any mapping will do
         yield
         self._out.endElement(tag)
 
@@ -37,11 +42,15 @@ class Outline:
     def close(self) -> None:
         """Write out what is still held back."""
         self._out.endDocument()
-
-    def _start(self, tag: str, attributes: Mapping[str, str]) -> None:
-        self._out.startElement(tag, {name: clean(value) for name, value in attributes.items()})  # type: ignore[arg-type]  # any mapping will do
+        self._reader.Parse(b"", True)
 
 
-def check(file: IO[bytes]) -> None:
-    """Read a document through. Raises ExpatError if it is not XML: a defect of the program."""
-    expat.ParserCreate().ParseFile(file)
+class _Read:
+    """A file of which a reader gets what is written."""
+
+    def __init__(self, file: IO[bytes], reader: expat.XMLParserType) -> None:
+        self._file, self._reader = file, reader
+
+    def write(self, content: bytes) -> int:
+        self._reader.Parse(bytes(content), False)
+        return self._file.write(content)

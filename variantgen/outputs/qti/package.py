@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from variantgen.outputs.qti.outline import Outline, check
+from variantgen.outputs.qti.outline import Outline
 
 MANIFEST = "imsmanifest.xml"
 _INDEX = "index.json"
@@ -65,7 +65,6 @@ class Package:
 
     def __init__(self, archive: zipfile.ZipFile) -> None:
         self._archive = archive
-        self.outlines: list[str] = []
 
     @contextmanager
     def outline(self, name: str) -> Iterator[Outline]:
@@ -74,7 +73,6 @@ class Package:
             outline = Outline(file)
             yield outline
             outline.close()
-        self.outlines.append(name)
 
     def add(self, name: str, content: bytes) -> None:
         """A file."""
@@ -83,14 +81,9 @@ class Package:
 
 @contextmanager
 def package(path: Path) -> Iterator[Package]:
-    """A package in a file; its long documents are read again at the end."""
+    """A package in a file."""
     with zipfile.ZipFile(path, "w") as archive:
-        made = Package(archive)
-        yield made
-    with zipfile.ZipFile(path) as archive:
-        for name in made.outlines:
-            with archive.open(name) as file:
-                check(file)
+        yield Package(archive)
 
 
 def _entry(name: str) -> zipfile.ZipInfo:
