@@ -105,7 +105,7 @@ def _metadata(kind: str, points: Decimal, name: str, parent: str = "") -> Elemen
     fields = {
         "question_type": kind,
         "points_possible": number(points),
-        "assessment_question_identifierref": f"{name}-q",
+        "assessment_question_identifierref": f"{name}-q",  # so that it stays in its quiz and fills no question bank
         **({"parent_stimulus_item_ident": parent} if parent else {}),
     }
     return element("itemmetadata", {}, element("qtimetadata", {}, *(field(*pair) for pair in fields.items())))

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 from typing import Any
+from xml.etree.ElementTree import Element
 
 from variantgen.exam.blueprint import Exam
 from variantgen.outputs import formats
@@ -139,7 +140,7 @@ class _Writer:
                         outline.add(self._section(sheet))
             outline.add(make("outcomeProcessing", {}, *(self._total(outcome) for outcome in ("SCORE", "MAXSCORE"))))
 
-    def _section(self, sheet: Sheet) -> Any:
+    def _section(self, sheet: Sheet) -> Element:
         """The problems of a sheet, which stay together and in order."""
         make = self.dialect.element
         own = {"identifier": f"s{sheet['code']}", "title": self._variant(sheet), "visible": "true"}
@@ -148,24 +149,24 @@ class _Writer:
             "assessmentSection", {**own, "keepTogether": "true"}, *(make("assessmentItemRef", ref) for ref in refs)
         )
 
-    def _outcome(self, name: str) -> Any:
+    def _outcome(self, name: str) -> Element:
         make = self.dialect.element
         declared = {"identifier": name, "cardinality": "single", "baseType": "float"}
         return make("outcomeDeclaration", declared, make("defaultValue", {}, make("value", {}, "0")))
 
-    def _total(self, name: str) -> Any:
+    def _total(self, name: str) -> Element:
         make = self.dialect.element
         own = make("testVariables", {"variableIdentifier": name})
         return make("setOutcomeValue", {"identifier": name}, make("sum", {}, own))
 
 
-def _about(title: str, language: str) -> Any:
+def _about(title: str, language: str) -> Element:
     """Title and language as learning object metadata."""
     named = element("imsmd:title", {}, element("imsmd:string", {"language": language}, title))
     return element("imsmd:lom", {}, element("imsmd:general", {}, named, element("imsmd:language", {}, language)))
 
 
-def _resource(name: str, kind: str, file: str, more: Sequence[str]) -> Any:
+def _resource(name: str, kind: str, file: str, more: Sequence[str]) -> Element:
     return element(
         "resource",
         {"identifier": name, "type": kind, "href": file},
