@@ -40,14 +40,14 @@ class FigureFile:
 
 
 class FigureFiles:
-    """The figures of a few students in one of :data:`FORMS`."""
+    """The figures of a few students in one of :data:`FORMS`, each made once."""
 
     def __init__(self, form: str, engine: Typesetter) -> None:
         self._form, self._engine = form, engine
-        self._made: dict[int, FigureFile] = {}
+        self._made: dict[int, FigureFile] = {}  # with their drawings, so that no other one takes the place of one
 
     def file(self, drawing: Drawing) -> FigureFile:
-        """The file of a drawing, which has to live as long as this."""
+        """The file of a drawing."""
         if id(drawing) not in self._made:
             content = page_by(self._engine, drawing, "png") if self._form == "png" else svg.render(drawing)
             name = f"{hashlib.sha256(content).hexdigest()[:20]}.{self._form}"

@@ -1,0 +1,47 @@
+"""A package of QTI 2.1: items with their figures, tests, manifest.
+
+In an exam file, ``[qti21]``:
+
+- ``tests = "draw"`` (usual): one test, which gives every student a sheet by chance, all its problems together;
+  ``tests = "students"``: a test for each sheet, titled by its code;
+- ``names = true``: the tests of students are titled by their names too;
+- ``formulas`` of solutions: ``"mathml"`` (usual) or ``"html"``, letters, indices and powers in the text, for platforms
+  that do not show MathML; statements are always written so;
+- ``figures``: ``"png"`` (usual) or ``"svg"``.
+
+Numbers have a decimal point, since QTI knows no other; students are asked to enter them so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from variantgen.exam.blueprint import Exam
+from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.qti import exam as qti
+from variantgen.outputs.qti.dialect import QTI21
+from variantgen.outputs.qti.options import Options
+from variantgen.tables import Table
+
+HELP = "qti21.zip, a package of QTI 2.1 for learning platforms"
+FILES = ("qti21.zip",)
+SUMMARIES = ()
+
+
+def read_options(table: Table) -> Options:
+    """The table ``[qti21]``."""
+    return qti.read_table(table)
+
+
+def check(exam: Exam) -> None:
+    """Nothing is needed but the engine, which every build has."""
+
+
+def make(part: Part) -> Iterator[Piece]:
+    """The items of a few students."""
+    return qti.make(part, QTI21)
+
+
+def finish(whole: Whole) -> None:
+    """The package."""
+    qti.finish(whole, QTI21)

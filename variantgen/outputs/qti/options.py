@@ -1,0 +1,53 @@
+"""What an exam file may say of a package for a learning platform."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.outputs.qti.figures import FORMS, Figures
+from variantgen.outputs.web.fragments import Style
+from variantgen.tables import Table
+from variantgen.wording.formula import Formula
+from variantgen.wording.html import to_html
+from variantgen.wording.mathml import to_mathml
+
+MATHML, HTML = "mathml", "html"
+
+
+@dataclass(frozen=True)
+class Options:
+    """``figures``: the form of pictures; ``formulas``: how those of solutions are written.
+
+    ``drawn``: one test that draws a sheet for each student, not a test for each. ``names``: titles have the names of
+    students.
+    """
+
+    figures: str = FORMS[0]
+    formulas: str = MATHML
+    drawn: bool = True
+    names: bool = False
+
+    def style(self, figures: Figures) -> Style:
+        """How solutions are written."""
+        return Style(to_mathml if self.formulas == MATHML else in_text, figures.image)
+
+
+def in_text(formula: Formula, display: bool) -> str:
+    """A formula as letters, indices and powers, which every platform shows."""
+    return to_html(formula)
+
+
+def read_options(table: Table, key: str, words: tuple[str, str], usual: Options) -> Options:
+    """The options of a format; the first of the ``words`` of ``key`` is one test for all, the other one for each.
+
+    Mistakes are noted in the table, which may have more keys.
+    """
+    drawn, own = words
+    figures = table.choice("figures", FORMS, FORMS[0])
+    formulas = table.choice("formulas", (MATHML, HTML), usual.formulas)
+    chosen = table.choice(key, words, drawn if usual.drawn else own)
+    names = table.take("names", bool, False)
+    if names and chosen != own:
+        remedy = f'{key} = "{own}" makes one for each student'
+        table.problem("students would read the names of others", "names", names, remedy)
+    return Options(figures, formulas, chosen == drawn, names)
