@@ -45,7 +45,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``duplex`` starts every student on an odd page.
+    """A checked exam file. ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every sheet.
 
     ``path`` is the file it was read from, ``hash`` that of its content. ``formats`` are the outputs to be made, and
     ``options`` what the file says of each of them.
@@ -64,6 +64,7 @@ class Exam:
     notation: Notation = USUAL
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
+    qr: bool = True
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
@@ -110,6 +111,7 @@ def read_exam(
     tolerance = read_tolerance(top)
     page = top.table("page")
     duplex = page.take("duplex", bool, True)
+    qr = page.take("qr", bool, True)
     page.finish()
     solutions = read_solutions(top.table("solutions"), language)
     notation = _notation(top.table("notation"))
@@ -142,6 +144,7 @@ def read_exam(
         notation=notation,
         formats=formats,
         options=options,
+        qr=qr,
     )
 
 

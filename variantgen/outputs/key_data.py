@@ -8,7 +8,7 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.sheet_data import heading
+from variantgen.outputs.markup import heading
 from variantgen.outputs.typesetter import equals_data
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language

@@ -23,8 +23,9 @@ import numpy as np
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, curves
 from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.outputs.markup import alternatives, markup
 from variantgen.resources import templates_dir
-from variantgen.wording.formula import Equation, Measured, Surd, to_typst
+from variantgen.wording.formula import Equation, Measured, Surd
 
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
@@ -46,14 +47,18 @@ class Typesetter:
         form: Literal["pdf", "png", "svg"] = "pdf",
         ppi: float = 200.0,
         tagged: bool = True,
+        standards: Sequence[str] = (),
     ) -> list[bytes]:
         """The document; one entry for PDF, one per page for PNG (``ppi`` dots to the inch) and SVG.
 
-        A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution.
+        A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
+        those of PDF that it conforms to.
         """
         import typst
 
-        text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+        inputs = {"data": _json(data)}
+        if tagged and form == "pdf":
+            inputs["alternatives"] = _json(alternatives(data))
         try:
             made = typst.compile(
                 self.root / template,
@@ -62,13 +67,18 @@ class Typesetter:
                 ppi=ppi,
                 font_paths=[],
                 ignore_system_fonts=True,
-                sys_inputs={"data": text},
+                sys_inputs=inputs,
                 timestamp=_EPOCH,
+                pdf_standards=list(standards),
                 pdf_tags=tagged,
             )
         except RuntimeError as error:
             raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
         return [made] if isinstance(made, bytes) else list(made)
+
+
+def _json(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
 
 
 @contextmanager
@@ -107,7 +117,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
             ]
             for c in drawn
         ],
-        "labels": [[next(places), next(places), to_typst(label.formula), label.paper] for label in drawing.labels],
+        "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }
 
 
@@ -128,8 +138,8 @@ def equals_data(equation: Equation, exact: Surd | None = None) -> dict[str, str]
         raise TypeError("expected an equation with a measured value")
     tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
     return {
-        "symbol": to_typst(equation.left),
-        "exact": to_typst(exact) if exact else "",
+        "symbol": markup(equation.left),
+        "exact": markup(exact) if exact else "",
         "value": right.number.text + tight,
-        "unit": "" if tight else to_typst(right.unit),
+        "unit": "" if tight else markup(right.unit),
     }

@@ -40,7 +40,7 @@ def check(exam: Exam) -> None:
 def make(part: Part) -> Iterator[Piece]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, figures)
+    data = sheets_data(part.content, figures, part.seed)
     yield part.piece("sheets", part.engine.compile("sheets.typ", data, tagged=False)[0], ".pdf")
     if not part.exam.solutions.wanted:
         return
