@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from decimal import Decimal
@@ -113,6 +113,15 @@ class Table:
             self.problem("expected a list of strings", name, value)
             return default
         return tuple(value)
+
+    def choice(self, name: str, known: Sequence[str], default: str) -> str:
+        """One of some words, or the default when the key is absent or wrong (which is noted)."""
+        value = self.take(name, str, default)
+        if value in known:
+            return value
+        expected = ", ".join(f'"{word}"' for word in known)
+        self.problem(f"expected one of {expected}", name, value, nearest(value, known))
+        return default
 
     def table(self, name: str) -> Table:
         """A table inside (empty when absent)."""

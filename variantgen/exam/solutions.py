@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.errors import nearest
 from variantgen.methods.wish import DEPTHS
 from variantgen.tables import Table
 from variantgen.wording.language import load_language
@@ -38,21 +37,12 @@ class Solutions:
 def read_solutions(table: Table, language: str) -> Solutions:
     """The table ``[solutions]`` of an exam whose sheets are in ``language``; mistakes are noted in the table."""
     found = {
-        "depth": _choice(table, "depth", (NONE, *DEPTHS), "full"),
+        "depth": table.choice("depth", (NONE, *DEPTHS), "full"),
         "language": table.take("language", str, language),
-        "files": _choice(table, "files", FILES, FILES[0]),
+        "files": table.choice("files", FILES, FILES[0]),
     }
     if "language" in table.data:
         with table.collecting("language"):
             load_language(found["language"])
     table.finish()
     return Solutions(**found)
-
-
-def _choice(table: Table, name: str, known: tuple[str, ...], default: str) -> str:
-    value = table.take(name, str, default)
-    if value not in known:
-        expected = ", ".join(f'"{word}"' for word in known)
-        table.problem(f"expected one of {expected}", name, value, nearest(value, known))
-        return default
-    return value

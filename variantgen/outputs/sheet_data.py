@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.exam.content import Content, Posed
+from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.markup import heading, markup
 from variantgen.outputs.qr import qr_rows, qr_svg, qr_text
@@ -15,9 +16,7 @@ from variantgen.wording.statement import Statement, Text, sign_notes
 _SHORT_NAME = 48
 
 
-def sheets_data(
-    content: Content, figures: dict[int, Any] | None = None, seed: str | None = None
-) -> dict[str, Any]:
+def sheets_data(content: Content, figures: dict[int, Any] | None = None, seed: str | None = None) -> dict[str, Any]:
     """Data for ``sheets.typ``; what is made of the drawings is noted in ``figures`` by their ids.
 
     The sheets of a build with a ``seed`` have QR codes, if the exam wants them.
@@ -51,12 +50,17 @@ def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Languag
     return {
         "name": name,
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
-        "group": f"{language.words('sheet')['group']} {student.group}" if student.group else "",
+        "group": group_text(student, language),
         "code": sheet.code,
         "notes": sign_notes([q for item in sheet.items for q in item.asked], language),
         "problems": problems,
         "last": last,
     }
+
+
+def group_text(student: Student, language: Language) -> str:
+    """``Group A``; nothing for a student without one."""
+    return f"{language.words('sheet')['group']} {student.group}" if student.group else ""
 
 
 def _problem(posed: Posed, language: Language, figures: dict[int, Any]) -> dict[str, Any]:

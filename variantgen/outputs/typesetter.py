@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 
@@ -69,7 +69,7 @@ class Typesetter:
                 ignore_system_fonts=True,
                 sys_inputs=inputs,
                 timestamp=_EPOCH,
-                pdf_standards=list(standards),
+                pdf_standards=cast(Any, list(standards)),
                 pdf_tags=tagged,
             )
         except RuntimeError as error:
