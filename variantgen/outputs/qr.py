@@ -6,6 +6,7 @@ CODE the code of the sheet. Capitals, digits, colons and dashes need the fewest 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from variantgen.exam.blueprint import Exam
@@ -17,7 +18,9 @@ QUIET = 4  # modules around a code that stay white
 # Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
 _MASK = 3
 
-Rows = Sequence[Sequence[bool]]
+_BAR = re.compile(rb"\x01+")
+
+Rows = Sequence[bytes]  # a byte for every module, 1 if it is dark
 
 
 def qr_text(exam: Exam, seed: str, sheet: Sheet) -> str:
@@ -26,24 +29,17 @@ def qr_text(exam: Exam, seed: str, sheet: Sheet) -> str:
 
 
 def qr_rows(text: str) -> Rows:
-    """The modules of a code from the top, dark ones true, without the white around them; error level M."""
+    """The modules of a code from the top, without the white around them; error level M."""
     import segno
 
     made = segno.make(text, error="m", mask=_MASK, micro=False, boost_error=False)
-    return tuple(tuple(map(bool, row)) for row in made.matrix)
+    return tuple(map(bytes, made.matrix))
 
 
 def qr_bars(rows: Rows) -> Iterator[tuple[int, int, int]]:
     """The dark modules that are side by side: the place of the first from the left and from the top, how many."""
     for y, row in enumerate(rows):
-        x = 0
-        while x < len(row):
-            start = x
-            while x < len(row) and row[x]:
-                x += 1
-            if x > start:
-                yield start, y, x - start
-            x += 1
+        yield from ((bar.start(), y, bar.end() - bar.start()) for bar in _BAR.finditer(row))
 
 
 def qr_svg(rows: Rows) -> str:
