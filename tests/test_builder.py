@@ -50,7 +50,7 @@ def test_sample_roster(exam: str, tmp_path: Path) -> None:
     assert main(["build", exam, "--roster", str(samples_dir() / "roster.csv"), "--out", str(out)]) == 0
     assert {path.name for path in out.iterdir()} == FILES
     record = json.loads((out / "manifest.json").read_text("utf-8"))
-    assert record["schema"] == 1
+    assert record["schema"] == 2
     assert len(record["students"]) == 30
     assert len({student["code"] for student in record["students"]}) == 30
     for problem in zip(*(student["problems"] for student in record["students"]), strict=True):

@@ -45,7 +45,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``duplex`` starts every student on an odd page.
+    """A checked exam file. ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every sheet.
 
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them.
@@ -65,6 +65,7 @@ class Exam:
     notation: Notation = USUAL
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
+    qr: bool = True
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
@@ -125,6 +126,7 @@ def parse_exam(
     tolerance = read_tolerance(top)
     page = top.table("page")
     duplex = page.take("duplex", bool, True)
+    qr = page.take("qr", bool, True)
     page.finish()
     solutions = read_solutions(top.table("solutions"), language)
     notation = _notation(top.table("notation"))
@@ -158,6 +160,7 @@ def parse_exam(
         notation=notation,
         formats=formats,
         options=options,
+        qr=qr,
     )
 
 

@@ -19,11 +19,11 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
 from variantgen.outputs.folder import check_free, whole_folder
+from variantgen.outputs.markup import markup
 from variantgen.outputs.typesetter import figure_data, typesetter
 from variantgen.resources import templates_dir
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
-from variantgen.wording.formula import to_typst
 from variantgen.wording.html import to_html
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.statement import Statement, Text, statement
@@ -182,7 +182,7 @@ def _document(shown: Shown, language: Language) -> dict[str, Any]:
 def _form_data(row: Row) -> dict[str, Any]:
     return {
         "name": row.form,
-        "asked": [to_typst(symbol) for symbol in row.examples[0].said.asked],
+        "asked": [markup(symbol) for symbol in row.examples[0].said.asked],
         "command": row.command,
         "figures": [{"figure": figure_data(example.drawing), "seed": example.seed} for example in row.examples],
     }

@@ -2,45 +2,107 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
-# Parts stay open until the whole is written; systems allow about a thousand open files.
-_GROUP = 200
+import pikepdf
+
+from variantgen.outputs.pdf.bookmarks import Bookmark, Named, read_bookmarks, renamed, write_bookmarks
+from variantgen.outputs.pdf.part import Part
+from variantgen.outputs.pdf.structure import Structure
+from variantgen.outputs.pdf.writer import PdfWriter
+
+_NO_INFORMATION = "2.0"  # the version of PDF in which metadata alone tell of a document
 
 
 def join_pdfs(
-    parts: Sequence[Path], target: Path, title: str, language: str, even: bool, pad_last: bool = False
+    parts: Sequence[Path],
+    target: Path,
+    title: str,
+    language: str,
+    even: bool,
+    names: Sequence[Named] | None = None,
 ) -> None:
     """Write the pages of all parts to one PDF.
 
-    ``even`` pads each part to an even number of pages, the last one only with ``pad_last``, so that the next part
-    starts on an odd page.
+    ``even`` pads each part but the last to an even number of pages, so that the next part starts on an odd page.
+    ``names`` are given to the bookmarks of the parts (not to those inside others). Tags, metadata and output intents
+    are kept, if the first part has them; then all parts need tags.
     """
-    import pikepdf
+    with target.open("wb") as file, pikepdf.open(parts[0]) as first:
+        whole = _Whole(PdfWriter(file, first.pdf_version), first)
+        for number, path in enumerate(parts, start=1):
+            with pikepdf.open(path) as source:
+                whole.add(source, even and number < len(parts))
+        whole.finish(title, language, names)
 
-    if len(parts) > _GROUP:
-        groups = [parts[i : i + _GROUP] for i in range(0, len(parts), _GROUP)]
-        joined = [target.with_name(f"{target.stem}-{i}.pdf") for i in range(len(groups))]
-        for group, path in zip(groups, joined, strict=True):
-            join_pdfs(group, path, title, language, even, pad_last=True)
-        join_pdfs(joined, target, title, language, False)
-        for path in joined:
-            path.unlink()
-        return
-    with ExitStack() as stack:
-        whole = stack.enter_context(pikepdf.new())
-        for part in parts:
-            source = stack.enter_context(pikepdf.open(part))
-            size = source.pages[0].mediabox
-            for page in source.pages:
-                # The structure trees of the parts cannot be joined; what points to them would dangle.
-                if "/StructParents" in page.obj:
-                    del page.obj["/StructParents"]
-            whole.pages.extend(source.pages)
-            if even and len(source.pages) % 2 and (pad_last or part is not parts[-1]):
-                whole.add_blank_page(page_size=(float(size[2]), float(size[3])))
-        whole.docinfo["/Title"] = title
-        whole.Root["/Lang"] = pikepdf.String(language)
-        whole.save(target, deterministic_id=True, object_stream_mode=pikepdf.ObjectStreamMode.generate)
+
+class _Whole:
+    """The document that is being written; ``first`` is its first part."""
+
+    def __init__(self, writer: PdfWriter, first: pikepdf.Pdf) -> None:
+        self._writer, self._first = writer, first
+        self._pages = writer.reserve()
+        self._structure = Structure(writer) if "/StructTreeRoot" in first.Root else None
+        self._nodes: list[int] = []
+        self._count = 0
+        self._bookmarks: list[Bookmark] = []
+
+    def add(self, source: pikepdf.Pdf, even: bool) -> None:
+        """Write what a part holds."""
+        part = Part(source, self._writer, self._structure.next_key if self._structure else 0)
+        node = self._writer.reserve()
+        for page in source.pages:
+            part.new[page.obj.Parent.objgen[0]] = node
+        kids = [part.text(page.obj) for page in source.pages]
+        if even and len(kids) % 2:
+            size = part.text(source.pages[0].obj.MediaBox)
+            blank = b"<</Type/Page/Parent %d 0 R/MediaBox %s/Resources<<>>>>" % (node, size)
+            kids.append(b"%d 0 R" % self._writer.add(blank))
+        self._writer.put(
+            node, b"<</Type/Pages/Parent %d 0 R/Count %d/Kids[%s]>>" % (self._pages, len(kids), b" ".join(kids))
+        )
+        if self._structure:
+            self._structure.add(part)
+        self._bookmarks += read_bookmarks(part)
+        part.copy()
+        self._nodes.append(node)
+        self._count += len(kids)
+
+    def finish(self, title: str, language: str, names: Sequence[Named] | None) -> None:
+        """Write what there is once."""
+        kids = b" ".join(b"%d 0 R" % node for node in self._nodes)
+        self._writer.put(self._pages, b"<</Type/Pages/Count %d/Kids[%s]>>" % (self._count, kids))
+        entries = b"/Type/Catalog/Pages %d 0 R/Lang %s" % (self._pages, _string(language))
+        entries += b"/ViewerPreferences<</DisplayDocTitle true>>"
+        bookmarks = self._bookmarks if names is None else renamed(self._bookmarks, names)
+        if bookmarks:
+            entries += b"/Outlines %d 0 R" % write_bookmarks(self._writer, bookmarks)
+        if self._structure:
+            entries += b"/MarkInfo<</Marked true>>/StructTreeRoot %d 0 R" % self._structure.write()
+        entries += self._standing()
+        root = self._writer.add(b"<<%s>>" % entries)
+        old = self._first.pdf_version == _NO_INFORMATION
+        self._writer.finish(root, None if old else self._writer.add(b"<</Title %s>>" % _string(title)))
+
+    def _standing(self) -> bytes:
+        """What a standard wants of the whole: metadata and output intents, as the first part has them."""
+        part = Part(self._first, self._writer, 0)
+        found: Any = self._first.Root.get("/OutputIntents")
+        entries = b"" if found is None else b"/OutputIntents " + part.text(found)
+        part.copy()
+        metadata = self._first.Root.Metadata.read_bytes()
+        if b"pdfaid:part" in metadata or b"pdfuaid:part" in metadata:
+            for key, value in ((b"xmpTPg:NPages", b"%d" % self._count), (b"xmpMM:[A-Za-z]+ID", self._writer.name)):
+                metadata = re.sub(rb"(<%s>)[^<]*" % key, rb"\g<1>%s" % value, metadata)
+            number = self._writer.reserve()
+            self._writer.put_stream(number, b"/Type/Metadata/Subtype/XML", metadata)
+            entries += b"/Metadata %d 0 R" % number
+        return entries
+
+
+def _string(text: str) -> bytes:
+    found: bytes = pikepdf.String(text).unparse()
+    return found

@@ -5,26 +5,38 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.exam.content import Content, Posed
+from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.typesetter import equals_data, figure_data
-from variantgen.wording.formula import Formula, UnitText, to_typst
+from variantgen.outputs.markup import heading, markup
+from variantgen.outputs.qr import qr_rows, qr_svg, qr_text
+from variantgen.outputs.typesetter import equals_data, figure_data, title_of
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, Text, sign_notes
 
 _SHORT_NAME = 48
 
 
-def sheets_data(content: Content, figures: dict[int, Any] | None = None) -> dict[str, Any]:
-    """Data for ``sheets.typ``; what is made of the drawings is noted in ``figures`` by their ids."""
+def sheets_data(content: Content, figures: dict[int, Any] | None = None, seed: str | None = None) -> dict[str, Any]:
+    """Data for ``sheets.typ``; what is made of the drawings is noted in ``figures`` by their ids.
+
+    The sheets of a build with a ``seed`` have QR codes, if the exam wants them.
+    """
     exam, language = content.exam, content.exam.spoken
     noted = {} if figures is None else figures
+    marked = seed is not None and exam.qr
     students = [
-        student_data(sheet, [_problem(posed, language, noted) for posed in own], language, sheet is content.sheets[-1])
+        {
+            **student_data(
+                sheet, [_problem(posed, language, noted) for posed in own], language, sheet is content.sheets[-1]
+            ),
+            "qr": qr_svg(qr_rows(qr_text(exam, seed or "", sheet))) if marked else "",
+        }
         for sheet, own in zip(content.sheets, content.posed, strict=True)
     ]
     return {
         "lang": exam.language,
         "title": exam.title,
+        "document": title_of(exam.title),
         "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),
@@ -39,12 +51,17 @@ def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Languag
     return {
         "name": name,
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
-        "group": f"{language.words('sheet')['group']} {student.group}" if student.group else "",
+        "group": group_text(student, language),
         "code": sheet.code,
         "notes": sign_notes([q for item in sheet.items for q in item.asked], language),
         "problems": problems,
         "last": last,
     }
+
+
+def group_text(student: Student, language: Language) -> str:
+    """``Group A``; nothing for a student without one."""
+    return f"{language.words('sheet')['group']} {student.group}" if student.group else ""
 
 
 def _problem(posed: Posed, language: Language, figures: dict[int, Any]) -> dict[str, Any]:
@@ -66,18 +83,13 @@ def statement_data(said: Statement) -> dict[str, Any]:
     return {
         "text": text_data(said.text),
         "given": [equals_data(equation) for equation in said.given],
-        "asked": [to_typst(symbol) for symbol in said.asked],
+        "asked": [markup(symbol) for symbol in said.asked],
     }
-
-
-def heading(symbol: Formula, unit: UnitText) -> str:
-    """The head of a column of answers: ``v_B, cm/s``."""
-    return f"{to_typst(symbol)}, thin {to_typst(unit)}" if unit.parts else to_typst(symbol)
 
 
 def text_data(text: Text) -> list[Any]:
     """Runs of text: strings as they are, formulas as one-element lists."""
-    return [part if isinstance(part, str) else [to_typst(part)] for part in text]
+    return [part if isinstance(part, str) else [markup(part)] for part in text]
 
 
 def points_text(points: int | None, language: Language) -> str:

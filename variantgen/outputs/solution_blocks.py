@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from variantgen.outputs.markup import markup
 from variantgen.outputs.rows import rows
 from variantgen.outputs.sheet_data import text_data
-from variantgen.wording.formula import to_typst
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, VectorTable
 
 
@@ -32,14 +32,14 @@ def _block(item: Block) -> dict[str, Any]:
         case Paragraph(text):
             return {"kind": "text", "text": text_data(text)}
         case Lines(lines):
-            found = [[[[sign, to_typst(f)] for sign, f in pieces] for pieces in row] for row in rows(lines)]
+            found = [[[[sign, markup(f)] for sign, f in pieces] for pieces in row] for row in rows(lines)]
             return {"kind": "formulas", "rows": found}
         case VectorTable(heads, unknown, lines):
             cells = [
                 [
-                    to_typst(row.vector),
+                    markup(row.vector),
                     text_data(row.direction),
-                    [unknown] if row.magnitude is None else [[to_typst(row.magnitude)]],
+                    [unknown] if row.magnitude is None else [[markup(row.magnitude)]],
                 ]
                 for row in lines
             ]

@@ -9,28 +9,44 @@ from __future__ import annotations
 import datetime
 import json
 import os
+import re
 import shutil
 import tempfile
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, curves
 from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.outputs.markup import alternatives, markup
 from variantgen.resources import templates_dir
-from variantgen.wording.formula import Equation, Measured, Surd, to_typst
+from variantgen.wording.formula import Equation, Measured, Surd
 
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
 class TypesettingError(VariantgenError):
     """The engine refused a document: a defect of the templates."""
+
+
+class UnprintableError(TypesettingError):
+    """The engine refused letters that its fonts do not have, which the standard of a document does not allow."""
+
+    def __init__(self, message: str, letters: str) -> None:
+        super().__init__(message, letters)
+        self.letters = letters
+
+
+# The letters stand in quotation marks, special ones by their numbers.
+_UNPRINTABLE = re.compile(r'the text (?:contains the disallowed codepoint )?`"((?:[^"\\]|\\.)+)"`')
+_NUMBERED = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 @dataclass(frozen=True)
@@ -46,14 +62,18 @@ class Typesetter:
         form: Literal["pdf", "png", "svg"] = "pdf",
         ppi: float = 200.0,
         tagged: bool = True,
+        standards: Sequence[str] = (),
     ) -> list[bytes]:
         """The document; one entry for PDF, one per page for PNG (``ppi`` dots to the inch) and SVG.
 
-        A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution.
+        A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
+        those of PDF that it conforms to.
         """
         import typst
 
-        text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+        inputs = {"data": _json(data)}
+        if tagged and form == "pdf":
+            inputs["alternatives"] = _json(alternatives(data))
         try:
             made = typst.compile(
                 self.root / template,
@@ -62,13 +82,27 @@ class Typesetter:
                 ppi=ppi,
                 font_paths=[],
                 ignore_system_fonts=True,
-                sys_inputs={"data": text},
+                sys_inputs=inputs,
                 timestamp=_EPOCH,
+                pdf_standards=cast(Any, list(standards)),
                 pdf_tags=tagged,
             )
         except RuntimeError as error:
-            raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
+            message = f"the typesetting engine refused {template}: {error}"
+            if standards and (found := _UNPRINTABLE.search(str(error))):
+                letters = _NUMBERED.sub(lambda number: chr(int(number[1], 16)), found[1])
+                raise UnprintableError(message, letters) from error
+            raise TypesettingError(message) from error
         return [made] if isinstance(made, bytes) else list(made)
+
+
+def title_of(document: str) -> str:
+    """The title of a document for its metadata, which are XML and so hold no control characters."""
+    return "".join(" " if unicodedata.category(letter) == "Cc" else letter for letter in document)
+
+
+def _json(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
 
 
 @contextmanager
@@ -107,7 +141,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
             ]
             for c in drawn
         ],
-        "labels": [[next(places), next(places), to_typst(label.formula), label.paper] for label in drawing.labels],
+        "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }
 
 
@@ -128,8 +162,8 @@ def equals_data(equation: Equation, exact: Surd | None = None) -> dict[str, str]
         raise TypeError("expected an equation with a measured value")
     tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
     return {
-        "symbol": to_typst(equation.left),
-        "exact": to_typst(exact) if exact else "",
+        "symbol": markup(equation.left),
+        "exact": markup(exact) if exact else "",
         "value": right.number.text + tight,
-        "unit": "" if tight else to_typst(right.unit),
+        "unit": "" if tight else markup(right.unit),
     }

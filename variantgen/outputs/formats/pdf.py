@@ -3,34 +3,26 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.formats import Part, Piece, Whole
-from variantgen.outputs.join import join_pdfs
+from variantgen.outputs.file_names import file_stem
+from variantgen.outputs.formats import Part, Piece, Whole, options
 from variantgen.outputs.key_data import key_by_problem, key_by_student
-from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.pdf_options import Options, read_options
+from variantgen.outputs.sheet_data import group_text, sheets_data
 from variantgen.outputs.solution_data import solutions_data
-from variantgen.tables import Table
+from variantgen.outputs.typesetter import UnprintableError, title_of
+
+__all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
-FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "solutions/*.pdf")
+FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "solutions/*.pdf")
 KEYS_PER_PART = 40
-
-
-@dataclass(frozen=True)
-class Options:
-    """What an exam file may say of PDFs."""
-
-
-def read_options(table: Table) -> Options:
-    """The table ``[pdf]``."""
-    table.finish()
-    return Options()
 
 
 def check(exam: Exam) -> None:
@@ -39,48 +31,97 @@ def check(exam: Exam) -> None:
 
 def make(part: Part) -> Iterator[Piece]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
+    chosen = _options(part.exam)
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, figures)
-    yield part.piece("sheets", part.engine.compile("sheets.typ", data, tagged=False)[0], ".pdf")
+    data = sheets_data(part.content, figures, part.seed)
+    own = [data]
+    if chosen.for_students:
+        own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]
+    for document in own:
+        yield _piece(part, "sheets", document, chosen.for_students)
     if not part.exam.solutions.wanted:
         return
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
-    # (560 MB for three students each, 345 MB for one) and save no time. The tags of parts are lost when they are
-    # joined, so only those handed out as they are have them.
-    tagged = part.exam.solutions.for_students
+    # (560 MB for three students each, 345 MB for one) and save no time.
     for number in range(len(part.sheets)):
-        solved = solutions_data(part.content, number, figures)
-        yield part.piece("solutions", part.engine.compile("solutions.typ", solved, tagged=tagged)[0], ".pdf")
+        yield _piece(part, "solutions", solutions_data(part.content, number, figures), _are_handed_out(part.exam))
+
+
+def _piece(part: Part, target: str, data: Mapping[str, Any], handed_out: bool = False) -> Piece:
+    """A document of a part. It has tags if a standard wants them, or if it is handed out as it is."""
+    chosen = _options(part.exam)
+    tagged = chosen.tagged or handed_out
+    template = "key.typ" if target == "key" else f"{target}.typ"
+    try:
+        made = part.engine.compile(template, data, tagged=tagged, standards=chosen.standards)
+    except UnprintableError as error:
+        raise InputError(_unprintable(part, error)) from None
+    return part.piece(target, made[0], ".pdf")
+
+
+def _unprintable(part: Part, error: UnprintableError) -> Problem:
+    """What an instructor can do about letters that a standard does not let pass."""
+    exam, standards = part.exam, ", ".join(_options(part.exam).standards)
+    texts = [("the title", exam.title), ("the course", exam.course)]
+    for student in (sheet.student for sheet in part.sheets):
+        texts.append((f"student {student.id}", f"{student.id}{student.name}{student.group}"))
+    where = [place for place, text in texts if error.letters and error.letters in text]
+    return Problem(
+        f"the fonts lack a letter of {', '.join(where) or 'the documents'}, which a standard ({standards}) forbids",
+        file=str(exam.path),
+        key="pdf.standard",
+        value=error.letters,
+        remedy="write it with other letters, or leave the standard out",
+    )
 
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
-    data = key_by_student(part.exam, part.sheets, part.first)
-    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0], ".pdf")
+    yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem."""
-    data = key_by_problem(part.exam, part.sheets, part.first)
-    yield part.piece("key", part.engine.compile("key.typ", data, tagged=False)[0], ".pdf")
+    yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
 
 
 SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
 
 
 def finish(whole: Whole) -> None:
-    """Join the parts."""
-    exam = whole.exam
+    """Join the parts, and hand out those of single students."""
+    # Here, so that commands that write no PDF do not wait for the library.
+    from variantgen.outputs.join import join_pdfs
+    from variantgen.outputs.pdf.bookmarks import Named
+
+    exam, chosen = whole.exam, _options(whole.exam)
+    title = title_of(exam.title)
+    names = [Named(s.student.name or s.code, group_text(s.student, exam.spoken)) for s in whole.sheets]
     for target, paths in whole.pieces.items():
         language = exam.solutions.language if target == "solutions" else exam.language
-        even = exam.duplex and target != "key"
-        join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, even)
-    if exam.solutions.for_students:
-        _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions")
+        path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
+        if target == "key":
+            join_pdfs(paths, path, title, language, even)
+        elif chosen.joined:
+            join_pdfs(paths, path, title, language, even, names)
+    if chosen.for_students:
+        _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
+    if _are_handed_out(exam):
+        _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
-def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path) -> None:
-    """One file for each student, named by the code of the sheet."""
+def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: Options) -> None:
+    """One file for each student."""
     folder.mkdir()
     for sheet, part in zip(sheets, parts, strict=True):
-        shutil.copyfile(part, folder / f"{sheet.code}.pdf")
+        shutil.copyfile(part, folder / f"{file_stem(sheet, chosen.names)}.pdf")
+
+
+def _are_handed_out(exam: Exam) -> bool:
+    """Whether every student gets a file with solutions: ``[solutions] files`` and ``[pdf] files`` may both say so."""
+    return exam.solutions.wanted and (exam.solutions.for_students or _options(exam).for_students)
+
+
+def _options(exam: Exam) -> Options:
+    found: Options = options(exam, "pdf")
+    return found

@@ -1,0 +1,58 @@
+"""Formulas for the typesetting templates: markup that knows how the formula reads in plain text.
+
+Tagged documents have the plain text beside the markup, for programs that read aloud; others never ask for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
+from typing import Any
+
+from variantgen.wording.formula import Formula, UnitText, to_plain, to_typst
+
+
+class Markup(str):
+    """Typst math markup of one formula, or of several after each other."""
+
+    __slots__ = ("formulas",)
+    formulas: tuple[Formula, ...]
+
+    def __new__(cls, text: str, *formulas: Formula) -> Markup:
+        """Markup that says the formulas."""
+        made = super().__new__(cls, text)
+        made.formulas = formulas
+        return made
+
+    @property
+    def plain(self) -> str:
+        """The same as plain text."""
+        return ", ".join(map(to_plain, self.formulas))
+
+
+@lru_cache(maxsize=10_000)
+def markup(formula: Formula) -> Markup:
+    """A formula."""
+    return Markup(to_typst(formula), formula)
+
+
+def heading(symbol: Formula, unit: UnitText) -> Markup:
+    """The head of a column of answers: ``v_B, cm/s``."""
+    if not unit.parts:
+        return markup(symbol)
+    return Markup(f"{to_typst(symbol)}, thin {to_typst(unit)}", symbol, unit)
+
+
+def alternatives(data: Any) -> dict[str, str]:
+    """All markup in the data of a document, with the plain text of each."""
+    return {str(found): found.plain for found in _marked(data)}
+
+
+def _marked(data: Any) -> Iterator[Markup]:
+    if isinstance(data, Markup):
+        yield data
+    elif isinstance(data, Mapping):
+        yield from _marked(data.values())
+    elif isinstance(data, Iterable) and not isinstance(data, str):
+        for item in data:
+            yield from _marked(item)

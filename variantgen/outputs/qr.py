@@ -1,0 +1,51 @@
+"""The QR code of a sheet, which says of which exam and of which student it is; the same on every kind of paper.
+
+The text is ``VARIANTGEN:1:EXAM:CODE``: 1 is the version of this form, EXAM the short name of the build (in capitals),
+CODE the code of the sheet. Capitals, digits, colons and dashes need the fewest modules: 25 in a row.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Sheet
+
+VERSION = 1
+QUIET = 4  # modules around a code that stay white
+
+# Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
+_MASK = 3
+
+_BAR = re.compile(rb"\x01+")
+
+Rows = Sequence[bytes]  # a byte for every module, 1 if it is dark
+
+
+def qr_text(exam: Exam, seed: str, sheet: Sheet) -> str:
+    """What the code of a sheet says."""
+    return f"VARIANTGEN:{VERSION}:{exam.build_id(seed).upper()}:{sheet.code}"
+
+
+def qr_rows(text: str) -> Rows:
+    """The modules of a code from the top, without the white around them; error level M."""
+    import segno
+
+    made = segno.make(text, error="m", mask=_MASK, micro=False, boost_error=False)
+    return tuple(map(bytes, made.matrix))
+
+
+def qr_bars(rows: Rows) -> Iterator[tuple[int, int, int]]:
+    """The dark modules that are side by side: the place of the first from the left and from the top, how many."""
+    for y, row in enumerate(rows):
+        yield from ((bar.start(), y, bar.end() - bar.start()) for bar in _BAR.finditer(row))
+
+
+def qr_svg(rows: Rows) -> str:
+    """A code as SVG without the white around it, a module being one unit.
+
+    One shape: on a screen there would be hairlines between shapes that touch.
+    """
+    bars = "".join(f"M{x} {y}h{count}v1h-{count}z" for x, y, count in qr_bars(rows))
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {len(rows)} {len(rows)}"><path d="{bars}"/></svg>'
