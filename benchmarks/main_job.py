@@ -23,13 +23,13 @@ from pathlib import Path
 
 import numpy as np
 
-from variantgen.builder import STUDENTS_PER_PART
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import assemble
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
+from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.typesetter import typesetter
 

@@ -20,15 +20,10 @@ from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, assemble
 from variantgen.outputs.folder import check_free, file_hashes, whole_folder
-from variantgen.outputs.formats import Part, Piece, Whole, formats, known_files, read_exam
+from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, Whole, formats, known_files, read_exam
 from variantgen.outputs.records import key_csv, manifest
 from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.variants.attempts import VerificationError
-
-# The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
-# below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
-# does not depend on the number of processes: the same parts give the same bytes.
-STUDENTS_PER_PART = 8
 
 Progress = Callable[[str, int, int], None]
 
