@@ -5,6 +5,7 @@ Text from outside is escaped here and nowhere else; words of families and langua
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -20,6 +21,10 @@ from variantgen.wording.solution.document import Block, Lines, Paragraph, Progra
 from variantgen.wording.statement import Statement, Text
 
 
+# Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
+_SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
+
+
 @dataclass(frozen=True)
 class Style:
     """How an output writes what is not text.
@@ -33,19 +38,44 @@ class Style:
     heading: str = "h4"
 
     def text(self, text: Text) -> str:
-        """Words with formulas in them."""
-        return "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in text)
+        """Words with formulas in them; a formula keeps the signs that touch it, which browsers would break off."""
+        return "".join(self._run(run) for run in _runs(text))
 
-    def formulas(self, found: Sequence[Formula]) -> str:
-        """Formulas after each other."""
-        return ", ".join(self.math(formula, False) for formula in found)
+    def formulas(self, found: Sequence[Formula], end: str = "") -> str:
+        """Formulas after each other, with commas between them and what stands at the end."""
+        signs = [*[", "] * (len(found) - 1), end]
+        return self.text([part for pair in zip(found, signs, strict=True) for part in pair])
+
+    def _run(self, run: Sequence[str | Formula]) -> str:
+        inner = "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in run)
+        return inner if len(run) == 1 else f'<span class="steady">{inner}</span>'
+
+
+def _runs(text: Sequence[str | Formula]) -> Iterator[list[str | Formula]]:
+    """Words and formulas as they hold together: a formula and what stands beside it without a space is a run."""
+    run: list[str | Formula] = []
+    for part in text:
+        if isinstance(part, str) and (match := _SPACED.fullmatch(part)):
+            before, words, after = match.groups()
+            yield from _held([*run, before])
+            yield [words]
+            run = [after]
+        else:
+            run.append(part)
+    yield from _held(run)
+
+
+def _held(run: Sequence[str | Formula]) -> Iterator[list[str | Formula]]:
+    """A run without empty strings; nothing where nothing is left."""
+    if kept := [part for part in run if part != ""]:
+        yield kept
 
 
 def statement_html(said: Statement, language: Language, style: Style) -> str:
     """What a problem says, what is given and what is asked, as paragraphs."""
     words = language.words("sheet")
-    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given)}.</p>" if said.given else ""
-    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked)}.</p>"
+    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given, '.')}</p>" if said.given else ""
+    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked, '.')}</p>"
     return f"<p>{style.text(said.text)}</p>{given}{found}"
 
 
@@ -96,21 +126,21 @@ def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
                 every = list(rows(lines))
                 for number, row in enumerate(every, start=1):
                     end = ";" if number < len(every) else "."
-                    pieces = '; <span class="gap"> </span>'.join(_pieces(one, style) for one in row)
-                    yield f'<p class="formulas">{pieces}{end}</p>'
+                    signs = [*";" * (len(row) - 1), end]
+                    found = (_pieces(one, sign, style) for one, sign in zip(row, signs, strict=True))
+                    yield '<p class="formulas">' + ' <span class="gap"> </span>'.join(found) + "</p>"
             case VectorTable():
                 yield _table(block, style)
             case Program(code):
                 yield f"<pre><code>{escape(code.strip(chr(10)))}</code></pre>"
 
 
-def _pieces(pieces: Pieces, style: Style) -> str:
-    """A formula that may be broken before the signs between its pieces."""
-    found = []
-    for sign, formula in pieces:
-        before = f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else ""
-        found.append(f'<span class="piece">{before}{style.math(formula, True)}</span>')
-    return " ".join(found)
+def _pieces(pieces: Pieces, end: str, style: Style) -> str:
+    """A formula that may be broken before the signs between its pieces, and what stands at its end."""
+    signs = [f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else "" for sign, _ in pieces]
+    found = [before + style.math(formula, True) for before, (_, formula) in zip(signs, pieces, strict=True)]
+    found[-1] += end
+    return " ".join(f'<span class="piece">{piece}</span>' for piece in found)
 
 
 def _table(table: VectorTable, style: Style) -> str:
