@@ -23,6 +23,7 @@ from variantgen.wording.statement import Statement, Text
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
+_PIECE = '<span class="piece">'
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,7 @@ def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
                     end = ";" if number < len(every) else "."
                     signs = [*";" * (len(row) - 1), end]
                     found = (_pieces(one, sign, style) for one, sign in zip(row, signs, strict=True))
-                    yield '<p class="formulas">' + ' <span class="gap"> </span>'.join(found) + "</p>"
+                    yield f'<p class="formulas">{" ".join(found)}</p>'
             case VectorTable():
                 yield _table(block, style)
             case Program(code):
@@ -140,7 +141,7 @@ def _pieces(pieces: Pieces, end: str, style: Style) -> str:
     signs = [f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else "" for sign, _ in pieces]
     found = [before + style.math(formula, True) for before, (_, formula) in zip(signs, pieces, strict=True)]
     found[-1] += end
-    return " ".join(f'<span class="piece">{piece}</span>' for piece in found)
+    return f'<span class="formula">{" ".join(f"{_PIECE}{piece}</span>" for piece in found)}</span>'
 
 
 def _table(table: VectorTable, style: Style) -> str:
@@ -151,4 +152,5 @@ def _table(table: VectorTable, style: Style) -> str:
         f"{escape(table.unknown) if row.magnitude is None else style.math(row.magnitude, False)}</td></tr>"
         for row in table.rows
     )
-    return f'<table class="vectors"><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>'
+    whole = f"<thead><tr>{heads}</tr></thead><tbody>{body}</tbody>"
+    return f'<div class="wide"><table class="vectors">{whole}</table></div>'
