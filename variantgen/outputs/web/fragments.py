@@ -13,7 +13,7 @@ from html import escape
 from variantgen.exam.content import Solved
 from variantgen.exam.shown import Shown
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.rows import Pieces, rows
+from variantgen.outputs.rows import Pieces, breadth, rows
 from variantgen.outputs.solution_data import see, solution_words
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
@@ -23,7 +23,8 @@ from variantgen.wording.statement import Statement, Text
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
-_PIECE = '<span class="piece">'
+# Letters of a formula that is to be set smaller, because it has no place where it could be broken, and its class.
+_LONG = ((100, "piece longer"), (74, "piece long"), (0, "piece"))
 
 
 @dataclass(frozen=True)
@@ -138,10 +139,13 @@ def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
 
 def _pieces(pieces: Pieces, end: str, style: Style) -> str:
     """A formula that may be broken before the signs between its pieces, and what stands at its end."""
-    signs = [f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else "" for sign, _ in pieces]
-    found = [before + style.math(formula, True) for before, (_, formula) in zip(signs, pieces, strict=True)]
-    found[-1] += end
-    return f'<span class="formula">{" ".join(f"{_PIECE}{piece}</span>" for piece in found)}</span>'
+    found = []
+    for number, (sign, formula) in enumerate(pieces, start=1):
+        before = f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else ""
+        after = end if number == len(pieces) else ""
+        kind = next(name for letters, name in _LONG if breadth(formula) >= letters)
+        found.append(f'<span class="{kind}">{before}{style.math(formula, True)}{after}</span>')
+    return f'<span class="formula">{" ".join(found)}</span>'
 
 
 def _table(table: VectorTable, style: Style) -> str:
