@@ -17,9 +17,13 @@ Place = tuple[int, str, str]  # number of a problem, names of the family and of 
 
 @dataclass(frozen=True)
 class Group:
-    """The problems of one form that stand under one number: a table of the key. ``heads`` are symbols with units."""
+    """The problems of one form that stand under one number: a table of the key. ``heads`` are symbols with units.
+
+    ``form`` is the name of the form as words, where the family has several.
+    """
 
     title: str
+    form: str
     heads: tuple[tuple[Formula, UnitText], ...]
 
 
@@ -33,7 +37,8 @@ def group(item: Item, exam: Exam, language: Language) -> Group:
     symbols = item.variant.form.symbols
     title = f"{language.words('key')['problem']} {item.task.number}. {item.variant.family.title(exam.language)}"
     heads = ((language.quantity(a.quantity, symbols), language.unit(a.unit)) for a in item.answers)
-    return Group(title, tuple(heads))
+    form = item.variant.form.name.replace("_", " ") if len(item.variant.family.forms) > 1 else ""
+    return Group(title, form, tuple(heads))
 
 
 def groups(sheets: Sequence[Sheet], exam: Exam, language: Language) -> dict[Place, Group]:

@@ -138,7 +138,12 @@ def _write_key(whole: Whole, path: Path) -> None:
     exam, language = whole.exam, whole.exam.spoken
     words = language.words("key")
     tables = [
-        {"title": group.title, "heads": table_heads(group), "pieces": pieces(whole.pieces[_rows(where)])}
+        {
+            "title": group.title,
+            "form": group.form,
+            "heads": table_heads(group),
+            "pieces": pieces(whole.pieces[_rows(where)]),
+        }
         for where, group in groups(whole.sheets, exam, language).items()
     ]
     write_page(
