@@ -20,6 +20,7 @@ _ABOUT = {
     "angle": '<mo>∠</mo><mo stretchy="false">(</mo>{}<mo separator="true">,</mo><mi>x</mi><mo stretchy="false">)</mo>',
     "sense": f"<mi>sgn</mi>{_THIN}{{}}",
 }
+_PRIMED = (Index("prime"),)
 _ABOVE = {Mark.ARROW: "→", Mark.DOT: "˙", Mark.DOTS: "¨"}
 
 
@@ -57,7 +58,10 @@ class _MathML(Markup):
             stretchy = "true" if mark is Mark.ARROW and symbol.is_name else "false"
             size = ' mathsize="65%"' if mark is Mark.ARROW else ""  # of full size it is wider than most letters
             base = f'<mover accent="true">{base}<mo stretchy="{stretchy}"{size}>{sign}</mo></mover>'
-        below, above = (_row(_THIN.join(map(_index, parts))) if parts else "" for parts in (symbol.index, symbol.upper))
+        upper = symbol.upper
+        if upper == _PRIMED:  # raised by its own form
+            base, upper = f"<mrow>{base}<mo>{GREEK['prime']}</mo></mrow>", ()
+        below, above = (_row(_THIN.join(map(_index, parts))) if parts else "" for parts in (symbol.index, upper))
         if exponent is not None and not above:
             above, exponent = _number(exponent), None
         if above and mark is not Mark.NONE:  # what stands above the letter does not lift what stands beside it
@@ -120,7 +124,7 @@ _MATHML = _MathML()
 
 
 def _is_tall(content: str) -> bool:
-    """Whether parentheses have to grow with their content; letters with indices and powers alone look better without."""
+    """Whether parentheses have to grow with their content, as those around letters with indices do not."""
     return "<mfrac>" in content or "<msqrt>" in content
 
 

@@ -31,9 +31,7 @@ def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, width_mm=width_mm, paper=True)}\n'.encode()
 
 
-def svg(
-    drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False, name: str = ""
-) -> str:
+def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False, name: str = "") -> str:
     """The ``svg`` element, for a file or inside a page of HTML; with ``paper`` it has a background.
 
     ``name`` is part of the ids of title and description; without one they are made from the content.

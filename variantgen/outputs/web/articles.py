@@ -1,4 +1,4 @@
-"""Articles of pages of HTML: the sheet of a student, the solutions of a student, the key; parts that pages are made of."""
+"""Articles of which pages of HTML are made: the sheet of a student, the solutions of a student, the key."""
 
 from __future__ import annotations
 

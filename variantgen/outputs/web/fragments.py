@@ -20,7 +20,6 @@ from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
 from variantgen.wording.statement import Statement, Text
 
-
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
 # Letters of a formula that is to be set smaller, because it has no place where it could be broken, and its class.
@@ -46,7 +45,7 @@ class Style:
     def formulas(self, found: Sequence[Formula], end: str = "") -> str:
         """Formulas after each other, with commas between them and what stands at the end."""
         signs = [*[", "] * (len(found) - 1), end]
-        return self.text([part for pair in zip(found, signs, strict=True) for part in pair])
+        return self.text(tuple(part for pair in zip(found, signs, strict=True) for part in pair))
 
     def _run(self, run: Sequence[str | Formula]) -> str:
         inner = "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in run)

@@ -1,4 +1,4 @@
-"""Pages of HTML from templates: whole and self-contained, with everything from outside escaped by the template engine."""
+"""Pages of HTML from templates: self-contained, with everything from outside escaped by the template engine."""
 
 from __future__ import annotations
 
