@@ -46,7 +46,10 @@ FORMULAS = [
     (Symbol("O1"), "<mrow><msub><mi>O</mi><mn>1</mn></msub></mrow>"),
     (Power(V, 2), "<msubsup><mi>v</mi><mi>B</mi><mn>2</mn></msubsup>"),
     (A, "<msubsup><mi>a</mi><mi>B</mi><mi>n</mi></msubsup>"),
-    (Vector(V), '<msub><mover accent="true"><mi>v</mi><mo stretchy="false" mathsize="65%">→</mo></mover><mi>B</mi></msub>'),
+    (
+        Vector(V),
+        '<msub><mover accent="true"><mi>v</mi><mo stretchy="false" mathsize="65%">→</mo></mover><mi>B</mi></msub>',
+    ),
     (
         Vector(A),
         '<msubsup><mpadded height="0.5em"><mover accent="true"><mi>a</mi><mo stretchy="false" mathsize="65%">→</mo>'

@@ -30,10 +30,11 @@ def page_style(code: str) -> Style:
     """Formulas as MathML, figures as SVG; ids of figures are numbered after the code of the sheet."""
     numbers = count(1)
 
-    def figure(drawing: Drawing, millimetres: float) -> str:
-        return svg(drawing, width_mm=millimetres, name=f"-{code}-{next(numbers)}")
+    def figure(drawing: Drawing, millimetres: float, caption: str = "") -> str:
+        title = "" if drawing.alt else caption
+        return svg(drawing, title, millimetres, name=f"-{code}-{next(numbers)}")
 
-    return Style(to_mathml, figure)
+    return Style(to_mathml, figure, captioned=figure)
 
 
 def sheet_article(content: Content, number: int) -> bytes:

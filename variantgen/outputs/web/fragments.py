@@ -18,6 +18,7 @@ from variantgen.outputs.solution_data import see, solution_words
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
+from variantgen.wording.solution.plain import plain_text
 from variantgen.wording.statement import Statement, Text
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
@@ -31,12 +32,14 @@ class Style:
     """How an output writes what is not text.
 
     ``math(formula, display)`` is a formula inside a line (``display``: fractions of full size); ``figure(drawing,
-    millimetres)`` a figure of a width. ``heading`` is the tag of headings inside a problem.
+    millimetres)`` a figure of a width. ``heading`` is the tag of headings inside a problem. ``captioned``, if there is
+    one, writes figures that have a caption, which it gets as plain text for those who do not see the figure.
     """
 
     math: Callable[[Formula, bool], str]
     figure: Callable[[Drawing, float], str]
     heading: str = "h4"
+    captioned: Callable[[Drawing, float, str], str] | None = None
 
     def text(self, text: Text) -> str:
         """Words with formulas in them; a formula keeps the signs that touch it, which browsers would break off."""
@@ -102,12 +105,16 @@ def solution_html(solved: Solved, language: Language, style: Style) -> str:
 
 def _figures(row: Sequence[Shown], style: Style) -> str:
     """Figures beside each other, with captions."""
-    shown = (
-        f"<figure>{style.figure(one.drawing, one.drawing.width * one.unit)}"
-        f"<figcaption>{style.text(one.caption)}</figcaption></figure>"
-        for one in row
-    )
+    shown = (f"<figure>{_drawn(one, style)}<figcaption>{style.text(one.caption)}</figcaption></figure>" for one in row)
     return f'<div class="figures">{"".join(shown)}</div>'
+
+
+def _drawn(shown: Shown, style: Style) -> str:
+    """A figure without its caption."""
+    width = shown.drawing.width * shown.unit
+    if style.captioned is None:
+        return style.figure(shown.drawing, width)
+    return style.captioned(shown.drawing, width, plain_text(shown.caption))
 
 
 def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:

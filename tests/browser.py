@@ -1,0 +1,80 @@
+"""Chromium without a window: what a page is when a browser has read it, how it is laid out, and how it is printed."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+_OPTIONS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+    "--disable-background-networking", "--disable-component-update", "--hide-scrollbars", "--window-size=1200,900",
+]  # fmt: skip
+_POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy"[^>]*>\n')
+# A frame, because a window has a least width. What the script of the page finds comes as a message.
+_FRAME = """<!doctype html><meta charset="utf-8"><iframe src="{name}" style="width:{width}px;height:800px;border:0"></iframe>
+<pre id="found"></pre><script>addEventListener("message", event => found.textContent = event.data)</script>"""
+
+
+class Browser:
+    """A browser with a profile of its own; ``dark`` for those who like dark pages."""
+
+    def __init__(self, program: str, folder: Path, dark: bool = False) -> None:
+        self.folder = folder
+        self._command = [program, *_OPTIONS, f"--user-data-dir={folder / 'profile'}"]
+        self._command += ["--blink-settings=preferredColorScheme=0"] if dark else []
+
+    def dom(self, page: Path) -> str:
+        """The document after everything in it has run."""
+        return self._run(["--virtual-time-budget=3000", "--dump-dom", page.resolve().as_uri()])
+
+    def measured(self, page: Path, width: int, script: str) -> Any:
+        """What a script returns in a page shown ``width`` pixels wide, after all of it has been laid out."""
+        (self.folder / "page.html").write_text(
+            unprotected(page.read_text("utf-8")).replace("content-visibility: auto", "content-visibility: visible")
+            + f"<script>onload = () => parent.postMessage(JSON.stringify((() => {{ {script} }})()), '*')</script>",
+            encoding="utf-8",
+        )
+        frame = self.folder / "frame.html"
+        frame.write_text(_FRAME.format(name="page.html", width=width), encoding="utf-8")
+        found = re.search(r'<pre id="found">(.*?)</pre>', self.dom(frame), re.DOTALL)
+        assert found
+        assert found[1], "the script has said nothing"
+        for name, letter in (("lt", "<"), ("gt", ">"), ("amp", "&")):
+            text = found[1] if name == "lt" else text
+            text = text.replace(f"&{name};", letter)
+        return json.loads(text)
+
+    def printed(self, page: Path) -> Path:
+        """The page as PDF."""
+        made = self.folder / f"{page.stem}.pdf"
+        self._run(["--no-pdf-header-footer", f"--print-to-pdf={made}", page.resolve().as_uri()])
+        return made
+
+    def _run(self, arguments: list[str]) -> str:
+        command = [*self._command, *arguments]
+        run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+        assert run.returncode == 0, run.stderr[-2000:]
+        return run.stdout
+
+
+def unprotected(page: str) -> str:
+    """A page without its policy, which would keep scripts from running."""
+    bare, count = _POLICY.subn("", page)
+    assert count == 1
+    return bare
+
+
+def find_browser() -> str:
+    """The path of Chromium; where CI runs, there has to be one."""
+    found = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
+    if found is None:
+        assert os.environ.get("CI") != "true", "Chromium is needed here: apt-get install chromium"
+        pytest.skip("no Chromium on this machine (apt-get install chromium)")
+    return found
