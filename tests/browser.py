@@ -7,6 +7,8 @@ import os
 import re
 import shutil
 import subprocess
+from collections.abc import Sequence
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +19,11 @@ _OPTIONS = [
     "--disable-background-networking", "--disable-component-update", "--hide-scrollbars", "--window-size=1200,900",
 ]  # fmt: skip
 _POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy"[^>]*>\n')
-# A frame, because a window has a least width. What the script of the page finds comes as a message.
-_FRAME = """<!doctype html><meta charset="utf-8"><iframe src="{name}" style="width:{width}px;height:800px;border:0"></iframe>
-<pre id="found"></pre><script>addEventListener("message", event => found.textContent = event.data)</script>"""
+# For a page with frames, because a window has a least width; what their scripts find comes as messages.
+_LISTENER = """<pre id="found"></pre><script>
+const found = {}; addEventListener("message", event => {
+  found[event.data[0]] = event.data[1]; document.getElementById("found").textContent = JSON.stringify(found) })
+</script>"""
 
 
 class Browser:
@@ -34,22 +38,27 @@ class Browser:
         """The document after everything in it has run."""
         return self._run(["--virtual-time-budget=3000", "--dump-dom", page.resolve().as_uri()])
 
-    def measured(self, page: Path, width: int, script: str) -> Any:
-        """What a script returns in a page shown ``width`` pixels wide, after all of it has been laid out."""
-        (self.folder / "page.html").write_text(
-            unprotected(page.read_text("utf-8")).replace("content-visibility: auto", "content-visibility: visible")
-            + f"<script>onload = () => parent.postMessage(JSON.stringify((() => {{ {script} }})()), '*')</script>",
-            encoding="utf-8",
-        )
-        frame = self.folder / "frame.html"
-        frame.write_text(_FRAME.format(name="page.html", width=width), encoding="utf-8")
-        found = re.search(r'<pre id="found">(.*?)</pre>', self.dom(frame), re.DOTALL)
-        assert found
-        assert found[1], "the script has said nothing"
-        for name, letter in (("lt", "<"), ("gt", ">"), ("amp", "&")):
-            text = found[1] if name == "lt" else text
-            text = text.replace(f"&{name};", letter)
-        return json.loads(text)
+    def measured(self, views: Sequence[tuple[Path, int]], script: str, paper: bool = False) -> list[Any]:
+        """What a script returns in pages shown in widths in pixels, after all of each page has been laid out.
+
+        With ``paper`` in the style of paper, as far as it is not about sheets of it.
+        """
+        frames = []
+        for number, (page, width) in enumerate(views):
+            shown = unprotected(page.read_text("utf-8")).replace(
+                "content-visibility: auto", "content-visibility: visible"
+            )
+            if paper:
+                shown = shown.replace("@media screen", "@media speech").replace("@media print", "@media all")
+            shown += f"<script>onload = () => parent.postMessage([{number}, (() => {{ {script} }})()], '*')</script>"
+            (self.folder / f"view-{number}.html").write_text(shown, encoding="utf-8")
+            frames.append(f'<iframe src="view-{number}.html" style="width:{width}px;height:800px;border:0"></iframe>')
+        whole = self.folder / "views.html"
+        whole.write_text('<!doctype html><meta charset="utf-8">' + _LISTENER + "".join(frames), encoding="utf-8")
+        found = re.search(r'<pre id="found">(.+?)</pre>', self.dom(whole), re.DOTALL)
+        assert found, "no script has said anything"
+        told = json.loads(unescape(found[1]))
+        return [told[str(number)] for number in range(len(views))]
 
     def printed(self, page: Path) -> Path:
         """The page as PDF."""
