@@ -6,10 +6,17 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+from variantgen.exam.content import with_figures
+from variantgen.figure.drawing import Drawing
 from variantgen.outputs.rows import breadth
-from variantgen.outputs.web.fragments import Style, blocks_html
+from variantgen.outputs.web.fragments import Style, blocks_html, solution_html, statement_html
+from variantgen.single import asked_quantities, one_variant
+from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Formula, Fraction, Number, Product, Sum, Symbol, to_plain
+from variantgen.wording.language import load_language
+from variantgen.wording.mathml import to_mathml
 from variantgen.wording.solution.document import Line, Lines
+from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import Text
 
 A, B = Symbol("A"), Symbol("B")
@@ -55,6 +62,33 @@ def test_signs_stand_in_the_pieces_that_they_end() -> None:
     formulas = [["".join(piece.itertext()) for piece in formula] for formula in tree]
     assert formulas == [["A", "=\xa0B;"], ["B", "≈\xa0A."]]
     assert [node.get("class") for node in tree] == ["formula"] * 2
+
+
+@pytest.mark.parametrize("family", ["four_bar", "planetary_train"])
+@pytest.mark.parametrize("lang", ["en", "ru"])
+def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> None:
+    variant, language = one_variant(family), load_language(lang)
+    asked = asked_quantities(variant)
+    motion = solve_variants([variant], 2)
+    written = explain(variant, motion, 0, asked, language)
+    solved = with_figures(variant, asked, language, (motion, 0), written)
+    captions: list[str] = []
+
+    def captioned(drawing: Drawing, width: float, caption: str) -> str:
+        captions.append(caption)
+        return "<svg/>"
+
+    style = Style(to_mathml, lambda drawing, width: "<b/>", "h5", captioned)
+    tree = ET.fromstring(
+        f"<div>{statement_html(solved.said, language, style)}{solution_html(solved, language, style)}</div>"
+    )
+    assert len(list(tree.iter("h5"))) == len(written.sections) + (1 if written.check else 0)
+    shown = [one for row in solved.rows for one in row]
+    assert len(list(tree.iter("svg"))) == len(captions) == len(shown)
+    assert all(caption.startswith({"en": "Fig.", "ru": "Рис."}[lang]) for caption in captions)
+    assert not list(tree.iter("b"))
+    said = "".join(tree.itertext())
+    assert all(part in said for part in solved.said.text if isinstance(part, str))
 
 
 def long(letters: int) -> Formula:

@@ -78,7 +78,8 @@ def solution_article(content: Content, number: int) -> bytes:
         for item, solved in zip(sheet.items, content.solved[number], strict=True)
     ]
     words = solution_words(language)
-    return rendered("solution.html.j2", **_who(exam, sheet, language), words=words, problems=problems)
+    who = _who(exam, sheet, language) | {"title": f"{words['solutions']}: {exam.title}"}
+    return rendered("solution.html.j2", **who, words=words, problems=problems)
 
 
 def student_key(exam: Exam, sheets: Sequence[Sheet]) -> bytes:
