@@ -1,24 +1,30 @@
-"""Pages of HTML: sound, self-contained, the same in content as the PDFs, laid out for telephones and for paper."""
+"""Pages of HTML: sound, self-contained, the same in content as the PDFs and the key."""
 
 from __future__ import annotations
 
-import base64
 import csv
-import hashlib
-import json
 import re
 import unicodedata
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
-from functools import cache
-from itertools import pairwise
 from pathlib import Path
 
-import html5lib
-import pypdfium2
 import pytest
 
-from tests.browser import Browser, find_browser, unprotected
+from tests.outputs.formats.html_pages import (
+    MATH,
+    NAMES,
+    SVG,
+    XHTML,
+    build,
+    codes,
+    exam,
+    key_rows,
+    pages,
+    read,
+    sound,
+    text,
+)
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.figure.build import statement_figure
@@ -26,55 +32,6 @@ from variantgen.outputs.web.articles import page_style
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
-
-XHTML, SVG, MATH = (
-    "{http://www.w3.org/1999/xhtml}",
-    "{http://www.w3.org/2000/svg}",
-    "{http://www.w3.org/1998/Math/MathML}",
-)
-TITLES = {"en": "Test of June", "ru": "Зачётная работа"}
-NAMES = ["Anna Berg", "Пётр Ёлкин", "Chiara Rossi", "Eva Lind"]
-# A long solution, figures of plans, a listing, six answers in a row, families to choose from, points.
-PROBLEMS = """
-[[problem]]
-family = "sleeve_on_crank"
-points = 3
-[[problem]]
-families = ["planetary_train", "spool"]
-points = 11
-[[problem]]
-family = "four_bar"
-method = "graphical"
-[[problem]]
-family = "slider_crank"
-method = "coordinates"
-"""
-LONGEST = """
-[[problem]]
-family = "three_rod_plate"
-[[problem]]
-family = "two_loop_mechanism"
-[[problem]]
-family = "guided_plate"
-method = "coordinates"
-"""
-
-
-def exam(
-    folder: Path, language: str, more: str = "", problems: str = PROBLEMS, formats: str = '["html", "pdf"]'
-) -> Path:
-    folder.mkdir(parents=True, exist_ok=True)
-    head = f'title = "{TITLES[language]}"\ncourse = "Mechanics"\nlanguage = "{language}"\nformats = {formats}\n'
-    (folder / "exam.toml").write_text(head + more + problems, encoding="utf-8")
-    rows = "".join(f"{number},{name},G-{number % 2}\n" for number, name in enumerate(NAMES, start=1))
-    (folder / "class.csv").write_text("id,name,group\n" + rows, encoding="utf-8")
-    return folder
-
-
-def build(folder: Path, out: str = "out", *options: str) -> Path:
-    files = [str(folder / "exam.toml"), "--roster", str(folder / "class.csv")]
-    assert main(["build", *files, "--out", str(folder / out), *options]) == 0
-    return folder / out
 
 
 @pytest.fixture(scope="module", params=["en", "ru"])
@@ -90,26 +47,6 @@ def single(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build(exam(tmp_path_factory.mktemp("single"), "ru", more, formats='["html"]'))
 
 
-@pytest.fixture
-def browser(tmp_path: Path) -> Browser:
-    return Browser(find_browser(), tmp_path)
-
-
-def pages(out: Path) -> list[Path]:
-    return sorted((out / "html").rglob("*.html"))
-
-
-@cache
-def read(path: Path) -> ET.Element:
-    """A page, read by a parser that takes no mistake."""
-    tree: ET.Element = html5lib.HTMLParser(strict=True).parse(path.read_text("utf-8"))
-    return tree
-
-
-def text(node: ET.Element) -> str:
-    return "".join(node.itertext())
-
-
 def said(node: ET.Element) -> str:
     """The text of a node without listings and what stands for figures."""
     if node.tag in {f"{SVG}svg", f"{XHTML}pre"}:
@@ -121,15 +58,6 @@ def said(node: ET.Element) -> str:
 def squeezed(string: str) -> str:
     """Text without blanks and hyphens: lines of a PDF are broken anywhere."""
     return re.sub(r"[\s\x02\u00ad\ufffe-]", "", string)
-
-
-def key_rows(out: Path) -> list[dict[str, str]]:
-    with (out / "key.csv").open(encoding="utf-8-sig", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def codes(out: Path) -> list[str]:
-    return list(dict.fromkeys(row["code"] for row in key_rows(out)))
 
 
 def test_a_page_for_each_document(made: tuple[str, Path]) -> None:
@@ -164,52 +92,6 @@ def test_no_solutions_where_none_are_wanted(tmp_path: Path) -> None:
     assert {page.parent.name for page in pages(out)} == {"html", "sheets"}
     links = [node.get("href") or "" for node in read(out / "html" / "index.html").iter(f"{XHTML}a")]
     assert not [link for link in links if "solutions" in link]
-
-
-def sound(path: Path, language: str) -> None:
-    """Check what every page has to fulfil."""
-    source, tree = path.read_text("utf-8"), read(path)
-    assert tree.get("lang") == language
-    ids = [node.get("id") for node in tree.iter() if node.get("id")]
-    assert len(ids) == len(set(ids))
-    for name in ("aria-labelledby", "aria-describedby"):
-        assert {part for node in tree.iter() for part in (node.get(name) or "").split()} <= set(ids)
-    local = {(node.get("href") or "")[1:] for node in tree.iter(f"{XHTML}a") if (node.get("href") or "")[0] == "#"}
-    assert local <= set(ids)
-    assert len(list(tree.iter(f"{XHTML}main"))) == len(list(tree.iter(f"{XHTML}title"))) == 1
-    levels = [int(node.tag[-1]) for node in tree.iter() if re.fullmatch(rf"{XHTML}h\d", str(node.tag))]
-    assert levels.count(1) == 1
-    assert levels[0] == 1
-    assert all(after <= before + 1 for before, after in pairwise(levels))
-    for head in tree.iter(f"{XHTML}th"):
-        assert head.get("scope") in {"col", "row"}
-    for drawn in tree.iter(f"{SVG}svg"):
-        assert drawn.get("role") == "img"
-        assert drawn.get("aria-labelledby")
-        assert all(len(text(node)) > 8 for node in drawn if node.tag in {f"{SVG}title", f"{SVG}desc"})
-    for label in tree.iter(f"{XHTML}label"):
-        assert len(list(label.iter(f"{XHTML}input"))) == 1
-        assert text(label).strip()
-    needs_nothing(source, tree)
-
-
-def needs_nothing(source: str, tree: ET.Element) -> None:
-    """Check that a page loads nothing and runs nothing, and that it says so to the browser."""
-    assert not {f"{XHTML}{name}" for name in ("script", "link", "img", "iframe", "object", "embed", "form")} & {
-        node.tag for node in tree.iter()
-    }
-    for node in tree.iter():
-        assert not [name for name in node.attrib if name.startswith("on") or name in {"src", "style"}]
-        assert not re.match(r"[a-z]+:|//", node.get("href") or "")
-    (style,) = [node.text or "" for node in tree.iter(f"{XHTML}style")]
-    assert "url(" not in style
-    assert "@import" not in style
-    told = {node.get("http-equiv") or node.get("name"): node.get("content") or "" for node in tree.iter(f"{XHTML}meta")}
-    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
-    policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
-    assert told["Content-Security-Policy"] == policy
-    assert told["viewport"] == "width=device-width, initial-scale=1"
-    assert source.startswith("<!doctype html>\n")
 
 
 def test_pages_are_sound(made: tuple[str, Path]) -> None:
@@ -294,113 +176,6 @@ def test_many_students_have_a_list_of_contents(made: tuple[str, Path]) -> None:
     tree = read(made[1] / "html" / "sheets.html")
     links = [(node.get("href"), text(node)) for node in tree.find(f".//{XHTML}nav").iter(f"{XHTML}a")]
     assert links == [(f"#{code}", f"{name} {code}") for code, name in zip(codes(made[1]), NAMES, strict=True)]
-
-
-# What is not laid out as it should be: pages wider than the window, formulas without a size, boxes that stick out.
-LAYOUT = """
-const all = names => [...document.querySelectorAll(names)], box = node => node.getBoundingClientRect();
-const within = node => box(node.closest("p, .wide, pre, .answers") ?? node);
-const maths = all("math"), page = document.documentElement;
-return {
-  window: innerWidth,
-  width: Math.max(page.scrollWidth, document.body.scrollWidth),
-  maths: maths.length,
-  empty: maths.filter(node => box(node).width < 2 || box(node).height < 2).length,
-  tall: maths.filter(node => box(node).height > 120).length,
-  out: all("math, svg, input, h1, h2, h3, h4, p, figcaption").filter(
-    node => within(node).left < -0.5 || within(node).right > innerWidth + 0.5).length,
-  scrolling: all("p").filter(node => node.scrollWidth > node.clientWidth + 1).length,
-  rows: all("p.formulas").length,
-};
-"""
-
-
-def test_pages_fit_the_window(made: tuple[str, Path], browser: Browser) -> None:
-    views = [*((path, 360) for path in pages(made[1])), (made[1] / "html" / "solutions.html", 1200)]
-    for (_, width), seen in zip(views, browser.measured(views, LAYOUT), strict=True):
-        assert seen["window"] == width
-        assert seen["width"] <= width
-        assert seen["maths"] > 100
-        assert (seen["empty"], seen["out"], seen["tall"]) == (0, 0, 0)
-        assert seen["scrolling"] <= (0.1 if width == 360 else 0) * seen["rows"]
-
-
-@pytest.mark.parametrize("language", ["en", "ru"])
-def test_the_longest_solutions_fit_a_telephone(language: str, tmp_path: Path, browser: Browser) -> None:
-    folder = exam(tmp_path, language, problems=LONGEST, formats='["html"]')
-    assert main(["build", str(folder / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")]) == 0
-    (seen,) = browser.measured([(tmp_path / "out" / "html" / "solutions.html", 360)], LAYOUT)
-    assert (seen["window"], seen["width"], seen["empty"], seen["out"]) == (360, 360, 0, 0)
-    assert seen["scrolling"] <= 0.1 * seen["rows"]
-
-
-def test_each_student_starts_on_a_new_page_of_paper(made: tuple[str, Path], tmp_path: Path) -> None:
-    browser = Browser(find_browser(), tmp_path, dark=True)
-    printed = browser.printed(made[1] / "html" / "sheets.html")
-    texts = page_texts(printed)
-    starts = [[name for name in NAMES if name in page] for page in texts]
-    assert [name for own in starts for name in own] == NAMES
-    assert all(len(own) <= 1 for own in starts)
-    assert all(TITLES[made[0]] in page for page, own in zip(texts, starts, strict=True) if own)
-    assert all(page.strip() for page in texts)
-    document = pypdfium2.PdfDocument(printed)
-    try:
-        for page in document:
-            assert page.get_size() == pytest.approx((595, 842), abs=1.5)
-        image = document[0].render(scale=1, grayscale=True).to_pil()
-    finally:
-        document.close()
-    assert image.getpixel((3, 3)) == 255
-    assert image.getextrema()[0] < 60
-    assert sum(image.histogram()[128:]) > 0.9 * image.width * image.height
-
-
-def test_figures_are_printed_in_their_size(made: tuple[str, Path], browser: Browser) -> None:
-    """Lengths of plans are told in millimetres."""
-    page = made[1] / "html" / "solutions.html"
-    told = [float(width) for width in re.findall(r'<svg xmlns="[^"]*" width="([\d.]+)mm"', page.read_text("utf-8"))]
-    script = "return [...document.querySelectorAll('svg')].map(node => node.getBoundingClientRect().width)"
-    (seen,) = browser.measured([(page, round(181 / 25.4 * 96))], script, paper=True)
-    assert [width / 96 * 25.4 for width in seen] == pytest.approx(told, abs=0.1)
-
-
-HOSTILE = [
-    "<script>document.title = 'pwned'; document.body.className = 'pwned'</script>",
-    '"><img src=x onerror="document.body.className=\'pwned\'">',
-    "'><svg onload=\"document.body.className='pwned'\">",
-    "&amp; &lt;b&gt; &#x41; ]]> --> <!-- {{ 7*7 }} {% raw %} {# #}",
-    "</style></title></textarea><h1>x</h1>",
-    "\u202eevil\u202c שלום \u2066isolate",
-    "x" * 5000,
-]
-
-
-@pytest.mark.parametrize("files", ["joined", "students"])
-def test_hostile_text_is_shown_and_never_run(files: str, tmp_path: Path, browser: Browser) -> None:
-    quoted = json.dumps(" ".join(HOSTILE[:6]) + "\u0001\uffff", ensure_ascii=True)
-    head = f'title = {quoted}\ncourse = {quoted}\nlanguage = "en"\nformats = ["html"]\n[html]\nfiles = "{files}"\n'
-    (tmp_path / "exam.toml").write_text(head + '[[problem]]\nfamily = "spool"\n', encoding="utf-8")
-    with (tmp_path / "class.csv").open("w", encoding="utf-8", newline="") as file:
-        csv.writer(file).writerows([("id", "name", "group"), *((f"I{t}", f"N{t}", f"G{t}") for t in HOSTILE)])
-    out = build(tmp_path)
-    bare = " ".join(" ".join(HOSTILE[:6]).split())
-    for path in pages(out):
-        sound(path, "en")
-        tree = read(path)
-        assert bare in " ".join(text(tree.find(f".//{XHTML}h1")).split())
-    shown = "".join(text(read(path)) for path in pages(out))
-    for string in HOSTILE:
-        assert f"N{string}" in shown
-        assert f"G{string}" in shown.replace("Group G", "G")
-    opened = [page for page in pages(out) if page.name != "solutions.html"][:3]
-    for path in opened:
-        (tmp_path / "open.html").write_text(unprotected(path.read_text("utf-8")), encoding="utf-8")
-        dom = html5lib.parse(browser.dom(tmp_path / "open.html"))
-        assert not dom.find(f"{XHTML}body").get("class")
-        assert not list(dom.iter(f"{XHTML}script")) + list(dom.iter(f"{XHTML}img"))
-        assert text(dom.find(f".//{XHTML}title")) == text(read(path).find(f".//{XHTML}title"))
-    script = "return document.documentElement.scrollWidth"
-    assert browser.measured([(path, 360) for path in opened], script) == [360] * len(opened)
 
 
 def test_names_of_files_come_from_codes_only(tmp_path: Path) -> None:
