@@ -16,6 +16,7 @@ from variantgen.wording.formula import (
     Fraction,
     Function,
     Graph,
+    Group,
     Index,
     Measured,
     Number,
@@ -37,7 +38,7 @@ V, A = Symbol("v", (Index("B"),)), Symbol("a", (Index("B"),), (Index("n"),))
 # https://www.w3.org/TR/mathml-core/
 CORE = {
     "math", "mi", "mn", "mo", "mtext", "mspace", "mrow", "mfrac", "msqrt", "msub", "msup", "msubsup", "mover",
-    "munderover",
+    "munderover", "mpadded",
 }  # fmt: skip
 CHILDREN = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "munderover": 3}
 FORMULAS = [
@@ -45,7 +46,22 @@ FORMULAS = [
     (Symbol("O1"), "<mrow><msub><mi>O</mi><mn>1</mn></msub></mrow>"),
     (Power(V, 2), "<msubsup><mi>v</mi><mi>B</mi><mn>2</mn></msubsup>"),
     (A, "<msubsup><mi>a</mi><mi>B</mi><mi>n</mi></msubsup>"),
-    (Vector(V), '<msub><mover accent="true"><mi>v</mi><mo stretchy="false">→</mo></mover><mi>B</mi></msub>'),
+    (
+        Vector(V),
+        '<msub><mover accent="true"><mi>v</mi><mo stretchy="false" mathsize="65%">→</mo></mover><mi>B</mi></msub>',
+    ),
+    (
+        Vector(A),
+        '<msubsup><mpadded height="0.5em"><mover accent="true"><mi>a</mi><mo stretchy="false" mathsize="65%">→</mo>'
+        "</mover></mpadded><mi>B</mi><mi>n</mi></msubsup>",
+    ),
+    (Symbol("a", (), (Index("prime"),)), "<mrow><mi>a</mi><mo>′</mo></mrow>"),
+    (
+        Group(Sum(((1, V), (-1, V)))),
+        '<mrow><mo stretchy="false">(</mo><msub><mi>v</mi><mi>B</mi></msub><mo form="infix">−</mo>'
+        '<msub><mi>v</mi><mi>B</mi></msub><mo stretchy="false">)</mo></mrow>',
+    ),
+    (Group(Fraction(V, V)), None),
     (Dotted(Symbol("phi"), 2), '<mover accent="true"><mi>φ</mi><mo stretchy="false">¨</mo></mover>'),
     (Number("\N{MINUS SIGN}0,5"), '<mo form="prefix">−</mo><mn>0,5</mn>'),
     (Measured(Number("45"), UnitText((("°", 1),), tight=True)), "<mn>45</mn><mtext>°</mtext>"),
@@ -87,6 +103,14 @@ def test_markup(formula: object, inner: str | None) -> None:
     checked(formula)
     if inner is not None:
         assert to_mathml(formula) == f'<math xmlns="{NAMESPACE}">{inner}</math>'
+
+
+def test_parentheses_grow_with_fractions_and_roots_only() -> None:
+    for inner, grows in ((V, False), (Power(V, 2), False), (Fraction(V, V), True), (Root(V), True)):
+        for formula in (Group(inner), Absolute(inner)):
+            signs = [sign for sign in checked(formula).iter() if sign.text in {"(", ")", "|"}]
+            assert len(signs) == 2
+            assert all((sign.get("stretchy", "true") == "true") is grows for sign in signs)
 
 
 def test_words_are_escaped() -> None:

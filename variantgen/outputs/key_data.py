@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from decimal import Decimal
+from collections.abc import Sequence
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.sheets import Answer, Sheet
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.key_content import equation, group, margin, mark, place, remarks
 from variantgen.outputs.markup import heading
 from variantgen.outputs.typesetter import equals_data, title_of
-from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language
-
-_UNNOTICED = "*"
 
 
 def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
@@ -29,9 +26,9 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                     "number": str(item.task.number),
                     "answers": [
                         {
-                            **equals_data(_equation(a, language, item.variant.form.symbols), a.surd),
-                            "margin": _margin(a, exam, language),
-                            "mark": _mark(a),
+                            **equals_data(equation(a, language, item.variant.form.symbols), a.surd),
+                            "margin": margin(a, exam, language),
+                            "mark": mark(a),
                         }
                         for a in item.answers
                     ],
@@ -50,20 +47,11 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
     tables: dict[tuple[int, str, str], dict[str, Any]] = {}
     for sheet in sheets:
         for item in sheet.items:
-            variant = item.variant
-            title = variant.family.title(exam.language)
-            where = (item.task.number, variant.family.name, variant.form.name)
-            table = tables.setdefault(
-                where,
-                {
-                    "title": f"{language.words('key')['problem']} {item.task.number}. {title}",
-                    "symbols": [
-                        heading(language.quantity(answer.quantity, variant.form.symbols), language.unit(answer.unit))
-                        for answer in item.answers
-                    ],
-                    "rows": [],
-                },
-            )
+            if place(item) not in tables:
+                found = group(item, exam, language)
+                symbols = [heading(symbol, unit) for symbol, unit in found.heads]
+                tables[place(item)] = {"title": found.title, "symbols": symbols, "rows": []}
+            table = tables[place(item)]
             table["rows"].append(
                 {
                     "code": sheet.code,
@@ -71,8 +59,8 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                     "values": [
                         {
                             "value": language.rounded(a.value).text,
-                            "margin": _margin(a, exam, language),
-                            "mark": _mark(a),
+                            "margin": margin(a, exam, language),
+                            "mark": mark(a),
                         }
                         for a in item.answers
                     ],
@@ -91,33 +79,10 @@ def _document(
         "title": exam.title,
         "document": title_of(exam.title),
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": f"{exam.course}  ·  {words['tolerance']}: {_percent(exam.tolerance.floor, language)},"
-        f" {words['otherwise']}  ·  {_UNNOTICED} {words['unnoticed']}"
-        if heading
-        else "",
+        "subheading": "  ·  ".join((exam.course, *remarks(exam, language))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),
         "students": students,
         "tables": tables,
     }
-
-
-def _margin(answer: Answer, exam: Exam, language: Language) -> str:
-    """The relative tolerance of an answer, where it is more than the usual one."""
-    return _percent(answer.margin, language) if answer.margin > exam.tolerance.floor else ""
-
-
-def _mark(answer: Answer) -> str:
-    """The sign of an answer that some mistakes change by less than its tolerance."""
-    return _UNNOTICED if answer.unnoticed else ""
-
-
-def _percent(margin: float, language: Language) -> str:
-    """``±1.5 %``, of an angle the like part of a radian."""
-    return f"±{language.decimal(Decimal(f'{100 * margin:.3g}')).text}\N{NO-BREAK SPACE}%"
-
-
-def _equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> Equation:
-    value = Measured(language.rounded(answer.value), language.unit(answer.unit))
-    return Equation(language.quantity(answer.quantity, symbols), value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from variantgen.wording.formula import GREEK, Formula, Sum, to_typst
+from variantgen.wording.formula import GREEK, Formula, Fraction, Sum, to_plain, to_typst
 from variantgen.wording.solution.document import Line
 
 Pieces = list[tuple[str, Formula]]  # a formula as pieces that hold together, with the sign before each
@@ -40,6 +40,12 @@ def _letters(formula: Formula) -> int:
     markup = to_typst(formula)
     letters = len(_SILENT.sub("", _NAMES.sub("x", markup)))
     return letters // 2 if markup.startswith("frac(") else letters
+
+
+def breadth(formula: Formula) -> int:
+    """How many letters a formula has beside each other; of a fraction, its longer part."""
+    parts = (formula.numerator, formula.denominator) if isinstance(formula, Fraction) else (formula,)
+    return max(sum(1 for letter in to_plain(part) if letter not in "_^" and not letter.isspace()) for part in parts)
 
 
 def _pieces(line: Line) -> tuple[Pieces, int]:

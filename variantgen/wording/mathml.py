@@ -20,6 +20,7 @@ _ABOUT = {
     "angle": '<mo>∠</mo><mo stretchy="false">(</mo>{}<mo separator="true">,</mo><mi>x</mi><mo stretchy="false">)</mo>',
     "sense": f"<mi>sgn</mi>{_THIN}{{}}",
 }
+_PRIMED = (Index("prime"),)
 _ABOVE = {Mark.ARROW: "→", Mark.DOT: "˙", Mark.DOTS: "¨"}
 
 
@@ -55,10 +56,16 @@ class _MathML(Markup):
         if mark is not Mark.NONE:
             sign = _ABOVE[mark]
             stretchy = "true" if mark is Mark.ARROW and symbol.is_name else "false"
-            base = f'<mover accent="true">{base}<mo stretchy="{stretchy}">{sign}</mo></mover>'
-        below, above = (_row(_THIN.join(map(_index, parts))) if parts else "" for parts in (symbol.index, symbol.upper))
+            size = ' mathsize="65%"' if mark is Mark.ARROW else ""  # of full size it is wider than most letters
+            base = f'<mover accent="true">{base}<mo stretchy="{stretchy}"{size}>{sign}</mo></mover>'
+        upper = symbol.upper
+        if upper == _PRIMED:  # raised by its own form
+            base, upper = f"<mrow>{base}<mo>{GREEK['prime']}</mo></mrow>", ()
+        below, above = (_row(_THIN.join(map(_index, parts))) if parts else "" for parts in (symbol.index, upper))
         if exponent is not None and not above:
             above, exponent = _number(exponent), None
+        if above and mark is not Mark.NONE:  # what stands above the letter does not lift what stands beside it
+            base = f'<mpadded height="0.5em">{base}</mpadded>'
         if below and above:
             base = f"<msubsup>{base}{below}{above}</msubsup>"
         elif below or above:
@@ -95,11 +102,14 @@ class _MathML(Markup):
         return head + ("" if enclosed else _THIN) + argument
 
     def parentheses(self, content: str) -> str:
-        return f"<mrow><mo>(</mo>{content}<mo>)</mo></mrow>"
+        held = "" if _is_tall(content) else ' stretchy="false"'
+        return f"<mrow><mo{held}>(</mo>{content}<mo{held}>)</mo></mrow>"
 
     def bars(self, content: str) -> str:
+        grows = "true" if _is_tall(content) else "false"
         return (
-            f'<mrow><mo form="prefix" stretchy="true">|</mo>{content}<mo form="postfix" stretchy="true">|</mo></mrow>'
+            f'<mrow><mo form="prefix" stretchy="{grows}">|</mo>{content}'
+            f'<mo form="postfix" stretchy="{grows}">|</mo></mrow>'
         )
 
     def coefficient(self, number: str, root: str) -> str:
@@ -111,6 +121,11 @@ class _MathML(Markup):
 
 
 _MATHML = _MathML()
+
+
+def _is_tall(content: str) -> bool:
+    """Whether parentheses have to grow with their content, as those around letters with indices do not."""
+    return "<mfrac>" in content or "<msqrt>" in content
 
 
 def _row(content: str) -> str:

@@ -72,7 +72,7 @@ _GROUPS = {
 _MATH = {
     "math": "", "mrow": "", "mi": "", "mn": "", "mtext": "", "mspace": "width", "mfrac": "", "msqrt": "",
     "mstyle": "displaystyle", "msub": "", "msup": "", "msubsup": "", "munderover": "", "mover": "accent",
-    "mo": "form separator lspace rspace stretchy",
+    "mo": "form separator lspace rspace stretchy mathsize", "mpadded": "height voffset depth width lspace",
 }  # fmt: skip
 
 

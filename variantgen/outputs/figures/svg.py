@@ -3,7 +3,7 @@
 Ink is ``currentColor``; what is filled with paper or shade has the class ``variantgen-paper`` or ``variantgen-shade``,
 so that the style of a page can take a figure into the dark, and a plain colour, because converters know no variables
 of style sheets. Several figures may stand in one page: the only names are
-those of title and description, made from the content.
+those of title and description, made from the content, or given where the same figure may stand there twice.
 """
 
 from __future__ import annotations
@@ -31,15 +31,18 @@ def render(drawing: Drawing, width_mm: float | None = None) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{svg(drawing, width_mm=width_mm, paper=True)}\n'.encode()
 
 
-def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False) -> str:
-    """The ``svg`` element, for a file or inside a page of HTML; with ``paper`` it has a background."""
+def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper: bool = False, name: str = "") -> str:
+    """The ``svg`` element, for a file or inside a page of HTML; with ``paper`` it has a background.
+
+    ``name`` is part of the ids of title and description; without one they are made from the content.
+    """
     height = drawing.height
     body = [_curve(curve, height) for curve in curves(drawing.lines)]
     body += [_paper(label, height) for label in drawing.labels]
     letters = [_letter(glyph, at, height) for label in drawing.labels for glyph, at in letters_of(label)]
     wide, tall = (_number(unit(drawing, width_mm) * side) for side in (drawing.width, height))
     sheet = f'<rect width="100%" height="100%"{_FILLS["paper"]}/>' if paper else ""
-    told = hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
+    told = name or hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
     labelled, words = _words(title, drawing.alt, told)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}mm" height="{tall}mm" '

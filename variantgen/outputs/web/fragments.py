@@ -5,19 +5,26 @@ Text from outside is escaped here and nowhere else; words of families and langua
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 
 from variantgen.exam.content import Solved
 from variantgen.exam.shown import Shown
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.rows import Pieces, rows
+from variantgen.outputs.rows import Pieces, breadth, rows
 from variantgen.outputs.solution_data import see, solution_words
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
+from variantgen.wording.solution.plain import plain_text
 from variantgen.wording.statement import Statement, Text
+
+# Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
+_SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
+# Letters of a formula that is to be set smaller, because it has no place where it could be broken, and its class.
+_LONG = ((100, "piece longer"), (74, "piece long"), (0, "piece"))
 
 
 @dataclass(frozen=True)
@@ -25,27 +32,54 @@ class Style:
     """How an output writes what is not text.
 
     ``math(formula, display)`` is a formula inside a line (``display``: fractions of full size); ``figure(drawing,
-    millimetres)`` a figure of a width. ``heading`` is the tag of headings inside a problem.
+    millimetres)`` a figure of a width. ``heading`` is the tag of headings inside a problem. ``captioned``, if there is
+    one, writes figures that have a caption, which it gets as plain text for those who do not see the figure.
     """
 
     math: Callable[[Formula, bool], str]
     figure: Callable[[Drawing, float], str]
     heading: str = "h4"
+    captioned: Callable[[Drawing, float, str], str] | None = None
 
     def text(self, text: Text) -> str:
-        """Words with formulas in them."""
-        return "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in text)
+        """Words with formulas in them; a formula keeps the signs that touch it, which browsers would break off."""
+        return "".join(self._run(run) for run in _runs(text))
 
-    def formulas(self, found: Sequence[Formula]) -> str:
-        """Formulas after each other."""
-        return ", ".join(self.math(formula, False) for formula in found)
+    def formulas(self, found: Sequence[Formula], end: str = "") -> str:
+        """Formulas after each other, with commas between them and what stands at the end."""
+        signs = [*[", "] * (len(found) - 1), end]
+        return self.text(tuple(part for pair in zip(found, signs, strict=True) for part in pair))
+
+    def _run(self, run: Sequence[str | Formula]) -> str:
+        inner = "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in run)
+        return inner if len(run) == 1 else f'<span class="steady">{inner}</span>'
+
+
+def _runs(text: Sequence[str | Formula]) -> Iterator[list[str | Formula]]:
+    """Words and formulas as they hold together: a formula and what stands beside it without a space is a run."""
+    run: list[str | Formula] = []
+    for part in text:
+        if isinstance(part, str) and (match := _SPACED.fullmatch(part)):
+            before, words, after = match.groups()
+            yield from _held([*run, before])
+            yield [words]
+            run = [after]
+        else:
+            run.append(part)
+    yield from _held(run)
+
+
+def _held(run: Sequence[str | Formula]) -> Iterator[list[str | Formula]]:
+    """A run without empty strings; nothing where nothing is left."""
+    if kept := [part for part in run if part != ""]:
+        yield kept
 
 
 def statement_html(said: Statement, language: Language, style: Style) -> str:
     """What a problem says, what is given and what is asked, as paragraphs."""
     words = language.words("sheet")
-    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given)}.</p>" if said.given else ""
-    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked)}.</p>"
+    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given, '.')}</p>" if said.given else ""
+    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked, '.')}</p>"
     return f"<p>{style.text(said.text)}</p>{given}{found}"
 
 
@@ -71,12 +105,17 @@ def solution_html(solved: Solved, language: Language, style: Style) -> str:
 
 def _figures(row: Sequence[Shown], style: Style) -> str:
     """Figures beside each other, with captions."""
-    shown = (
-        f"<figure>{style.figure(one.drawing, one.drawing.width * one.unit)}"
-        f"<figcaption>{style.text(one.caption)}</figcaption></figure>"
-        for one in row
-    )
+    shown = (f"<figure>{_drawn(one, style)}<figcaption>{style.text(one.caption)}</figcaption></figure>" for one in row)
     return f'<div class="figures d-flex flex-wrap">{"".join(shown)}</div>'
+
+
+def _drawn(shown: Shown, style: Style) -> str:
+    """A figure without its caption."""
+    width = shown.drawing.width * shown.unit
+    if style.captioned is None:
+        drawing = shown.drawing
+        return style.figure(drawing if drawing.alt else replace(drawing, alt=plain_text(shown.caption)), width)
+    return style.captioned(shown.drawing, width, plain_text(shown.caption))
 
 
 def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:
@@ -96,21 +135,24 @@ def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
                 every = list(rows(lines))
                 for number, row in enumerate(every, start=1):
                     end = ";" if number < len(every) else "."
-                    pieces = '; <span class="gap"> </span>'.join(_pieces(one, style) for one in row)
-                    yield f'<p class="formulas">{pieces}{end}</p>'
+                    signs = [*";" * (len(row) - 1), end]
+                    found = (_pieces(one, sign, style) for one, sign in zip(row, signs, strict=True))
+                    yield f'<p class="formulas">{" ".join(found)}</p>'
             case VectorTable():
                 yield _table(block, style)
             case Program(code):
                 yield f"<pre><code>{escape(code.strip(chr(10)))}</code></pre>"
 
 
-def _pieces(pieces: Pieces, style: Style) -> str:
-    """A formula that may be broken before the signs between its pieces."""
+def _pieces(pieces: Pieces, end: str, style: Style) -> str:
+    """A formula that may be broken before the signs between its pieces, and what stands at its end."""
     found = []
-    for sign, formula in pieces:
+    for number, (sign, formula) in enumerate(pieces, start=1):
         before = f"{escape(sign)}\N{NO-BREAK SPACE}" if sign else ""
-        found.append(f'<span class="piece">{before}{style.math(formula, True)}</span>')
-    return " ".join(found)
+        after = end if number == len(pieces) else ""
+        kind = next(name for letters, name in _LONG if breadth(formula) >= letters)
+        found.append(f'<span class="{kind}">{before}{style.math(formula, True)}{after}</span>')
+    return f'<span class="formula">{" ".join(found)}</span>'
 
 
 def _table(table: VectorTable, style: Style) -> str:
@@ -121,4 +163,5 @@ def _table(table: VectorTable, style: Style) -> str:
         f"{escape(table.unknown) if row.magnitude is None else style.math(row.magnitude, False)}</td></tr>"
         for row in table.rows
     )
-    return f'<table class="vectors table table-sm w-auto"><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>'
+    whole = f"<thead><tr>{heads}</tr></thead><tbody>{body}</tbody>"
+    return f'<div class="wide"><table class="vectors table table-sm w-auto">{whole}</table></div>'

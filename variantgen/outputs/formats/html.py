@@ -1,0 +1,181 @@
+"""Sheets, key and worked solutions as pages of HTML that need nothing else: for the screen, a telephone and paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from variantgen.errors import nearest
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.sheets import Item, Sheet
+from variantgen.outputs import formats
+from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.key_content import Place, groups, place, remarks
+from variantgen.outputs.solution_data import solution_words
+from variantgen.outputs.web.articles import problem_key, sheet_article, solution_article, student_key, table_heads
+from variantgen.outputs.web.pages import pieces, write_page
+from variantgen.tables import Table
+from variantgen.wording.language import Language
+
+HELP = "html/sheets.html, key.html, solutions.html: pages for the screen, or a page per student"
+FILES = (
+    "html/sheets.html",
+    "html/key.html",
+    "html/solutions.html",
+    "html/index.html",
+    "html/sheets/*.html",
+    "html/solutions/*.html",
+)
+JOINED, STUDENTS = "joined", "students"
+KEYS_PER_PART = 40
+_FEW = 3  # students whose page needs no contents
+
+
+@dataclass(frozen=True)
+class Options:
+    """What an exam file may say of pages: ``joined`` in one page, or with ``students`` a page for each of them."""
+
+    files: str = JOINED
+
+
+def read_options(table: Table) -> Options:
+    """The table ``[html]``."""
+    known = (JOINED, STUDENTS)
+    files = table.take("files", str, JOINED)
+    if files not in known:
+        table.problem('expected "joined" or "students"', "files", files, nearest(files, known))
+        files = JOINED
+    table.finish()
+    return Options(files)
+
+
+def check(exam: Exam) -> None:
+    """Nothing is needed that the program has not."""
+
+
+def make(part: Part) -> Iterator[Piece]:
+    """An article for each student and document."""
+    for number in range(len(part.sheets)):
+        yield part.piece("sheets", sheet_article(part.content, number), ".html")
+        if part.exam.solutions.wanted:
+            yield part.piece("solutions", solution_article(part.content, number), ".html")
+
+
+def _student_key(part: Part) -> Iterator[Piece]:
+    """The key by student."""
+    yield part.piece("key", student_key(part.exam, part.sheets), ".html")
+
+
+def _problem_key(part: Part) -> Iterator[Piece]:
+    """The key by problem: rows of each table."""
+    owners: dict[Place, list[tuple[Sheet, Item]]] = {}
+    for sheet in part.sheets:
+        for item in sheet.items:
+            owners.setdefault(place(item), []).append((sheet, item))
+    for where, own in owners.items():
+        yield part.piece(_rows(where), problem_key(part.exam, own), ".html")
+
+
+SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
+
+
+def _rows(where: Place) -> str:
+    """The target of the rows of a table."""
+    return "-".join(("rows", *map(str, where)))
+
+
+@dataclass(frozen=True)
+class _Document:
+    """A document that all students have: what its pieces are called, its language, how a page of it is headed."""
+
+    target: str
+    language: Language
+    heading: str
+
+
+def _documents(exam: Exam) -> Iterator[_Document]:
+    yield _Document("sheets", exam.spoken, exam.title)
+    if exam.solutions.wanted:
+        words = solution_words(exam.explained)
+        yield _Document("solutions", exam.explained, f"{words['solutions']}: {exam.title}")
+
+
+def finish(whole: Whole) -> None:
+    """Write the pages."""
+    folder, documents = whole.folder / "html", list(_documents(whole.exam))
+    folder.mkdir()
+    _write_key(whole, folder / "key.html")
+    single = formats.options(whole.exam, "html").files == STUDENTS
+    for document in documents:
+        paths, target = whole.pieces[document.target], folder / document.target
+        if single:
+            target.mkdir()
+            for sheet, path in zip(whole.sheets, paths, strict=True):
+                _write(whole.exam, document, target / f"{sheet.code}.html", [sheet], [path])
+        else:
+            _write(whole.exam, document, target.with_suffix(".html"), whole.sheets, paths)
+    if single:
+        _write_index(whole, [document.target for document in documents], folder / "index.html")
+
+
+def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet], paths: Sequence[Path]) -> None:
+    """A page with the articles of some students."""
+    write_page(
+        path,
+        "students.html.j2",
+        **_common(exam, document.language, document.heading),
+        students=[_listed(sheet) for sheet in sheets],
+        contents=len(sheets) > _FEW,
+        duplex=exam.duplex,
+        pieces=pieces(paths),
+    )
+
+
+def _write_key(whole: Whole, path: Path) -> None:
+    """The key: by student, then a table for each problem."""
+    exam, language = whole.exam, whole.exam.spoken
+    words = language.words("key")
+    tables = [
+        {
+            "title": group.title,
+            "form": group.form,
+            "heads": table_heads(group),
+            "pieces": pieces(whole.pieces[_rows(where)]),
+        }
+        for where, group in groups(whole.sheets, exam, language).items()
+    ]
+    write_page(
+        path,
+        "key.html.j2",
+        **_common(exam, language, f"{words['title']}: {exam.title}"),
+        key=words,
+        remarks=remarks(exam, language),
+        pieces=pieces(whole.pieces["key"]),
+        tables=tables,
+    )
+
+
+def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
+    """The students with links to their pages."""
+    exam, language = whole.exam, whole.exam.spoken
+    write_page(
+        path,
+        "index.html.j2",
+        **_common(exam, language, exam.title),
+        key=language.words("key"),
+        targets=targets,
+        students=[_listed(sheet) for sheet in whole.sheets],
+    )
+
+
+def _common(exam: Exam, language: Language, heading: str) -> dict[str, Any]:
+    """What every page says of itself."""
+    return {"lang": language.name, "heading": heading, "course": exam.course, "words": language.words("html")}
+
+
+def _listed(sheet: Sheet) -> dict[str, str]:
+    """A student in a list."""
+    student = sheet.student
+    return {"code": sheet.code, "name": student.name or student.id, "group": student.group}
