@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
@@ -15,11 +16,17 @@ from variantgen.resources import catalog_dir, folder_hash
 from variantgen.version import VERSION
 
 MANIFEST_SCHEMA = 1
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+# Where a spreadsheet would begin a formula: at the start of a cell, be there blanks or not. Where the decimal mark is a
+# comma, spreadsheets part cells at semicolons, and some do at tabs, whatever the quotes are.
+_FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－＠]|[\t\r])")
 
 
 def key_csv(sheets: Sequence[Sheet]) -> str:
-    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe."""
+    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe.
+
+    Commas part the cells and numbers have points, in every language: it is a file for programs. A spreadsheet that
+    guesses what cells are takes ids like ``007`` and ``1E5`` for numbers.
+    """
     out = io.StringIO(newline="")
     writer = csv.writer(out, lineterminator="\r\n")
     writer.writerow(
@@ -46,7 +53,7 @@ def key_csv(sheets: Sequence[Sheet]) -> str:
 
 
 def _safe(text: str) -> str:
-    return "'" + text if text.startswith(_FORMULA_STARTS) else text
+    return _FORMULA.sub(r"\1'", text)
 
 
 def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str]) -> str:

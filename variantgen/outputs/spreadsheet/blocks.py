@@ -50,9 +50,14 @@ class Block:
         """The column behind the last one on the sheet of answers."""
         return self.answers + PER_ANSWER * self.most
 
+    @property
+    def worth(self) -> int:
+        """The points of the problem: those of the exam, or one for each answer."""
+        return self.task.points or self.most
+
     def shares(self) -> list[float]:
-        """The points of the answers: those of the problem in equal parts, or one for each."""
-        return [(self.task.points or self.most) / self.most] * self.most
+        """The points of the answers, equal parts."""
+        return [self.worth / self.most] * self.most
 
     def title(self, language: Language) -> str:
         """``1. Four-bar linkage``, of a problem of several types ``Problem 1``."""

@@ -32,7 +32,7 @@ _TITLE, _HELP, _SIGNS, _POINTS, _GROUPS, _HEADS, _FIRST = range(7)
 _TOTAL, _PERCENT, _SUMS = WHO, WHO + 1, WHO + 2
 _TYPED, _MARK, _CORRECTION, _SUM = 12.0, 8.5, 6.0, 8.0  # widths of columns, in letters
 _WIDEST_ASKED = 70.0
-_LANDSCAPE = 108.0  # letters that a page has room for
+_LANDSCAPE = 98.0  # letters that a page has room for
 _LARGEST = 1e12  # of what may be typed
 _COLOURS = (
     ("AND(ISNUMBER({0}),{0}>0)", {"font_color": "#1B7A3D"}),
@@ -115,10 +115,10 @@ class _Form:
         page = self.page
         page.text(_POINTS, FROZEN - 1, self.words["points"], {"align": "right", "bold": True})
         sums = marking.span(_POINTS, _SUMS, _SUMS + len(self.blocks) - 1)
-        page.formula(_POINTS, _TOTAL, f"SUM({sums})", sum(sum(block.shares()) for block in self.blocks), self.bold)
+        page.formula(_POINTS, _TOTAL, marking.rounded_sum(sums), sum(block.worth for block in self.blocks), self.bold)
         for number, block in enumerate(self.blocks):
             shares = marking.span(_POINTS, block.points, block.correction - 1)
-            page.formula(_POINTS, _SUMS + number, f"SUM({shares})", sum(block.shares()), self.bold)
+            page.formula(_POINTS, _SUMS + number, marking.rounded_sum(shares), block.worth, self.bold)
         for block in self.blocks:
             for column, points in enumerate(block.shares(), start=block.points):
                 page.number(_POINTS, column, points, self.free)

@@ -79,9 +79,14 @@ def share(points: str, every: str, asked: str) -> str:
     return f"{points}*SUM({every})/SUM({asked})"
 
 
+def rounded_sum(cells: str) -> str:
+    """A sum of points: ten even if it is six times 1.6666."""
+    return f"ROUND(SUM({cells}),{_DECIMALS})"
+
+
 def total(cells: str) -> str:
-    """A sum, or nothing while there is nothing to add."""
-    return f'IF(COUNT({cells})=0,"",SUM({cells}))'
+    """A sum of points, or nothing while there is nothing to add."""
+    return f'IF(COUNT({cells})=0,"",{rounded_sum(cells)})'
 
 
 def part(points: str, most: str) -> str:
