@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from xlsxwriter.utility import xl_rowcol_to_cell
+
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.spreadsheet.book import CELL, HEAD, Page
 from variantgen.outputs.spreadsheet.numbers import width
@@ -37,10 +39,16 @@ def write_identity(page: Page, row: int, sheet: Sheet) -> None:
 
 
 def finish(page: Page, header: int, last: int, columns: int) -> None:
-    """Heads and names stay in sight; below the row ``header`` are filters; an id that is a number is no mistake."""
+    """Heads and names stay in sight; below the row ``header`` are filters.
+
+    What a spreadsheet would mark as doubtful is meant: ids that are numbers, formulas unlike their neighbours.
+    """
     page.sheet.freeze_panes(header + 1, FROZEN)
     page.sheet.autofilter(header, 0, last, columns - 1)
-    page.sheet.ignore_errors({"number_stored_as_text": f"A{header + 2}:D{last + 1}"})
+    end = xl_rowcol_to_cell(last, columns - 1)
+    page.sheet.ignore_errors(
+        {"number_stored_as_text": f"A{header + 2}:D{last + 1}", "formula_differs": f"E{header + 2}:{end}"}
+    )
 
 
 def _who(sheet: Sheet) -> tuple[str, str, str, str]:

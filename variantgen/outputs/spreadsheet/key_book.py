@@ -17,6 +17,7 @@ from variantgen.wording.mistakes import mistake_text
 
 MOST_ROWS = 1_000_000  # on a sheet; a workbook has room for 1 048 576
 _CENTRED = {**CELL, "align": "center"}
+_REMARK = {**TEXT, "text_wrap": True}
 
 
 def write_key(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path) -> None:
@@ -71,7 +72,7 @@ def _every_answer(page: Page, rows: Sequence[_Row], language: Language, headings
     for number, row in enumerate(rows, start=1):
         _one_answer(page, number, row, len(bounds) // 2, headings)
         if unnoticed:
-            page.text(number, WHO + len(heads) - 1, _mistakes(row.item, row.answer, language), TEXT)
+            page.text(number, WHO + len(heads) - 1, _mistakes(row.item, row.answer, language), _REMARK)
     finish(page, 0, len(rows), WHO + len(heads))
     page.printed((0, 0), (len(rows), WHO + len(heads) - 1))
 
@@ -145,7 +146,7 @@ class _Table:
             for column, answer in zip(self.columns, item.answers, strict=True):
                 _write_answer(page, row, column.first, answer, column.places, column.windows)
             if unnoticed:
-                page.text(row, end, self._remarks(item), TEXT)
+                page.text(row, end, self._remarks(item), _REMARK)
         finish(page, 1, len(self.sheets) + 1, end + unnoticed)
         page.printed((0, 1), (len(self.sheets) + 1, end + unnoticed - 1))
 
