@@ -30,6 +30,8 @@ INPUT: Style = {**_LINE, "bg_color": "#E3F0FB", "locked": False}
 
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 _PAPER_A4 = 9
+_LINE_HEIGHT, _HIGHEST_ROW = 15.0, 405.0  # points
+_SPARE_LETTERS = 8  # of a line that is broken between words
 _LONGEST_TITLE, _LONGEST_FOOTER, _LONGEST_PROPERTY = 31, 100, 255  # UTF-16 units
 _FORBIDDEN = str.maketrans(dict.fromkeys("[]:*?/\\", " "))
 # Some programs (Numbers, previews of telephones) show no text that stands in the cells themselves, where it takes no
@@ -53,6 +55,13 @@ class Page:
             self.sheet.write_rich_string(row, column, text[:1], self.book.style(PLAIN), text[1:], form)
         else:
             self.sheet.write_string(row, column, text, form)
+
+    def wrapped(self, row: int, column: int, text: str, letters: int, style: Style = TEXT) -> None:
+        """Text on as many lines as a column of so many letters needs; the row is made high enough."""
+        lines = len(text) // (letters - _SPARE_LETTERS) + 1
+        if lines > 1:
+            self.sheet.set_row(row, min(_LINE_HEIGHT * lines, _HIGHEST_ROW))
+        self.text(row, column, text, {**style, "text_wrap": True})
 
     def number(self, row: int, column: int, value: float, style: Style = CELL) -> None:
         """A number."""

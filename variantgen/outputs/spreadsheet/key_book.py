@@ -17,7 +17,7 @@ from variantgen.wording.mistakes import mistake_text
 
 MOST_ROWS = 1_000_000  # on a sheet; a workbook has room for 1 048 576
 _CENTRED = {**CELL, "align": "center"}
-_REMARK = {**TEXT, "text_wrap": True}
+_REMARK = 60  # width of a column of remarks, in letters
 
 
 def write_key(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path) -> None:
@@ -66,13 +66,13 @@ def _every_answer(page: Page, rows: Sequence[_Row], language: Language, headings
     students = list({id(row.sheet): row.sheet for row in rows}.values())
     types = {family.title(language.name) for row in rows for family in row.item.task.families}
     write_heads(page, 0, students, language)
-    page.widths(WHO, [9, width(types), 12, *[11.0] * (1 + len(bounds)), 10, *[48] * unnoticed])
+    page.widths(WHO, [9, width(types), 12, *[11.0] * (1 + len(bounds)), 10, *[_REMARK] * unnoticed])
     for column, head in enumerate(heads, start=WHO):
         page.text(0, column, head, HEAD)
     for number, row in enumerate(rows, start=1):
         _one_answer(page, number, row, len(bounds) // 2, headings)
         if unnoticed:
-            page.text(number, WHO + len(heads) - 1, _mistakes(row.item, row.answer, language), _REMARK)
+            page.wrapped(number, WHO + len(heads) - 1, _mistakes(row.item, row.answer, language), _REMARK)
     finish(page, 0, len(rows), WHO + len(heads))
     page.printed((0, 0), (len(rows), WHO + len(heads) - 1))
 
@@ -137,7 +137,7 @@ class _Table:
         unnoticed = any(answer.unnoticed for item in self.items for answer in item.answers)
         self._write_heads()
         if unnoticed:
-            page.widths(end, [60])
+            page.widths(end, [_REMARK])
             page.text(1, end, self.words["not_shown"], HEAD)
         for row, (sheet, item) in enumerate(zip(self.sheets, self.items, strict=True), start=2):
             write_identity(page, row, sheet)
@@ -146,7 +146,7 @@ class _Table:
             for column, answer in zip(self.columns, item.answers, strict=True):
                 _write_answer(page, row, column.first, answer, column.places, column.windows)
             if unnoticed:
-                page.text(row, end, self._remarks(item), _REMARK)
+                page.wrapped(row, end, self._remarks(item), _REMARK)
         finish(page, 1, len(self.sheets) + 1, end + unnoticed)
         page.printed((0, 1), (len(self.sheets) + 1, end + unnoticed - 1))
 

@@ -9,7 +9,7 @@ from variantgen.exam.sheets import Answer
 from variantgen.wording.language import ANSWER_DIGITS
 
 _MOST_DECIMALS = 9
-NARROWEST, WIDEST = 6.0, 44.0  # of columns, in letters
+NARROWEST, WIDEST = 6.0, 50.0  # of columns, in letters
 _ROOM = 2.5
 _MARK = '"*"'
 
