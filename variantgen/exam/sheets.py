@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from math import degrees
 
 import numpy as np
@@ -48,12 +49,14 @@ class Answer:
     def windows(self) -> tuple[tuple[float, float], ...]:
         """The intervals, ends included, in which an answer counts as right.
 
-        A direction near ±180° has two: an angle of −179.9° is as good as 180.1°.
+        A direction near ±180° has two: an angle of −179.9° is as good as 180.1°. The ends are the sums of the decimal
+        numbers, so that an answer that is typed as it stands at an end is inside.
         """
-        low, high = self.value - self.tolerance, self.value + self.tolerance
+        value, tolerance = Decimal(repr(self.value)), Decimal(repr(self.tolerance))
+        low, high = float(value - tolerance), float(value + tolerance)
         if self.quantity.component == "angle" and (low < -180.0 or high > 180.0):
-            turn = 360.0 if low < -180.0 else -360.0
-            return ((low, high), (low + turn, high + turn))
+            turn = 360 if low < -180.0 else -360
+            return ((low, high), (float(value - tolerance + turn), float(value + tolerance + turn)))
         return ((low, high),)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
@@ -14,11 +15,17 @@ from variantgen.exam.record import SCHEMA, made_with
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.version import VERSION
 
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+# Where a spreadsheet would begin a formula: at the start of a cell, be there blanks or not. Where the decimal mark is a
+# comma, spreadsheets part cells at semicolons, and some do at tabs, whatever the quotes are.
+_FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－＠]|[\t\r])")
 
 
 def key_csv(sheets: Sequence[Sheet]) -> str:
-    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe."""
+    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe.
+
+    Commas part the cells and numbers have points, in every language: it is a file for programs. A spreadsheet that
+    guesses what cells are takes ids like ``007`` and ``1E5`` for numbers.
+    """
     out = io.StringIO(newline="")
     writer = csv.writer(out, lineterminator="\r\n")
     writer.writerow(
@@ -45,7 +52,7 @@ def key_csv(sheets: Sequence[Sheet]) -> str:
 
 
 def _safe(text: str) -> str:
-    return "'" + text if text.startswith(_FORMULA_STARTS) else text
+    return _FORMULA.sub(r"\1'", text)
 
 
 def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str], files: Mapping[str, str]) -> str:

@@ -1,0 +1,68 @@
+"""The sheet of a form for marking that has the right answers and their bounds, in the order of the class list."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.spreadsheet.blocks import PER_ANSWER, Block
+from variantgen.outputs.spreadsheet.book import ABSENT, CELL, HEAD, Page
+from variantgen.outputs.spreadsheet.identity import finish, write_heads, write_identity
+from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width
+from variantgen.wording.language import Language
+
+_TITLES, _QUANTITIES, _HEADS = range(3)
+FIRST = _HEADS + 1  # the row of the first student
+
+
+def write_answers(page: Page, blocks: Sequence[Block], sheets: Sequence[Sheet], language: Language) -> None:
+    """Write the sheet."""
+    words = language.words("spreadsheet")
+    for block in blocks:
+        page.merged(_TITLES, block.answers, block.answers_end - 1, block.title(language), HEAD)
+    for column, (_, heading) in _columns(blocks):
+        page.merged(_QUANTITIES, column, column + PER_ANSWER - 1, heading, HEAD)
+    write_heads(page, _HEADS, sheets, language)
+    for column, _ in _columns(blocks):
+        for k, name in enumerate(("value", "low", "high")):
+            page.text(_HEADS, column + k, words[name], HEAD)
+    places = {block.place: _decimals(page, block, sheets) for block in blocks}
+    for row, sheet in enumerate(sheets, start=FIRST):
+        write_identity(page, row, sheet)
+        for block in blocks:
+            _write_numbers(page, row, block, sheet, places[block.place])
+    last = blocks[-1].answers_end
+    finish(page, _HEADS, FIRST + len(sheets) - 1, last)
+    page.printed((0, _HEADS), (FIRST + len(sheets) - 1, last - 1))
+
+
+def _columns(blocks: Sequence[Block]) -> list[tuple[int, tuple[str, str]]]:
+    """The first column of each answer, and its names."""
+    return [(block.answers + PER_ANSWER * k, names) for block in blocks for k, names in enumerate(block.names)]
+
+
+def _decimals(page: Page, block: Block, sheets: Sequence[Sheet]) -> list[int]:
+    """The decimals of each answer of a problem; their columns are made wide enough."""
+    found = []
+    for number in range(block.most):
+        answers = [own[number] for own in map(block.own, sheets) if number < len(own)]
+        found.append(decimals(answer.value for answer in answers))
+        ends = [end for answer in answers for end in answer.windows[0]]
+        page.widths(block.answers + PER_ANSWER * number, [number_width(ends, found[-1])] * PER_ANSWER)
+    return found
+
+
+def _write_numbers(page: Page, row: int, block: Block, sheet: Sheet, places: Sequence[int]) -> None:
+    """The answers of a student in one problem; what only others are asked stays grey."""
+    own = block.own(sheet)
+    for number in range(block.most):
+        column = block.answers + PER_ANSWER * number
+        if number >= len(own):
+            for k in range(PER_ANSWER):
+                page.text(row, column + k, "", ABSENT)
+            continue
+        answer = own[number]
+        look = {**CELL, "num_format": number_format(answer, places[number])}
+        page.number(row, column, answer.value, {**look, "bold": True})
+        for k, end in enumerate(answer.windows[0], start=1):
+            page.number(row, column + k, end, look)
