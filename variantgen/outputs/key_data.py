@@ -8,15 +8,14 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.sheet_data import heading
-from variantgen.outputs.typesetter import equals_data
+from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language
 
 _UNNOTICED = "*"
 
 
-def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Writing = TYPST) -> dict[str, Any]:
     """Blocks of answers in the order of the roster; the first part carries the heading."""
     language = exam.spoken
     students = [
@@ -29,7 +28,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                     "number": str(item.task.number),
                     "answers": [
                         {
-                            **equals_data(_equation(a, language, item.variant.form.symbols), a.surd),
+                            **writing.equals(_equation(a, language, item.variant.form.symbols), a.surd),
                             "margin": _margin(a, exam, language),
                             "mark": _mark(a),
                         }
@@ -44,7 +43,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
     return _document(exam, language, first, "by_student", students, [])
 
 
-def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Writing = TYPST) -> dict[str, Any]:
     """A table per problem (and per form of its family) with a row per student."""
     language = exam.spoken
     tables: dict[tuple[int, str, str], dict[str, Any]] = {}
@@ -58,7 +57,9 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                 {
                     "title": f"{language.words('key')['problem']} {item.task.number}. {title}",
                     "symbols": [
-                        heading(language.quantity(answer.quantity, variant.form.symbols), language.unit(answer.unit))
+                        writing.heading(
+                            language.quantity(answer.quantity, variant.form.symbols), language.unit(answer.unit)
+                        )
                         for answer in item.answers
                     ],
                     "rows": [],

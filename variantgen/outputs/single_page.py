@@ -11,8 +11,8 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.sheet_data import text_data
 from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
+from variantgen.outputs.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured, to_typst
 from variantgen.wording.language import load_language
@@ -46,7 +46,7 @@ def write_single(
         "title": variant.family.title(language_name),
         "remark": remark,
         "words": dict(language.words("sheet")),
-        "text": text_data(said.text),
+        "text": TYPST.text(said.text),
         "given": [equals_data(equation) for equation in said.given],
         "asked": [to_typst(symbol) for symbol in said.asked],
         "answers-title": language.words("key")["title"] + ":",
