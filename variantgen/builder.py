@@ -37,13 +37,15 @@ Progress = Callable[[str, int, int], None]
 class Built:
     """What a build made: the folder, how many students, and who had to draw again to be distinct.
 
-    ``unexplained`` names the families of which some problems have an answer, but no worked solution.
+    ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``notes`` are
+    messages of the formats.
     """
 
     folder: Path
     students: int
     redrawn: tuple[str, ...]
     unexplained: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -138,12 +140,13 @@ def build(
                 unexplained.update(made.unexplained)
                 done += 0 if job.summary else len(job.sheets)
                 progress("typesetting", done, len(students))
+        notes: list[str] = []
         for name, own in pieces.items():
-            formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own))
+            formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own, notes))
         shutil.rmtree(parts_folder)
         _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
         _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn))
-    return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
+    return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)), tuple(notes))
 
 
 @contextmanager

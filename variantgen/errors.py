@@ -48,6 +48,10 @@ class InputError(VariantgenError):
         self.problems = (problems,) if isinstance(problems, Problem) else tuple(problems)
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[tuple[Problem, ...]]]:
+        """An error of a worker reaches the main process with its problems."""
+        return type(self), (self.problems,)
+
     def located(self, file: str) -> InputError:
         """The same error with the file named in every problem that named none."""
         return InputError(problem.located(file) for problem in self.problems)

@@ -70,7 +70,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Whole:
-    """All students of an exam, the pieces of a format by target in the order of the students, the output folder."""
+    """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
+
+    ``notes`` are messages for the user of the program, which ``finish`` may add.
+    """
 
     exam: Exam
     sheets: Sequence[Sheet]
@@ -78,6 +81,7 @@ class Whole:
     folder: Path
     engine: Typesetter
     pieces: dict[str, list[Path]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
 
 
 class Format(Protocol):
