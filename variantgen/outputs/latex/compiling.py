@@ -53,7 +53,9 @@ def missing(engine: Engine) -> tuple[str, ...]:
     if programs:
         return tuple(programs)
     files = ["article.cls", *(f"{name}.sty" for name in _STYLES), *_FILES[engine]]
-    run = subprocess.run(["kpsewhich", *files], capture_output=True, text=True, check=False, timeout=60)
+    run = subprocess.run(  # noqa: S603  (a list of names of this module, no shell)
+        [str(shutil.which("kpsewhich")), *files], capture_output=True, text=True, check=False, timeout=60
+    )
     found = {Path(line).name for line in run.stdout.splitlines()}
     return tuple(name for name in files if name not in found)
 
@@ -90,7 +92,7 @@ def compile_document(source: Path, target: Path, engine: Engine, title: str, lan
 
 def _run(command: Sequence[str], folder: Path, limit: float) -> int | None:
     """The exit code of a program that sees its folder alone; None if it was stopped after ``limit`` seconds."""
-    process = subprocess.Popen(
+    process = subprocess.Popen(  # noqa: S603  (a list, no shell)
         command,
         cwd=folder,
         env=_environment(),

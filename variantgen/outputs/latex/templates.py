@@ -6,6 +6,7 @@ Every value that is no source (:class:`~variantgen.outputs.latex.text.Tex`) is t
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from textwrap import wrap
@@ -22,8 +23,10 @@ from variantgen.resources import templates_dir
 from variantgen.tables import shown
 
 _COLUMNS = 110
+_FORMULA = re.compile(r"(?<!\\)\$.*?(?<!\\)\$", re.DOTALL)
+_KEPT = "\x1f"  # a blank at which no line of the source ends
 _WIDTH, _GUTTER = 180.0, 4.0  # mm, of a row of figures
-_KEY_WIDTH, _NAMES, _PADDING = 180.0, 66.5, 3.1  # mm: a table of the key, its first columns, the room beside a value
+_KEY_WIDTH, _NAMES, _PADDING = 180.0, 61.2, 2.3  # mm: a table of the key, its first columns, the room beside a value
 
 
 def fill(name: str, data: Mapping[str, Any], alphabet: Alphabet) -> str:
@@ -68,8 +71,9 @@ def _filters(source: Callable[[Any], Tex]) -> dict[str, Callable[..., Tex]]:
 
     def lines(*values: Any) -> Tex:
         """A paragraph in lines of the source that fit on a screen."""
-        text = "".join(source(value) for value in values)
-        return Tex("\n".join(wrap(text, _COLUMNS, break_long_words=False, break_on_hyphens=False)))
+        text = _FORMULA.sub(lambda formula: formula[0].replace(" ", _KEPT), "".join(map(source, values)))
+        wrapped = wrap(text, _COLUMNS, break_long_words=False, break_on_hyphens=False)
+        return Tex("\n".join(wrapped).replace(_KEPT, " "))
 
     def answers(found: Sequence[Mapping[str, Any]]) -> Tex:
         """Answers with marks and tolerances, which hold together."""
@@ -88,6 +92,7 @@ def _filters(source: Callable[[Any], Tex]) -> dict[str, Callable[..., Tex]]:
     return {
         "answers": answers,
         "blank_cells": lambda cells: Tex("& " * (len(cells) - 1)),
+        "cells": lambda cells: Tex(" & ".join(cells)),
         "columns": _columns,
         "formulas": _formulas,
         "lines": lines,

@@ -44,7 +44,12 @@ def latex_text(text: str, alphabet: Alphabet) -> Tex:
         raise InputError(Problem(f"LaTeX cannot print {named(found)}", value=shown(text), remedy=remedy))
     marked = _APOSTROPHE.sub(_CURLY, _LIGATURES.sub(_APART, cleaned(text)))
     marked = _LONG.sub(lambda word: _breakable(word[0]), marked)
-    return Tex(" ".join(_word(word, alphabet) for word in marked.split(" ")))
+    return Tex(_joined(" ".join(_word(word, alphabet) for word in marked.split(" ")), alphabet.command))
+
+
+def _joined(source: str, command: str) -> str:
+    """Words of the other encoding after each other inside one command."""
+    return re.sub(rf"(?<=[^\W\d_])\}} \\{command}\{{", " ", source) if command else source
 
 
 def _breakable(word: str) -> str:

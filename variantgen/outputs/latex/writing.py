@@ -39,8 +39,8 @@ class LatexWriting:
         return {"formula": self.formula(with_surd(equation, exact))}
 
     def heading(self, symbol: Formula, unit: UnitText) -> Tex:
-        """The symbol and its unit as one formula."""
-        return Tex(rf"{to_latex(symbol)},\ {to_latex(unit)}" if unit.parts else to_latex(symbol))
+        """Symbol and unit, between which a line may end."""
+        return Tex(f"${to_latex(symbol)}$, ${to_latex(unit)}$" if unit.parts else f"${to_latex(symbol)}$")
 
     def sign(self, sign: str) -> Tex:
         """The command for the sign."""
