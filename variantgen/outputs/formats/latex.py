@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -61,10 +60,12 @@ def read_options(table: Table) -> Options:
 
 def check(exam: Exam) -> None:
     """Raise an error if a package is missing, LaTeX is and was asked for, or the titles cannot be printed."""
-    if importlib.util.find_spec("pylatex") is None:
+    try:
+        import pylatex  # noqa: F401  (found here, so that the message comes before any work)
+    except ImportError:
         raise ToolMissingError(
             "LaTeX output needs the package PyLaTeX: install it with  pip install 'variantgen[latex]'"
-        )
+        ) from None
     chosen = _options(exam)
     if chosen.compile and missing(chosen.engine):
         raise ToolMissingError(f"[latex] compile = true: {how_to_install(chosen.engine)}")

@@ -21,7 +21,8 @@ _PREAMBLE, _BODY = "@preamble@", "@body@"
 class Needs:
     """What the text of a document needs beside its own letters."""
 
-    latin: bool
+    inlatin: bool  # the commands of these names
+    incyrillic: bool
     cyrillic: bool
     programs: bool
 
@@ -52,15 +53,14 @@ def write_document(path: Path, look: Look, pieces: Sequence[Path], data: Mapping
 
 def _needs(look: Look, pieces: Sequence[Path]) -> Needs:
     """What is found in the pieces."""
-    latin = cyrillic = programs = False
+    inlatin = incyrillic = cyrillic = programs = False
     for piece in pieces:
         text = piece.read_text("utf-8")
-        latin |= r"\inlatin{" in text
-        cyrillic |= r"\incyrillic{" in text or (
-            look.engine == "lualatex" and any("Ѐ" <= letter <= "ӿ" for letter in text)
-        )
+        inlatin |= r"\inlatin{" in text
+        incyrillic |= r"\incyrillic{" in text
+        cyrillic |= any("Ѐ" <= letter <= "ӿ" for letter in text)
         programs |= r"\begin{Verbatim}" in text
-    return Needs(latin, cyrillic, programs)
+    return Needs(inlatin, incyrillic, cyrillic, programs)
 
 
 def _frame(look: Look, needs: Needs) -> tuple[str, str]:
@@ -109,9 +109,9 @@ def _encodings(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
         yield "fontspec", ""
         return
     russian = is_cyrillic_language(look.language)
-    if russian or needs.cyrillic:
+    if russian or needs.incyrillic:
         yield "cmap", ""  # Cyrillic letters of the PDF can be copied and found
-    first = {True: "T1," if needs.latin else "", False: "T2A," if needs.cyrillic else ""}[russian]
+    first = {True: "T1," if needs.inlatin else "", False: "T2A," if needs.incyrillic else ""}[russian]
     yield "fontenc", first + ("T2A" if russian else "T1")
     yield "inputenc", "utf8"
     if not russian:
