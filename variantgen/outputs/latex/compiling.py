@@ -27,8 +27,8 @@ _FILES = {
     "lualatex": ("fontspec.sty", "luaotfload.sty"),
 }
 _MODES: dict[Engine, str] = {"pdflatex": "-pdf", "lualatex": "-pdflua"}
-# What LaTeX and babel note for a next run is used nowhere: no second run for it.
-_ONCE = "$hash_calc_ignore_pattern{'aux'} = '.@abspage@last|.babel@aux|.@nameuse.bbl@';"
+# What is noted for a next run (pages, languages, widths of tables, which are fixed) changes nothing: no second run.
+_ONCE = "$hash_calc_ignore_pattern{'aux'} = '.@abspage@last|.babel@aux|.@nameuse.bbl@|LT@|^ *[{]1[}][{]';"
 _EPOCH = "946684800"  # the first second of the year 2000
 _SECONDS, _SECONDS_PER_STUDENT = 180, 60  # before a run is given up
 _ERROR = re.compile(r"^(?:\./)?(?P<file>[^\s:]+\.\w+):(?P<line>\d+): (?P<said>.*)$|^! (?P<plain>.*)$", re.MULTILINE)
