@@ -190,8 +190,9 @@ def _makers(processes: int, engine: Typesetter) -> Iterator[Runner]:
 
         try:
             yield run
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
+        except BaseException as error:
+            # After an error the folder is removed: nobody may still be writing to it. An interruption does not wait.
+            pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)
             raise
 
 

@@ -18,6 +18,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
+from variantgen.exam.samples import samples_dir
 from variantgen.outputs.formats import latex, read_exam
 from variantgen.outputs.latex import compiling
 from variantgen.outputs.latex.characters import CYRILLIC, LATIN, MATH, SIGNS
@@ -119,7 +120,7 @@ def test_every_student_begins_on_an_odd_page_with_number_one(samples: Callable[[
             assert feet == [str(k) for k in range(1, len(own) + 1)]
         with pikepdf.open(folder / f"{name}.pdf") as pdf:
             assert str(pdf.Root.Lang) == exam[-2:]
-            assert str(pdf.docinfo["/Title"]) == read_exam(Path("catalog/exams") / f"{exam}.toml").title
+            assert str(pdf.docinfo["/Title"]) == read_exam(samples_dir() / f"{exam}.toml").title
 
 
 @pytest.mark.usefixtures("latexmk")
