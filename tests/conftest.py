@@ -20,14 +20,34 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--renew", action="store_true", help="write the reference drawings anew")
 
 
+def _need_latex(programs: list[str], styles: list[str], packages: str) -> None:
+    """Skip a test where there is no LaTeX; where CI runs, there has to be one."""
+    found = all(shutil.which(name) for name in ("kpsewhich", *programs))
+    if not found or subprocess.run(["kpsewhich", *styles], check=False, capture_output=True).returncode:
+        assert os.environ.get("CI") != "true", f"LaTeX is needed here: apt-get install {packages}"
+        pytest.skip(f"no LaTeX on this machine (apt-get install {packages})")
+
+
+_STYLES = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def", "lmodern.sty"]
+_PACKAGES = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super latexmk"
+
+
+@pytest.fixture
+def latexmk() -> None:
+    """There is a pdfLaTeX that latexmk can run."""
+    _need_latex(["latexmk", "pdflatex"], _STYLES, _PACKAGES)
+
+
+@pytest.fixture
+def lualatex() -> None:
+    """There is a LuaLaTeX that latexmk can run, with a font for Cyrillic letters."""
+    _need_latex(["latexmk", "lualatex"], [*_STYLES, "luaotfload.sty"], f"{_PACKAGES} texlive-luatex fonts-cmu")
+
+
 @pytest.fixture
 def pdflatex(tmp_path: Path) -> Callable[[str], Path]:
     """Compiles a file of the folder; where CI runs, there has to be a LaTeX."""
-    styles = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def"]
-    if shutil.which("kpsewhich") is None or subprocess.run(["kpsewhich", *styles], check=False).returncode:
-        needed = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic"
-        assert os.environ.get("CI") != "true", f"LaTeX is needed here: apt-get install {needed}"
-        pytest.skip(f"no LaTeX on this machine (apt-get install {needed})")
+    _need_latex(["pdflatex"], _STYLES, _PACKAGES)
 
     def compiled(name: str) -> Path:
         command = ["pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", name]

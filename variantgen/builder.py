@@ -32,13 +32,15 @@ Progress = Callable[[str, int, int], None]
 class Built:
     """What a build made: the folder, how many students, and who had to draw again to be distinct.
 
-    ``unexplained`` names the families of which some problems have an answer, but no worked solution.
+    ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``notes`` are
+    messages of the formats.
     """
 
     folder: Path
     students: int
     redrawn: tuple[str, ...]
     unexplained: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -113,7 +115,7 @@ def build(
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:
-        formats()[name].check(exam)
+        formats()[name].check(exam, students)
     seed = exam.seed if seed is None else seed
     progress("drawing variants", 0, len(students))
     try:
@@ -133,12 +135,13 @@ def build(
                 unexplained.update(made.unexplained)
                 done += 0 if job.summary else len(job.sheets)
                 progress("typesetting", done, len(students))
+        notes: list[str] = []
         for name, own in pieces.items():
-            formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own))
+            formats()[name].finish(Whole(exam, assembly.sheets, seed, folder, engine, own, notes))
         shutil.rmtree(parts_folder)
         _write(folder / "key.csv", "\ufeff" + key_csv(assembly.sheets))
         _write(folder / "manifest.json", manifest(exam, assembly.sheets, seed, assembly.redrawn, file_hashes(folder)))
-    return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)))
+    return Built(out, len(students), assembly.redrawn, tuple(sorted(unexplained)), tuple(notes))
 
 
 @contextmanager
@@ -182,8 +185,9 @@ def _makers(processes: int, engine: Typesetter) -> Iterator[Runner]:
 
         try:
             yield run
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
+        except BaseException as error:
+            # After an error the folder is removed: nobody may still be writing to it. An interruption does not wait.
+            pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)
             raise
 
 

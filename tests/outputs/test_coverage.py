@@ -31,16 +31,16 @@ def test_the_message_names_every_text(tmp_path: Path) -> None:
         Student("2", "李明", "三"),
         Student("3", "Пётр", "😀" + "".join(map(chr, range(0x4E00, 0x4E10)))),
     ]
-    with typesetter() as engine, pytest.raises(InputError) as error:
-        check_letters(engine, exam, students)
+    with pytest.raises(InputError) as error:
+        check_letters(exam, students)
     told = str(error.value)
     assert [problem.message for problem in error.value.problems] == [
-        "no font has a letter of the title",
-        "no font has a letter of the name of student 2",
-        "no font has a letter of the group of student 2",
-        "no font has a letter of the group of student 3",
+        "the fonts for PDF lack a letter of the title",
+        "the fonts for PDF lack a letter of the name of student 2",
+        "the fonts for PDF lack a letter of the group of student 2",
+        "the fonts for PDF lack a letter of the group of student 3",
     ]
     assert "学 U+5B66, 生 U+751F" in told
     assert "😀 U+1F600" in told
     assert "and 12 more" in told
-    assert "[pdf] fonts" in told
+    assert "--format html" in told

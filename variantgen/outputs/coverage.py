@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.typesetter import Typesetter, typesetter
 
 # The engine draws a letter that no font has as this glyph; the private use area is empty in all of its fonts.
 _NOBODY = "\U0010fffd"
@@ -26,16 +26,19 @@ def texts_of(exam: Exam, students: Sequence[Student]) -> Iterable[tuple[str, str
         yield f"the id of student {student.id}", student.id
 
 
-def check_letters(engine: Typesetter, exam: Exam, students: Sequence[Student]) -> None:
+def check_letters(exam: Exam, students: Sequence[Student]) -> None:
     """Raise InputError, which names every text with a letter that no font has."""
     texts = list(texts_of(exam, students))
     unusual = sorted({letter for _, text in texts for letter in text if ord(letter) >= _USUAL_END})
-    absent = missing(engine, unusual)
+    if not unusual:
+        return
+    with typesetter() as engine:
+        absent = missing(engine, unusual)
     if not absent:
         return
-    remedy = 'put a font that has it into a folder and name that: [pdf] fonts = "FOLDER"; or write it in other letters'
+    remedy = "write it with other letters, or make pages for browsers, which have more fonts: --format html"
     raise InputError(
-        Problem(f"no font has a letter of {what}", key="formats.pdf", value=_told(text, absent), remedy=remedy)
+        Problem(f"the fonts for PDF lack a letter of {what}", value=_told(text, absent), remedy=remedy)
         for what, text in texts
         if absent & set(text)
     )

@@ -93,7 +93,7 @@ class _Whole:
         found: Any = self._first.Root.get("/OutputIntents")
         entries = b"" if found is None else b"/OutputIntents " + part.text(found)
         part.copy()
-        metadata = self._first.Root.Metadata.read_bytes()
+        metadata = self._first.Root.Metadata.read_bytes() if "/Metadata" in self._first.Root else b""
         if b"pdfaid:part" in metadata or b"pdfuaid:part" in metadata:
             for key, value in ((b"xmpTPg:NPages", b"%d" % self._count), (b"xmpMM:[A-Za-z]+ID", self._writer.name)):
                 metadata = re.sub(rb"(<%s>)[^<]*" % key, rb"\g<1>%s" % value, metadata)

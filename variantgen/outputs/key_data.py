@@ -8,12 +8,12 @@ from typing import Any
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.key_content import equation, group, margin, mark, place, remarks
-from variantgen.outputs.markup import heading
-from variantgen.outputs.typesetter import equals_data, title_of
+from variantgen.outputs.typesetter import title_of
+from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
 
-def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Writing = TYPST) -> dict[str, Any]:
     """Blocks of answers in the order of the roster; the first part carries the heading."""
     language = exam.spoken
     students = [
@@ -26,7 +26,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
                     "number": str(item.task.number),
                     "answers": [
                         {
-                            **equals_data(equation(a, language, item.variant.form.symbols), a.surd),
+                            **writing.equals(equation(a, language, item.variant.form.symbols), a.surd),
                             "margin": margin(a, exam, language),
                             "mark": mark(a),
                         }
@@ -41,7 +41,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
     return _document(exam, language, first, "by_student", students, [])
 
 
-def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str, Any]:
+def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Writing = TYPST) -> dict[str, Any]:
     """A table per problem (and per form of its family) with a row per student."""
     language = exam.spoken
     tables: dict[tuple[int, str, str], dict[str, Any]] = {}
@@ -49,7 +49,7 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool) -> dict[str
         for item in sheet.items:
             if place(item) not in tables:
                 found = group(item, exam, language)
-                symbols = [heading(symbol, unit) for symbol, unit in found.heads]
+                symbols = [writing.heading(symbol, unit) for symbol, unit in found.heads]
                 tables[place(item)] = {"title": found.title, "symbols": symbols, "rows": []}
             table = tables[place(item)]
             table["rows"].append(

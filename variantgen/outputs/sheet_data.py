@@ -7,32 +7,33 @@ from typing import Any
 from variantgen.exam.content import Content, Posed
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.markup import heading, markup
-from variantgen.outputs.qr import qr_rows, qr_svg, qr_text
-from variantgen.outputs.typesetter import equals_data, figure_data, title_of
+from variantgen.outputs.qr import qr_text
+from variantgen.outputs.typesetter import title_of
+from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Statement, Text, sign_notes
+from variantgen.wording.statement import Statement, sign_notes
 
 _SHORT_NAME = 48
 
 
-def sheets_data(content: Content, figures: dict[int, Any] | None = None, seed: str | None = None) -> dict[str, Any]:
-    """Data for ``sheets.typ``; what is made of the drawings is noted in ``figures`` by their ids.
+def sheets_data(
+    content: Content,
+    figures: dict[int, Any] | None = None,
+    seed: str | None = None,
+    writing: Writing = TYPST,
+) -> dict[str, Any]:
+    """Data for templates of sheets; what is made of the drawings is noted in ``figures`` by their ids.
 
     The sheets of a build with a ``seed`` have QR codes, if the exam wants them.
     """
     exam, language = content.exam, content.exam.spoken
     noted = {} if figures is None else figures
     marked = seed is not None and exam.qr
-    students = [
-        {
-            **student_data(
-                sheet, [_problem(posed, language, noted) for posed in own], language, sheet is content.sheets[-1]
-            ),
-            "qr": qr_svg(qr_rows(qr_text(exam, seed or "", sheet))) if marked else "",
-        }
-        for sheet, own in zip(content.sheets, content.posed, strict=True)
-    ]
+    students = []
+    for sheet, own in zip(content.sheets, content.posed, strict=True):
+        problems = [_problem(posed, language, noted, writing) for posed in own]
+        code = writing.code(qr_text(exam, seed or "", sheet)) if marked else ""
+        students.append({**student_data(sheet, problems, language, sheet is content.sheets[-1]), "qr": code})
     return {
         "lang": exam.language,
         "title": exam.title,
@@ -64,32 +65,28 @@ def group_text(student: Student, language: Language) -> str:
     return f"{language.words('sheet')['group']} {student.group}" if student.group else ""
 
 
-def _problem(posed: Posed, language: Language, figures: dict[int, Any]) -> dict[str, Any]:
+def _problem(posed: Posed, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     item, said = posed.item, posed.said
-    drawn = figures[id(posed.figure)] = figure_data(posed.figure)
+    drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {
         "number": str(item.task.number),
         "points": points_text(item.task.points, language),
-        **statement_data(said),
+        **statement_data(said, writing),
         "headings": [
-            heading(symbol, language.unit(answer.unit)) for symbol, answer in zip(said.asked, item.answers, strict=True)
+            writing.heading(symbol, language.unit(answer.unit))
+            for symbol, answer in zip(said.asked, item.answers, strict=True)
         ],
         "figure": drawn,
     }
 
 
-def statement_data(said: Statement) -> dict[str, Any]:
+def statement_data(said: Statement, writing: Writing = TYPST) -> dict[str, Any]:
     """What a problem says: its text, what is given and what is asked."""
     return {
-        "text": text_data(said.text),
-        "given": [equals_data(equation) for equation in said.given],
-        "asked": [markup(symbol) for symbol in said.asked],
+        "text": writing.text(said.text),
+        "given": [writing.equals(equation) for equation in said.given],
+        "asked": [writing.formula(symbol) for symbol in said.asked],
     }
-
-
-def text_data(text: Text) -> list[Any]:
-    """Runs of text: strings as they are, formulas as one-element lists."""
-    return [part if isinstance(part, str) else [markup(part)] for part in text]
 
 
 def points_text(points: int | None, language: Language) -> str:

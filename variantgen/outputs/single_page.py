@@ -11,9 +11,8 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.markup import markup
-from variantgen.outputs.sheet_data import text_data
 from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
+from variantgen.outputs.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import load_language
@@ -47,9 +46,9 @@ def write_single(
         "title": variant.family.title(language_name),
         "remark": remark,
         "words": dict(language.words("sheet")),
-        "text": text_data(said.text),
+        "text": TYPST.text(said.text),
         "given": [equals_data(equation) for equation in said.given],
-        "asked": [markup(symbol) for symbol in said.asked],
+        "asked": [TYPST.formula(symbol) for symbol in said.asked],
         "answers-title": language.words("key")["title"] + ":",
         "answers": found,
         "notes": sign_notes(asked, language),

@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from variantgen.outputs.markup import markup
 from variantgen.outputs.rows import rows
-from variantgen.outputs.sheet_data import text_data
+from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, VectorTable
 
 
-def blocks_data(blocks: Sequence[Block]) -> list[dict[str, Any]]:
+def blocks_data(blocks: Sequence[Block], writing: Writing = TYPST) -> list[dict[str, Any]]:
     """Blocks in order; each says its ``kind``, and whether it ``leads`` to what stands under it on the same page.
 
     A paragraph leads to formulas and tables, and a vector equation to the table of its vectors.
     """
-    found = [_block(item) for item in blocks]
+    found = [_block(item, writing) for item in blocks]
     for i, block in enumerate(found):
         after = [later["kind"] for later in found[i + 1 : i + 3]]
         if block["kind"] == "text":
@@ -27,19 +26,22 @@ def blocks_data(blocks: Sequence[Block]) -> list[dict[str, Any]]:
     return found
 
 
-def _block(item: Block) -> dict[str, Any]:
+def _block(item: Block, writing: Writing) -> dict[str, Any]:
     match item:
         case Paragraph(text):
-            return {"kind": "text", "text": text_data(text)}
+            return {"kind": "text", "text": writing.text(text)}
         case Lines(lines):
-            found = [[[[sign, markup(f)] for sign, f in pieces] for pieces in row] for row in rows(lines)]
+            found = [
+                [[[writing.sign(sign), writing.formula(f)] for sign, f in pieces] for pieces in row]
+                for row in rows(lines)
+            ]
             return {"kind": "formulas", "rows": found}
         case VectorTable(heads, unknown, lines):
             cells = [
                 [
-                    markup(row.vector),
-                    text_data(row.direction),
-                    [unknown] if row.magnitude is None else [[markup(row.magnitude)]],
+                    writing.formula(row.vector),
+                    writing.text(row.direction),
+                    writing.text((unknown,) if row.magnitude is None else (row.magnitude,)),
                 ]
                 for row in lines
             ]

@@ -6,9 +6,10 @@ from typing import Any
 
 from variantgen.exam.content import Content, Solved
 from variantgen.exam.shown import Shown
-from variantgen.outputs.sheet_data import statement_data, student_data, text_data
+from variantgen.outputs.sheet_data import statement_data, student_data
 from variantgen.outputs.solution_blocks import blocks_data
-from variantgen.outputs.typesetter import figure_data, title_of
+from variantgen.outputs.typesetter import title_of
+from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
@@ -17,15 +18,17 @@ _WORDS = ("plan", "answer", "check", "solutions")
 Problem = dict[str, Any]
 
 
-def solutions_data(content: Content, number: int, figures: dict[int, Any] | None = None) -> dict[str, Any]:
-    """Data for ``solutions.typ`` with the solutions of one student.
+def solutions_data(
+    content: Content, number: int, figures: dict[int, Any] | None = None, writing: Writing = TYPST
+) -> dict[str, Any]:
+    """Data for templates of documents with the solutions of one student.
 
     ``figures`` are drawings that have been made data before, by their ids.
     """
     exam, sheet = content.exam, content.sheets[number]
     language = exam.explained
     problems = [
-        {"number": str(item.task.number), **problem_data(solved, language, figures)}
+        {"number": str(item.task.number), **problem_data(solved, language, figures, writing)}
         for item, solved in zip(sheet.items, content.solved[number], strict=True)
     ]
     return {
@@ -45,31 +48,33 @@ def solution_words(language: Language) -> dict[str, str]:
     return {**language.words("sheet"), **{name: words[name] for name in _WORDS}}
 
 
-def problem_data(solved: Solved, language: Language, figures: dict[int, Any] | None = None) -> dict[str, Any]:
+def problem_data(
+    solved: Solved, language: Language, figures: dict[int, Any] | None = None, writing: Writing = TYPST
+) -> dict[str, Any]:
     """One problem with its figures and its solution."""
     text = solved.text
     return {
         "title": solved.variant.family.title(language.name),
-        **statement_data(solved.said),
-        "figures": [[_shown(shown, figures or {}) for shown in row] for row in solved.rows],
-        "plan": text_data(text.plan),
-        "sections": [_section(section, solved, language) for section in text.sections],
-        "answer": text_data(text.answer),
-        "check": blocks_data(text.check),
+        **statement_data(solved.said, writing),
+        "figures": [[_shown(shown, figures or {}, writing) for shown in row] for row in solved.rows],
+        "plan": writing.text(text.plan),
+        "sections": [_section(section, solved, language, writing) for section in text.sections],
+        "answer": writing.text(text.answer),
+        "check": blocks_data(text.check, writing),
     }
 
 
-def _shown(shown: Shown, figures: dict[int, Any]) -> dict[str, Any]:
-    drawn = figures.get(id(shown.drawing)) or figure_data(shown.drawing)
-    return {"caption": text_data(shown.caption), "figure": drawn, "unit": shown.unit}
+def _shown(shown: Shown, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
+    drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing)
+    return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
 
 
-def _section(section: Section, solved: Solved, language: Language) -> dict[str, Any]:
+def _section(section: Section, solved: Solved, language: Language, writing: Writing) -> dict[str, Any]:
     """A numbered step; ``see`` tells the figures that go with it."""
     return {
-        "heading": text_data(section.heading),
+        "heading": writing.text(section.heading),
         "see": see(section, solved, language),
-        "blocks": blocks_data(section.blocks),
+        "blocks": blocks_data(section.blocks, writing),
     }
 
 

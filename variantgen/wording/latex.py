@@ -9,7 +9,7 @@ from variantgen.wording.formula.precedence import Between
 from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Symbol, UnitText, letters
 
 _GREEK = {"epsilon": r"\varepsilon", "phi": r"\varphi"}  # the forms that the figures and the engine use
-_ESCAPES = {
+ESCAPES = {  # characters that are commands or not in every font
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "°": r"\textdegree{}", "\N{MINUS SIGN}": r"\textminus{}",
 }  # fmt: skip
@@ -20,7 +20,7 @@ _WIDE_ARROW = r"\overrightarrow{{{}}}"
 
 def escaped(text: str) -> str:
     """Text as LaTeX prints it, whatever characters it has."""
-    return "".join(_ESCAPES.get(letter, letter) for letter in text)
+    return "".join(ESCAPES.get(letter, letter) for letter in text)
 
 
 @lru_cache(maxsize=10_000)
@@ -87,6 +87,12 @@ class _Latex(Markup):
 
 
 _LATEX = _Latex()
+
+
+def sign_to_latex(sign: str) -> str:
+    """A sign of relation or a plus or minus, as it stands between formulas."""
+    between = {"+": _LATEX.signs.terms[1], "\N{MINUS SIGN}": _LATEX.signs.terms[-1], **_LATEX.signs.relations}
+    return between[sign].strip()
 
 
 def _base(base: str) -> str:

@@ -63,6 +63,8 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}", file=sys.stderr)
     if made.unexplained:
         print(f"answers only, no worked solution: {', '.join(made.unexplained)}", file=sys.stderr)
+    for note in made.notes:
+        print(note, file=sys.stderr)
     print(f"{made.students} sheets in {made.folder} ({seconds:.1f} s)", file=sys.stderr)
     return 0
 

@@ -4,7 +4,7 @@ A module has
 
 - ``HELP``, a line on what it makes; ``FILES``, the names or patterns of its files, which ``--force`` may replace;
 - ``read_options(table)``, which reads the table of its name in an exam file (mistakes are noted in the table);
-- ``check(exam)``: raises ToolMissingError or InputError before any work is done;
+- ``check(exam, students)``: raises ToolMissingError or InputError before any work is done;
 - ``make(part)``: what can be made of the content of a few students, as pieces;
 - ``SUMMARIES``: pairs of a number of students and a function that makes pieces of an overview, like a key;
 - ``finish(whole)``: puts the pieces of all students together in the output folder.
@@ -26,6 +26,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam import blueprint
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
+from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.typesetter import Typesetter
 from variantgen.tables import Table
@@ -75,7 +76,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Whole:
-    """All students of an exam, the pieces of a format by target in the order of the students, the output folder."""
+    """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
+
+    ``notes`` are messages for the user of the program, which ``finish`` may add.
+    """
 
     exam: Exam
     sheets: Sequence[Sheet]
@@ -83,6 +87,7 @@ class Whole:
     folder: Path
     engine: Typesetter
     pieces: dict[str, list[Path]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
 
 
 class Format(Protocol):
@@ -95,8 +100,8 @@ class Format(Protocol):
     def read_options(self, table: Table) -> Any:
         """The options of the format, of the table of its name in an exam file."""
 
-    def check(self, exam: Exam) -> None:
-        """Raise ToolMissingError or InputError if the exam cannot be made in this format."""
+    def check(self, exam: Exam, students: Sequence[Student]) -> None:
+        """Raise ToolMissingError or InputError if the exam cannot be made for these students in this format."""
 
     def make(self, part: Part) -> Iterable[Piece]:
         """Pieces of the documents of a few students."""

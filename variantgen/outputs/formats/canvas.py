@@ -18,9 +18,10 @@ decimal point is understood in any.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.outputs.formats import Part, Piece, Whole
 from variantgen.outputs.qti import canvas
 from variantgen.tables import Table
@@ -35,7 +36,7 @@ def read_options(table: Table) -> canvas.CanvasOptions:
     return canvas.read_table(table)
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Raise InputError if questions are to be drawn and a problem asks for more than one number."""
     canvas.check(exam)
 

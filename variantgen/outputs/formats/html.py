@@ -9,6 +9,7 @@ from typing import Any
 
 from variantgen.errors import nearest
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Part, Piece, Whole
@@ -51,7 +52,7 @@ def read_options(table: Table) -> Options:
     return Options(files)
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that the program has not."""
 
 

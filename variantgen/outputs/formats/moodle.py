@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import base64
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -17,6 +17,7 @@ from xml.parsers import expat
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Part, Piece, Whole
@@ -60,7 +61,7 @@ def read_options(table: Table) -> Options:
     return options
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that is not always there."""
 
 

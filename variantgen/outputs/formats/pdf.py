@@ -9,7 +9,9 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.coverage import check_letters
 from variantgen.outputs.file_names import file_stem
 from variantgen.outputs.formats import Part, Piece, Whole, options
 from variantgen.outputs.key_data import key_by_problem, key_by_student
@@ -25,8 +27,9 @@ FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "solutions/*.
 KEYS_PER_PART = 40
 
 
-def check(exam: Exam) -> None:
-    """Nothing is needed but the engine, which every build has."""
+def check(exam: Exam, students: Sequence[Student]) -> None:
+    """Raise InputError for letters that no font has; nothing is needed but the engine, which every build has."""
+    check_letters(exam, students)
 
 
 def make(part: Part) -> Iterator[Piece]:

@@ -12,7 +12,7 @@ import json
 import re
 import shutil
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from hashlib import sha256
@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
@@ -58,7 +59,7 @@ def read_options(table: Table) -> Options:
     return options
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that is not always there."""
 
 

@@ -14,9 +14,10 @@ Numbers have a decimal point, since QTI knows no other; students are asked to en
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.outputs.formats import Part, Piece, Whole
 from variantgen.outputs.qti import exam as qti
 from variantgen.outputs.qti.dialect import QTI21
@@ -33,7 +34,7 @@ def read_options(table: Table) -> Options:
     return qti.read_table(table)
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed but the engine, which every build has."""
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
 from variantgen.errors import ToolMissingError
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
 from variantgen.outputs.formats import Part, Piece, Whole, options
 from variantgen.tables import Table
 
@@ -35,7 +36,7 @@ def read_options(table: Table) -> Options:
     return found
 
 
-def check(exam: Exam) -> None:
+def check(exam: Exam, students: Sequence[Student]) -> None:
     """Raise ToolMissingError without XlsxWriter."""
     if find_spec("xlsxwriter") is None:
         raise ToolMissingError(

@@ -1,0 +1,192 @@
+"""Sheets, key and worked solutions as LaTeX sources for editing, and as the PDFs made of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast, get_args
+
+from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
+from variantgen.outputs.formats import Part, Piece, Whole, options
+from variantgen.outputs.key_data import key_by_problem, key_by_student
+from variantgen.outputs.latex.characters import Alphabet, Engine, alphabet, is_right_to_left, named, unprintable
+from variantgen.outputs.latex.compiling import MissingGlyphsError, compile_document, how_to_install, missing
+from variantgen.outputs.latex.document import Look, write_document
+from variantgen.outputs.latex.templates import fill
+from variantgen.outputs.latex.writing import LatexWriting
+from variantgen.outputs.sheet_data import sheets_data
+from variantgen.outputs.solution_data import solution_words, solutions_data
+from variantgen.tables import Table, shown
+
+HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
+FILES = tuple(f"latex/{name}.{ending}" for name in ("sheets", "key", "solutions") for ending in ("tex", "pdf"))
+KEYS_PER_PART = 40
+_FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
+
+
+@dataclass(frozen=True)
+class Options:
+    """What an exam file may say of LaTeX.
+
+    ``compile`` is None where PDFs are made if the engine is installed; ``font`` is one of LuaLaTeX.
+    """
+
+    compile: bool | None = None
+    engine: Engine = "pdflatex"
+    font: str = ""
+
+
+def read_options(table: Table) -> Options:
+    """The table ``[latex]``; mistakes are noted in it."""
+    wanted = table.take("compile", bool, True) if "compile" in table.data else None
+    table.expect("compile")
+    engine = table.take("engine", str, "pdflatex")
+    if engine not in get_args(Engine):
+        table.problem("unknown engine", "engine", engine, nearest(engine, get_args(Engine)))
+        engine = "pdflatex"
+    font = table.take("font", str, "")
+    if font and not _FONT.fullmatch(font):
+        table.problem("expected the name of a font", "font", font, 'like "CMU Serif"')
+        font = ""
+    elif font and engine == "pdflatex":
+        table.problem("pdflatex has fonts of its own", "font", font, 'add  engine = "lualatex"')
+    table.finish()
+    return Options(wanted, cast(Engine, engine), font)
+
+
+def check(exam: Exam, students: Sequence[Student]) -> None:
+    """Raise an error if a package is missing, LaTeX is and was asked for, or the titles cannot be printed."""
+    try:
+        import pylatex  # noqa: F401  (found here, so that the message comes before any work)
+    except ImportError:
+        raise ToolMissingError(
+            "LaTeX output needs the package PyLaTeX: install it with  pip install 'variantgen[latex]'"
+        ) from None
+    chosen = _options(exam)
+    if chosen.compile and missing(chosen.engine):
+        raise ToolMissingError(f"[latex] compile = true: {how_to_install(chosen.engine)}")
+    problems = [
+        _unprintable(found, where, text, chosen.engine)
+        for where, text in _texts(exam, students)
+        if (found := unprintable(text, chosen.engine))
+    ]
+    if problems:
+        raise InputError(problem.located(str(exam.path)) for problem in problems)
+
+
+def make(part: Part) -> Iterator[Piece]:
+    """The sheets and, if the exam wants them, the solutions of a few students."""
+    exam = part.exam
+    writing = _writing(exam, exam.language)
+    data = sheets_data(part.content, seed=part.seed, writing=writing)
+    yield part.piece("sheets", fill("sheets.tex.j2", data, writing.alphabet).encode(), ".tex")
+    if not exam.solutions.wanted:
+        return
+    writing = _writing(exam, exam.solutions.language)
+    for number in range(len(part.sheets)):
+        solved = solutions_data(part.content, number, writing=writing)
+        yield part.piece("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
+
+
+def _student_key(part: Part) -> Iterator[Piece]:
+    """The key by student."""
+    writing = _writing(part.exam, part.exam.language)
+    data = key_by_student(part.exam, part.sheets, part.first, writing)
+    yield part.piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+
+
+def _problem_key(part: Part) -> Iterator[Piece]:
+    """The key by problem."""
+    writing = _writing(part.exam, part.exam.language)
+    data = key_by_problem(part.exam, part.sheets, part.first, writing)
+    yield part.piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+
+
+SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
+
+
+def finish(whole: Whole) -> None:
+    """Put the pieces into documents and compile them."""
+    exam, chosen = whole.exam, _options(whole.exam)
+    folder = whole.folder / "latex"
+    folder.mkdir()
+    for kind, pieces in whole.pieces.items():
+        look = _look(exam, kind)
+        write_document(folder / f"{kind}.tex", look, pieces, _head_data(exam, kind))
+    if chosen.compile is None and missing(chosen.engine):
+        whole.notes.append(f"LaTeX sources only, no PDFs of them: {how_to_install(chosen.engine)}")
+    elif chosen.compile is not False:
+        for kind in whole.pieces:
+            _compile(whole, folder / f"{kind}.tex", _look(exam, kind))
+
+
+def _compile(whole: Whole, source: Path, look: Look) -> None:
+    """Make the PDF beside a source."""
+    title = whole.exam.title
+    try:
+        compile_document(source, source.with_suffix(".pdf"), look.engine, title, look.language, len(whole.sheets))
+    except MissingGlyphsError as error:
+        letters = set(error.letters)
+        problems = [
+            _unprintable(sorted(found), where, text, look.engine)
+            for where, text in _texts(whole.exam, [sheet.student for sheet in whole.sheets])
+            if (found := letters & set(text))
+        ]
+        if not problems:
+            raise
+        raise InputError(problems) from None
+
+
+def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]:
+    """What comes from outside, with where it stands."""
+    yield "title", exam.title
+    yield "course", exam.course
+    for student in students:
+        yield f"student {student.id}", student.name or student.id
+        yield f"group of student {student.id}", student.group
+
+
+def _unprintable(letters: list[str], where: str, text: str, engine: Engine) -> Problem:
+    """The message for characters that no font has."""
+    remedy = "leave the characters out, or latex out of the formats"
+    if engine == "pdflatex" and not any(map(is_right_to_left, letters)):
+        remedy = f'write  engine = "lualatex"  and  font = "..."  (a font that has them) under [latex], or {remedy}'
+    elif engine == "lualatex" and not any(map(is_right_to_left, letters)):
+        remedy = f'write  font = "..."  (a font that has them) under [latex], or {remedy}'
+    return Problem(f"{engine} cannot print {named(letters)}", key=where, value=shown(text), remedy=remedy)
+
+
+def _options(exam: Exam) -> Options:
+    return cast(Options, options(exam, "latex"))
+
+
+def _writing(exam: Exam, language: str) -> LatexWriting:
+    """How the documents of a language are written."""
+    return LatexWriting(_alphabet(exam, language))
+
+
+def _alphabet(exam: Exam, language: str) -> Alphabet:
+    return alphabet(language, _options(exam).engine)
+
+
+def _look(exam: Exam, kind: str) -> Look:
+    """The look of a document."""
+    language = exam.solutions.language if kind == "solutions" else exam.language
+    chosen = _options(exam)
+    return Look(kind, language, chosen.engine, chosen.font, _alphabet(exam, language))
+
+
+def _head_data(exam: Exam, kind: str) -> Mapping[str, Any]:
+    """What the definitions of a document say."""
+    if kind == "key":
+        words: Mapping[str, str] = exam.spoken.words("key")
+    elif kind == "solutions":
+        words = solution_words(exam.explained)
+    else:
+        words = exam.spoken.words("sheet")
+    coded = kind == "sheets" and exam.qr
+    return {"words": dict(words), "duplex": exam.duplex, "title": exam.title, "coded": coded}

@@ -1,0 +1,1 @@
+"""LaTeX sources of the documents of an exam, and their compilation."""
