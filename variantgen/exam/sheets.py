@@ -15,7 +15,7 @@ from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.variants.draw import Drawing, Entry, draw_distinct
@@ -25,7 +25,6 @@ from variantgen.wording.formula import Surd
 from variantgen.wording.surds import surd
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
-_DIGITS = 8  # significant digits kept, so that a last-bit difference between machines changes no byte
 
 
 @dataclass(frozen=True)
@@ -235,7 +234,7 @@ def _answers(
                 values[id(motion), quantity] = quantity.value(motion)
             unit = quantity.unit(variant.family.length_unit)
             computed = unit.from_si(float(values[id(motion), quantity][place]))
-            value = float(f"{computed:.{_DIGITS - 1}e}")
+            value = recorded(computed)
             margin = 0.0 if quantity.component == "sense" else needed  # a sense is right or wrong
             answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, margin), margin, surd(computed)))
         found.append(tuple(answers))

@@ -36,6 +36,7 @@ _PATTERN = re.compile(
     r"(v_rel|a_rel|a_cor|v|a|omega|epsilon|mu|P|Q)_([A-Za-z][A-Za-z0-9]*)(?:\.([A-Za-z][A-Za-z0-9]*))?"
 )
 _ORDER = {"v": 1, "omega": 1, "v_rel": 1, "P": 1, "a": 2, "epsilon": 2, "a_rel": 2, "a_cor": 2, "Q": 2, "mu": 2}
+_RECORDED = 8  # significant digits
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
 
@@ -147,6 +148,11 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     if text not in known:
         raise InputError(Problem("unknown quantity", key=key, value=text, remedy=nearest(text, offered or known)))
     return split_name(text)
+
+
+def recorded(value: float) -> float:
+    """A value as keys and manifests have it: with so many digits that the last bits of a machine change no byte."""
+    return float(f"{value:.{_RECORDED - 1}e}")
 
 
 def split_name(text: str) -> Quantity:

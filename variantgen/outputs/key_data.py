@@ -79,7 +79,7 @@ def _document(
         "title": exam.title,
         "document": title_of(exam.title),
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": "  ·  ".join((exam.course, *remarks(exam, language))) if heading else "",
+        "subheading": "  ·  ".join(filter(None, (exam.course, *remarks(exam, language)))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from decimal import Decimal
+from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
+from math import isfinite
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -20,6 +21,7 @@ from variantgen.wording.notation import USUAL, Notation
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
+_SURE = 12  # digits of a computed value that no order of operations changes
 
 
 @dataclass(frozen=True)
@@ -95,11 +97,17 @@ class Language:
 
 
 def round_text(value: float, digits: int) -> str:
-    """A value rounded to significant digits as a plain decimal string; zero is ``0``."""
+    """A value rounded to significant digits as a plain decimal string, halves away from zero; zero is ``0``."""
     if value == 0:
         return "0"
-    # Rounding may carry into a new leading digit, so the exponent is taken after it.
-    return f"{Decimal(f'{value:.{digits - 1}e}'):f}"
+    if not isfinite(value):
+        return f"{Decimal(value):f}"
+    # A half is one although its last bits may say otherwise: 10.625 is 10.63, be it 10.624999999999998 in the machine.
+    exact = Decimal(f"{value:.{_SURE - 1}e}")
+    rounded = exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), ROUND_HALF_UP)
+    if rounded.adjusted() > exact.adjusted():  # carried into a new leading digit
+        rounded = rounded.quantize(Decimal(1).scaleb(rounded.adjusted() - digits + 1))
+    return f"{rounded:f}"
 
 
 @cache

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.errors import VariantgenError
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, recorded
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.step import Sentence, Solution
@@ -113,7 +113,7 @@ def _answer(
     for position, (quantity, value) in enumerate(values):
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
-        number = language.rounded(value, digits) if digits else language.rounded(value)
+        number = language.rounded(value, digits) if digits else language.rounded(recorded(value))
         exact = None if digits else surd(value)
         parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")
