@@ -9,7 +9,7 @@ from typing import Any
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.markup import heading
-from variantgen.outputs.typesetter import equals_data, title_of
+from variantgen.outputs.typesetter import equals_data
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import Language
 
@@ -89,7 +89,6 @@ def _document(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "document": title_of(exam.title),
         "heading": f"{words['title']}: {exam.title}" if heading else "",
         "subheading": f"{exam.course}  ·  {words['tolerance']}: {_percent(exam.tolerance.floor, language)},"
         f" {words['otherwise']}  ·  {_UNNOTICED} {words['unnoticed']}"

@@ -9,7 +9,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.markup import heading, markup
 from variantgen.outputs.qr import qr_rows, qr_svg, qr_text
-from variantgen.outputs.typesetter import equals_data, figure_data, title_of
+from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, Text, sign_notes
 
@@ -36,7 +36,6 @@ def sheets_data(content: Content, figures: dict[int, Any] | None = None, seed: s
     return {
         "lang": exam.language,
         "title": exam.title,
-        "document": title_of(exam.title),
         "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),

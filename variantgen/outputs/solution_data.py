@@ -8,7 +8,7 @@ from variantgen.exam.content import Content, Solved
 from variantgen.exam.shown import Shown
 from variantgen.outputs.sheet_data import statement_data, student_data, text_data
 from variantgen.outputs.solution_blocks import blocks_data
-from variantgen.outputs.typesetter import figure_data, title_of
+from variantgen.outputs.typesetter import figure_data
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
@@ -31,7 +31,6 @@ def solutions_data(content: Content, number: int, figures: dict[int, Any] | None
     return {
         "lang": language.name,
         "title": exam.title,
-        "document": title_of(exam.title),
         "course": exam.course,
         "duplex": exam.duplex,
         "words": solution_words(language),

@@ -12,7 +12,6 @@ import os
 import re
 import shutil
 import tempfile
-import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -94,11 +93,6 @@ class Typesetter:
                 raise UnprintableError(message, letters) from error
             raise TypesettingError(message) from error
         return [made] if isinstance(made, bytes) else list(made)
-
-
-def title_of(document: str) -> str:
-    """The title of a document for its metadata, which are XML and so hold no control characters."""
-    return "".join(" " if unicodedata.category(letter) == "Cc" else letter for letter in document)
 
 
 def _json(data: Any) -> str:

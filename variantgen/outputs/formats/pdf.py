@@ -16,7 +16,7 @@ from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
 from variantgen.outputs.sheet_data import group_text, sheets_data
 from variantgen.outputs.solution_data import solutions_data
-from variantgen.outputs.typesetter import UnprintableError, title_of
+from variantgen.outputs.typesetter import UnprintableError
 
 __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
 
@@ -70,7 +70,7 @@ def _unprintable(part: Part, error: UnprintableError) -> Problem:
         f"the fonts lack a letter of {', '.join(where) or 'the documents'}, which a standard ({standards}) forbids",
         file=str(exam.path),
         key="pdf.standard",
-        value=error.letters,
+        value=error.letters if error.letters.isprintable() else ascii(error.letters),
         remedy="write it with other letters, or leave the standard out",
     )
 
@@ -95,15 +95,14 @@ def finish(whole: Whole) -> None:
     from variantgen.outputs.pdf.bookmarks import Named
 
     exam, chosen = whole.exam, _options(whole.exam)
-    title = title_of(exam.title)
     names = [Named(s.student.name or s.code, group_text(s.student, exam.spoken)) for s in whole.sheets]
     for target, paths in whole.pieces.items():
         language = exam.solutions.language if target == "solutions" else exam.language
         path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
         if target == "key":
-            join_pdfs(paths, path, title, language, even)
+            join_pdfs(paths, path, exam.title, language, even)
         elif chosen.joined:
-            join_pdfs(paths, path, title, language, even, names)
+            join_pdfs(paths, path, exam.title, language, even, names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
