@@ -8,7 +8,6 @@ from typing import Any
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.key_content import equation, group, margin, mark, place, remarks
-from variantgen.outputs.typesetter import title_of
 from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
@@ -77,7 +76,6 @@ def _document(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "document": title_of(exam.title),
         "heading": f"{words['title']}: {exam.title}" if heading else "",
         "subheading": "  ·  ".join(filter(None, (exam.course, *remarks(exam, language)))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",

@@ -8,7 +8,6 @@ from variantgen.exam.content import Content, Posed
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.qr import qr_text
-from variantgen.outputs.typesetter import title_of
 from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, sign_notes
@@ -37,7 +36,6 @@ def sheets_data(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "document": title_of(exam.title),
         "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),

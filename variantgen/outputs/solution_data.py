@@ -8,7 +8,6 @@ from variantgen.exam.content import Content, Solved
 from variantgen.exam.shown import Shown
 from variantgen.outputs.sheet_data import statement_data, student_data
 from variantgen.outputs.solution_blocks import blocks_data
-from variantgen.outputs.typesetter import title_of
 from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
@@ -34,7 +33,6 @@ def solutions_data(
     return {
         "lang": language.name,
         "title": exam.title,
-        "document": title_of(exam.title),
         "course": exam.course,
         "duplex": exam.duplex,
         "words": solution_words(language),

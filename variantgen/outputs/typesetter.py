@@ -9,10 +9,8 @@ from __future__ import annotations
 import datetime
 import json
 import os
-import re
 import shutil
 import tempfile
-import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -34,19 +32,6 @@ _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 class TypesettingError(VariantgenError):
     """The engine refused a document: a defect of the templates."""
-
-
-class UnprintableError(TypesettingError):
-    """The engine refused letters that its fonts do not have, which the standard of a document does not allow."""
-
-    def __init__(self, message: str, letters: str) -> None:
-        super().__init__(message, letters)
-        self.letters = letters
-
-
-# The letters stand in quotation marks, special ones by their numbers.
-_UNPRINTABLE = re.compile(r'the text (?:contains the disallowed codepoint )?`"((?:[^"\\]|\\.)+)"`')
-_NUMBERED = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 @dataclass(frozen=True)
@@ -88,17 +73,8 @@ class Typesetter:
                 pdf_tags=tagged,
             )
         except RuntimeError as error:
-            message = f"the typesetting engine refused {template}: {error}"
-            if standards and (found := _UNPRINTABLE.search(str(error))):
-                letters = _NUMBERED.sub(lambda number: chr(int(number[1], 16)), found[1])
-                raise UnprintableError(message, letters) from error
-            raise TypesettingError(message) from error
+            raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
         return [made] if isinstance(made, bytes) else list(made)
-
-
-def title_of(document: str) -> str:
-    """The title of a document for its metadata, which are XML and so hold no control characters."""
-    return "".join(" " if unicodedata.category(letter) == "Cc" else letter for letter in document)
 
 
 def _json(data: Any) -> str:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
@@ -18,7 +17,6 @@ from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
 from variantgen.outputs.sheet_data import group_text, sheets_data
 from variantgen.outputs.solution_data import solutions_data
-from variantgen.outputs.typesetter import UnprintableError, title_of
 
 __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
 
@@ -55,27 +53,8 @@ def _piece(part: Part, target: str, data: Mapping[str, Any], handed_out: bool = 
     chosen = _options(part.exam)
     tagged = chosen.tagged or handed_out
     template = "key.typ" if target == "key" else f"{target}.typ"
-    try:
-        made = part.engine.compile(template, data, tagged=tagged, standards=chosen.standards)
-    except UnprintableError as error:
-        raise InputError(_unprintable(part, error)) from None
+    made = part.engine.compile(template, data, tagged=tagged, standards=chosen.standards)
     return part.piece(target, made[0], ".pdf")
-
-
-def _unprintable(part: Part, error: UnprintableError) -> Problem:
-    """What an instructor can do about letters that a standard does not let pass."""
-    exam, standards = part.exam, ", ".join(_options(part.exam).standards)
-    texts = [("the title", exam.title), ("the course", exam.course)]
-    for student in (sheet.student for sheet in part.sheets):
-        texts.append((f"student {student.id}", f"{student.id}{student.name}{student.group}"))
-    where = [place for place, text in texts if error.letters and error.letters in text]
-    return Problem(
-        f"the fonts lack a letter of {', '.join(where) or 'the documents'}, which a standard ({standards}) forbids",
-        file=str(exam.path),
-        key="pdf.standard",
-        value=error.letters,
-        remedy="write it with other letters, or leave the standard out",
-    )
 
 
 def _student_key(part: Part) -> Iterator[Piece]:
@@ -98,15 +77,14 @@ def finish(whole: Whole) -> None:
     from variantgen.outputs.pdf.bookmarks import Named
 
     exam, chosen = whole.exam, _options(whole.exam)
-    title = title_of(exam.title)
     names = [Named(s.student.name or s.code, group_text(s.student, exam.spoken)) for s in whole.sheets]
     for target, paths in whole.pieces.items():
         language = exam.solutions.language if target == "solutions" else exam.language
         path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
         if target == "key":
-            join_pdfs(paths, path, title, language, even)
+            join_pdfs(paths, path, exam.title, language, even)
         elif chosen.joined:
-            join_pdfs(paths, path, title, language, even, names)
+            join_pdfs(paths, path, exam.title, language, even, names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
