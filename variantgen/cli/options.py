@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import pkgutil
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -98,3 +100,11 @@ def at_least_one(option: str, value: int) -> int:
     if value < 1:
         raise InputError(Problem("expected at least 1", key=option, value=str(value)))
     return value
+
+
+def format_names() -> list[str]:
+    """The names of outputs, found without importing them."""
+    spec = find_spec("variantgen.outputs.formats")
+    assert spec is not None
+    assert spec.submodule_search_locations is not None
+    return sorted(info.name for info in pkgutil.iter_modules(spec.submodule_search_locations))

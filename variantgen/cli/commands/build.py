@@ -8,11 +8,14 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from variantgen.cli.options import add_families, at_least_one
+from variantgen.cli.options import add_families, at_least_one, format_names
 from variantgen.errors import InputError, Problem
 
 HELP = "build an exam"
-DESCRIPTION = "Build an exam: sheets.pdf, key.pdf, solutions.pdf, key.csv and manifest.json in a new folder."
+DESCRIPTION = (
+    "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
+    "key.pdf and solutions.pdf."
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -26,11 +29,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
     parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
+    known = ", ".join(format_names())
     parser.add_argument(
         "--format",
         action="append",
         metavar="NAME",
-        help="output, or several by commas (default: formats of EXAM, or pdf)",
+        help=f"output, or several by commas: {known} (default: formats of EXAM, or pdf)",
     )
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default: 1)")
     parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
