@@ -45,8 +45,9 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every sheet.
+    """A checked exam file.
 
+    ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``hash`` that of its content. ``formats`` are the outputs to be made, and
     ``options`` what the file says of each of them.
     """
@@ -64,7 +65,7 @@ class Exam:
     notation: Notation = USUAL
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
-    qr: bool = True
+    qr: bool = False
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
@@ -111,7 +112,7 @@ def read_exam(
     tolerance = read_tolerance(top)
     page = top.table("page")
     duplex = page.take("duplex", bool, True)
-    qr = page.take("qr", bool, True)
+    qr = page.take("qr", bool, False)
     page.finish()
     solutions = read_solutions(top.table("solutions"), language)
     notation = _notation(top.table("notation"))

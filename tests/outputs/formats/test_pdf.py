@@ -130,7 +130,10 @@ def codes_of(path: Path, dots_per_inch: float) -> list[list[str]]:
     return [[found.text for found in zxingcpp.read_barcodes(picture)] for picture in pictures]
 
 
-@pytest.mark.parametrize("extra", ["", '[pdf]\nstandard = ["a-2a", "ua-1"]\n'])
+CODES = "[page]\nqr = true\n"
+
+
+@pytest.mark.parametrize("extra", [CODES, CODES + '[pdf]\nstandard = ["a-2a", "ua-1"]\n'])
 def test_every_page_of_a_sheet_has_its_code(extra: str, tmp_path: Path) -> None:
     out = build(tmp_path, extra, "--no-solutions")
     texts = page_texts(out / "sheets.pdf")
@@ -147,11 +150,11 @@ def test_every_page_of_a_sheet_has_its_code(extra: str, tmp_path: Path) -> None:
     assert not any(codes_of(out / "key.pdf", 150))
 
 
-def test_codes_name_the_build_and_can_be_left_out(tmp_path: Path) -> None:
+def test_codes_name_the_build_and_are_only_where_they_are_wanted(tmp_path: Path) -> None:
     found = set()
     for seed in ("1", "2", "1"):
-        out = build(tmp_path, "", "--no-solutions", "--seed", seed, "--force")
+        out = build(tmp_path, CODES, "--no-solutions", "--seed", seed, "--force")
         found.add(codes_of(out / "sheets.pdf", 100)[0][0])
     assert len(found) == 2
-    out = build(tmp_path, "[page]\nqr = false\n", "--no-solutions", "--force")
+    out = build(tmp_path, "", "--no-solutions", "--force")
     assert not any(codes_of(out / "sheets.pdf", 150))
