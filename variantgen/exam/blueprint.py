@@ -45,8 +45,9 @@ class Task:
 
 @dataclass(frozen=True)
 class Exam:
-    """A checked exam file. ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every sheet.
+    """A checked exam file.
 
+    ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them.
     """

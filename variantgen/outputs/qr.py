@@ -45,7 +45,10 @@ def qr_bars(rows: Rows) -> Iterator[tuple[int, int, int]]:
 def qr_svg(rows: Rows) -> str:
     """A code as SVG without the white around it, a module being one unit.
 
-    One shape: on a screen there would be hairlines between shapes that touch.
+    One shape: on a screen there would be hairlines between shapes that touch. Thick lines have half as many corners
+    as rectangles.
     """
-    bars = "".join(f"M{x} {y}h{count}v1h-{count}z" for x, y, count in qr_bars(rows))
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {len(rows)} {len(rows)}"><path d="{bars}"/></svg>'
+    size = len(rows)
+    bars = "".join([f"M{x} {y}.5h{count}" for x, y, count in qr_bars(rows)])
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size} {size}">'
+    return f'{head}<path stroke="#000" d="{bars}"/></svg>'

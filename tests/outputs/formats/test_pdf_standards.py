@@ -28,6 +28,8 @@ course = "Теоретическая механика"
 language = "{language}"
 [solutions]
 depth = "{depth}"
+[page]
+qr = true
 [pdf]
 standard = {standard}
 files = "{files}"
