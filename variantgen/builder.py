@@ -177,6 +177,7 @@ def _makers(processes: int, engine: Typesetter) -> Iterator[Runner]:
     if processes <= 1:
         yield lambda jobs, folder: ((job, job.make(folder, engine)) for job in jobs)
         return
+    others = set(multiprocessing.active_children())
     with ProcessPoolExecutor(processes, initializer=_leave_with_parent) as pool:
 
         def run(jobs: Sequence[_Job], folder: Path) -> Iterator[tuple[_Job, _Made]]:
@@ -185,9 +186,11 @@ def _makers(processes: int, engine: Typesetter) -> Iterator[Runner]:
 
         try:
             yield run
-        except BaseException as error:
-            # After an error the folder is removed: nobody may still be writing to it. An interruption does not wait.
-            pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)
+        except BaseException:
+            # The folder is going to be removed: nobody may still be writing to it.
+            for worker in set(multiprocessing.active_children()) - others:
+                worker.kill()
+            pool.shutdown(cancel_futures=True)
             raise
 
 

@@ -85,7 +85,7 @@ def test_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ("id,name\n,Ann\n", ["row 2", "id is empty", "fill it in"]),
         ("id,name\n1,\n", ["row 2", "name is empty"]),
         ("id,name\n1,Ann,Lee\n", ["row 2", "more cells than the header", "quote"]),
-        ("id,name\n1,A\x07nn\n", ["row 2", "name holds a control character", "x07"]),
+        ("id,name\n1,A\x07nn\n", ["row 2", "name holds a control character", "U+0007"]),
         ('id,name\n1,"Ann\nLee"\n', ["control character", "name"]),
         ('id,name\n1,"Ann\n', ["not a proper CSV"]),
         ("id,name\n1," + "x" * 20_001 + "\n", ["row 2", "20001 characters", "at most 20000"]),

@@ -38,7 +38,7 @@ def test_beside_the_exam_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     exam.write_text(EXAM, "utf-8")
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "out")]) == 0
     manifest = json.loads((tmp_path / "out" / "manifest.json").read_text("utf-8"))
-    assert manifest["families"] == {"own_crank": folder_hash(folder)}
+    assert manifest["made_with"]["family:own_crank"] == folder_hash(folder)
     capsys.readouterr()
 
 

@@ -14,6 +14,7 @@ from matplotlib.mathtext import MathTextParser
 
 from tests.wording.formulas import CM_PER_S, LINES, PHI, A, B, C, cos, deg, minus, num, plus, sym, times
 from variantgen.figure.lettering import typeset
+from variantgen.outputs.markup import markup
 from variantgen.outputs.motion_plot import STYLE
 from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import (
@@ -330,7 +331,7 @@ def set_by_the_engine(engine: Typesetter, formulas: list[Formula], path: Path) -
         "#for markup in json(bytes(sys.inputs.data)) { formula(markup); pagebreak(weak: true) }\n",
         "utf-8",
     )
-    path.write_bytes(engine.compile("formulas.typ", [to_typst(formula) for formula in formulas])[0])
+    path.write_bytes(engine.compile("formulas.typ", [markup(formula) for formula in formulas])[0])
     document = pypdfium2.PdfDocument(path)
     texts = [page.get_textpage().get_text_bounded() for page in document]
     document.close()

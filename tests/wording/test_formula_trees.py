@@ -13,6 +13,7 @@ from tests.wording import exact_reader
 from tests.wording.exact_reader import PRIME, AmbiguousError, read
 from tests.wording.formulas import deg, num, sym
 from tests.wording.latex_reader import in_line
+from variantgen.outputs.markup import markup
 from variantgen.outputs.motion_plot import STYLE
 from variantgen.outputs.typesetter import typesetter
 from variantgen.wording.formula import (
@@ -41,7 +42,6 @@ from variantgen.wording.formula import (
     UnitText,
     Vector,
     to_plain,
-    to_typst,
 )
 from variantgen.wording.formula.tree import GREEK, SIGNS
 from variantgen.wording.html import to_html
@@ -212,7 +212,7 @@ def test_the_engine_takes_anything(formulas: list[Formula]) -> None:
     with typesetter() as engine:
         source = '#import "common.typ": formula\n#for markup in json(bytes(sys.inputs.data)) { formula(markup) }\n'
         (engine.root / "any.typ").write_text(source, "utf-8")
-        assert engine.compile("any.typ", [to_typst(formula) for formula in formulas])
+        assert engine.compile("any.typ", [markup(formula) for formula in formulas])
 
 
 @settings(max_examples=300)
