@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -12,7 +11,7 @@ from html import unescape
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.tools import need
 
 _OPTIONS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
@@ -83,7 +82,5 @@ def unprotected(page: str) -> str:
 def find_browser() -> str:
     """The path of Chromium; where CI runs, there has to be one."""
     found = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
-    if found is None:
-        assert os.environ.get("CI") != "true", "Chromium is needed here: apt-get install chromium"
-        pytest.skip("no Chromium on this machine (apt-get install chromium)")
-    return found
+    need(found is not None, "Chromium", "chromium")
+    return str(found)

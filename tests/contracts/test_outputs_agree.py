@@ -200,7 +200,9 @@ def printed(value: float, language: str) -> str:
 
 @pytest.mark.parametrize("document", ["key", "solutions"])
 @pytest.mark.parametrize("name", sorted(PEOPLE))
-def test_outputs_for_people(name: str, document: str, built: tuple[str, Path]) -> None:
+def test_outputs_for_people(name: str, document: str, built: tuple[str, Path], request: pytest.FixtureRequest) -> None:
+    if name == "latex":
+        request.getfixturevalue("latexmk")
     language, out = built
     text = re.sub(r"\s+", "", PEOPLE[name](out)[document])
     truth = key(out)

@@ -153,7 +153,9 @@ def literal(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("name", sorted(formats()))
-def test_text_appears_as_it_stands(name: str, literal: Path) -> None:
+def test_text_appears_as_it_stands(name: str, literal: Path, request: pytest.FixtureRequest) -> None:
+    if name == "latex":
+        request.getfixturevalue("latexmk")
     seen = shown(literal, name)
     assert any(one in seen for one in written(f"T1 {LITERAL[3]} {LITERAL[15]}"))
     assert "root:x:" not in seen
@@ -212,8 +214,10 @@ def test_strange_letters_are_shown_in_browsers_and_tables(text: str, tmp_path: P
 @pytest.mark.parametrize("name", PAPER)
 @pytest.mark.parametrize("text", STRANGE)
 def test_strange_letters_are_printed_or_refused(
-    text: str, name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    text: str, name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], request: pytest.FixtureRequest
 ) -> None:
+    if name == "latex":
+        request.getfixturevalue("latexmk")
     code = build(tmp_path, "T", ["Bob", text], [name])
     said = capsys.readouterr().err
     if code:

