@@ -114,55 +114,60 @@ def parse_exam(
     """
     problems: list[Problem] = []
     top = Table(parse_toml(text, path), "", problems)
-    version = top.take("schema", int, SCHEMA)
-    if version != SCHEMA:
-        top.problem(f"expected schema {SCHEMA}", "schema", version, "the file is for another version of the program")
-    title = top.need("title", str, "")
-    course = top.take("course", str, "")
-    problems += printable.problems(title, "the title", "title") + printable.problems(course, "the course", "course")
+    _check_schema(top)
     language = top.need("language", str, "en", " or ".join(f'"{name}"' for name in languages()))
     with top.collecting("language"):
         load_language(language)
     seed = top.take("seed", (int, str), 0, "a whole number or a word")
-    tolerance = read_tolerance(top)
     page = top.table("page")
-    duplex = page.take("duplex", bool, True)
-    qr = page.take("qr", bool, True)
-    page.finish()
-    solutions = read_solutions(top.table("solutions"), language)
-    notation = _notation(top.table("notation"))
     formats: tuple[str, ...] = ("pdf",)
     with top.collecting("formats"):
         formats = chosen(top.strings("formats", formats))
-    options = {name: reader(top.table(name)) for name, reader in readers.items()}
+    exam = Exam(
+        title=_printed(top, "title", top.need("title", str, "")),
+        course=_printed(top, "course", top.take("course", str, "")),
+        language=language,
+        seed=str(seed),
+        tolerance=read_tolerance(top),
+        duplex=page.take("duplex", bool, True),
+        qr=page.take("qr", bool, True),
+        path=path,
+        hash=hashlib.sha256(text.encode()).hexdigest()[:16],
+        text=text,
+        solutions=read_solutions(top.table("solutions"), language),
+        notation=_notation(top.table("notation")),
+        formats=formats,
+        options={name: reader(top.table(name)) for name, reader in readers.items()},
+        tasks=_tasks(top, folders),
+    )
+    page.finish()
+    top.finish()
+    if problems:
+        raise InputError(problem.located(str(path)) for problem in problems)
+    return exam
+
+
+def _check_schema(top: Table) -> None:
+    version = top.take("schema", int, SCHEMA)
+    if version != SCHEMA:
+        top.problem(f"expected schema {SCHEMA}", "schema", version, "the file is for another version of the program")
+
+
+def _printed(top: Table, key: str, text: str) -> str:
+    """A text that stands on paper; what keeps it from that is noted."""
+    top.problems += printable.problems(text, f"the {key}", key)
+    return text
+
+
+def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
+    """The problems that can be read; what is wrong with the others is noted."""
     tables = top.tables("problem")
-    found = [_task(table, number, folders) for number, table in enumerate(tables, start=1)]
     if not tables:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )
-    top.finish()
-    if problems:
-        raise InputError(problem.located(str(path)) for problem in problems)
-    digest = hashlib.sha256(text.encode()).hexdigest()[:16]
-    tasks = tuple(t for t in found if t)
-    return Exam(
-        title,
-        course,
-        language,
-        tasks,
-        str(seed),
-        tolerance,
-        duplex,
-        path,
-        digest,
-        text,
-        solutions=solutions,
-        notation=notation,
-        formats=formats,
-        options=options,
-        qr=qr,
-    )
+    found = (_task(table, number, folders) for number, table in enumerate(tables, start=1))
+    return tuple(task for task in found if task)
 
 
 def _notation(table: Table) -> Notation:

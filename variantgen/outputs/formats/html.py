@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from variantgen.errors import nearest
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
@@ -43,13 +42,9 @@ class Options:
 
 def read_options(table: Table) -> Options:
     """The table ``[html]``."""
-    known = (JOINED, STUDENTS)
-    files = table.take("files", str, JOINED)
-    if files not in known:
-        table.problem('expected "joined" or "students"', "files", files, nearest(files, known))
-        files = JOINED
+    found = Options(table.choice("files", (JOINED, STUDENTS)))
     table.finish()
-    return Options(files)
+    return found
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:

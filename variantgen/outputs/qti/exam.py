@@ -71,6 +71,7 @@ class _Writer:
     pieces: Sequence[Path]
 
     def write(self, made: Package) -> None:
+        """Manifest, tests, items and figures."""
         with made.outline(MANIFEST) as outline:
             self._manifest(outline)
         for name, title, sheets in self._tests():
