@@ -23,10 +23,10 @@ from pathlib import Path
 
 import numpy as np
 
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
-from variantgen.exam.sheets import assemble
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
 from variantgen.outputs.formats import STUDENTS_PER_PART

@@ -24,11 +24,12 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.builder import build
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
 from variantgen.exam.content import Content, Posed, Solved
 from variantgen.exam.roster import numbered
-from variantgen.exam.sheets import Sheet, assemble, solve_all
+from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.exam.shown import Figures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Sheet, assemble
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs.folder import check_free, file_hashes, whole_folder
 from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, Whole, formats, known_files, read_exam
 from variantgen.outputs.records import key_csv, manifest

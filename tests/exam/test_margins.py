@@ -14,10 +14,10 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.builder import build
 from variantgen.errors import InputError
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import read_exam
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student, numbered
-from variantgen.exam.sheets import assemble
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.family import frame

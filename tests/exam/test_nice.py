@@ -12,9 +12,9 @@ import pytest
 
 from tests.pdf_text import page_texts
 from variantgen.cli import main
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import read_exam
 from variantgen.exam.roster import numbered
-from variantgen.exam.sheets import assemble
 
 PROBLEM = '[[problem]]\nfamily = "ladder"\nform = "driven_at_wall"\nask = ["v_B", "omega_AB"]\n'
 HEAD = 'title = "Quiz"\nlanguage = "ru"\n'

@@ -13,11 +13,11 @@ import pikepdf
 import pytest
 
 from variantgen.cli import main
+from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import read_exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
-from variantgen.exam.sheets import assemble
 from variantgen.figure.build import statement_figure
 from variantgen.figure.telling.directions import compass, is_parallel, line, side
 from variantgen.outputs.sheet_data import sheets_data

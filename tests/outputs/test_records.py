@@ -8,9 +8,10 @@ from dataclasses import replace
 
 import pytest
 
+from variantgen.exam.assembly import assemble
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
-from variantgen.exam.sheets import Sheet, assemble
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import read_exam
 from variantgen.outputs.records import key_csv
 

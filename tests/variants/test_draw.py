@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -13,9 +14,11 @@ from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.attempts import Tally
-from variantgen.variants.draw import Drawing, Entry, draw, draw_distinct
+from variantgen.variants.distinct import TooFewError, settle
+from variantgen.variants.draw import Drawing, draw, too_few
+from variantgen.variants.likeness import Traits, traits
 from variantgen.variants.seeding import Stream, digest, index_below
-from variantgen.variants.variant import solve_variants
+from variantgen.variants.variant import Variant, solve_variants
 
 SMALL = restrict(load_family("spool"), {"thread": "above", "a_B": 100, "v_B": 40}, {"r": [18, 22], "R": [40, 44]})
 
@@ -56,37 +59,47 @@ def test_the_draw_is_uniform_over_the_valid_grid() -> None:
     assert sum((n - 500) ** 2 / 500 for n in counts.values()) < 26.1
 
 
-def entries(family: Family, names: list[str]) -> list[Entry]:
-    drawing = Drawing(family, ["v_O"])
-    return [Entry(drawing, ("s", name), digest("priority", name)) for name in names]
+def distinct(family: Family, names: list[str], ask: list[str] | None = None) -> tuple[list[Variant], list[int]]:
+    """Distinct variants of students of one group, and who had to draw again."""
+    drawing = Drawing(family, ask)
+
+    def draws(owners: Sequence[int], used: Sequence[int]) -> list[Variant]:
+        return drawing.after([("s", names[i]) for i in owners], used)
+
+    def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
+        return traits(draws(owners, used), [""] * len(owners))
+
+    found = draws(range(len(names)), [0] * len(names))
+    try:
+        settled = settle(traits(found, [""] * len(names)), lambda i: digest("priority", names[i]), more)
+    except TooFewError as error:
+        raise too_few(error, [drawing] * len(names)) from None
+    for i, attempt in settled.again.items():
+        found[i] = draws([i], [attempt - 1])[0]
+    return found, list(settled.again)
 
 
 def test_distinct_variants_do_not_depend_on_the_order_of_students() -> None:
     names = [f"student {i}" for i in range(8)]
-    found, again = draw_distinct(entries(SMALL, names))
+    found, again = distinct(SMALL, names, ["v_O"])
     assert len({v.identity for v in found}) == 8
     assert again, "eight of nine variants: somebody must have drawn again"
     by_name = dict(zip(names, found, strict=True))
     for seed in range(5):
         other = names.copy()
         random.Random(seed).shuffle(other)
-        assert dict(zip(other, draw_distinct(entries(SMALL, other))[0], strict=True)) == by_name
+        assert dict(zip(other, distinct(SMALL, other, ["v_O"])[0], strict=True)) == by_name
 
 
 def test_adding_a_student_changes_nobody_without_a_collision() -> None:
     family = load_family("four_bar")
     names = [f"student {i}" for i in range(30)]
-    drawing = Drawing(family, None)
-
-    def drawn(who: list[str]) -> list[object]:
-        return list(draw_distinct([Entry(drawing, ("s", n), digest("p", n)) for n in who])[0])
-
-    assert drawn([*names, "new student"])[:30] == drawn(names)
+    assert distinct(family, [*names, "new student"])[0][:30] == distinct(family, names)[0]
 
 
 def test_more_students_than_variants_is_an_error_that_says_so() -> None:
     with pytest.raises(InputError, match="spool") as caught:
-        draw_distinct(entries(SMALL, [f"student {i}" for i in range(10)]))
+        distinct(SMALL, [f"student {i}" for i in range(10)], ["v_O"])
     assert "distinct" in str(caught.value)
 
 

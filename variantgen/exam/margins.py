@@ -90,6 +90,10 @@ class Margins:
             self._found.update((keys[i], column) for i, column in zip(new, table.T, strict=True))
         return np.stack([self._found[key] for key in keys], axis=1)
 
+    def forget(self) -> None:
+        """Forget what was found for variants, once their answers are known; what is known of forms is kept."""
+        self._found.clear()
+
     def _new_tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> Table:

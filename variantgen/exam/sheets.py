@@ -1,4 +1,4 @@
-"""From an exam and a roster to sheets: which variant each student has, and its answers."""
+"""Sheets: the problems of a student, with the answers in printed units and their tolerances."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from math import degrees
 
 import numpy as np
 
-from variantgen.exam.blueprint import Exam, Task
-from variantgen.exam.confirm import confirm
+from variantgen.exam.blueprint import Task
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance
@@ -18,7 +17,6 @@ from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.mechanism.motion import Field, Motion
-from variantgen.variants.draw import Drawing, Entry, draw_distinct
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Surd
@@ -82,46 +80,6 @@ class Sheet:
     items: tuple[Item, ...]
 
 
-@dataclass(frozen=True)
-class Assembly:
-    """The sheets in the order of the roster, and the ids of students who had to draw again to be distinct."""
-
-    sheets: tuple[Sheet, ...]
-    redrawn: tuple[str, ...]
-
-
-def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
-    """Draw, solve and verify everything. Raises InputError when the ranges of a problem leave no valid variant."""
-    entries: list[Entry] = []
-    owners: list[tuple[int, Task]] = []
-    margins = Margins(exam.tolerance)
-    for task in exam.tasks:
-        where = f"problem[{task.number}]"
-        drawings = [Drawing(family, task.ask, where=where, judge=margins) for family in task.families]
-        for i, student in enumerate(students):
-            drawing = drawings[_pool_choice(seed, student, task)]
-            key = (seed, student.id, task.number)
-            entries.append(Entry(drawing, key, digest("priority", *key)))
-            owners.append((i, task))
-    variants, again = draw_distinct(entries)
-    asked = [read_ask(variant.form, task.ask) for variant, (_, task) in zip(variants, owners, strict=True)]
-    solved = solve_all(variants, asked)
-    confirm(variants, asked, solved, [entry.key for entry in entries])
-    answers = _with_mistakes(_answers(variants, asked, solved, margins), variants, asked, solved, margins)
-    items: list[list[Item]] = [[] for _ in students]
-    for (i, task), variant, found in zip(owners, variants, answers, strict=True):
-        items[i].append(Item(task, variant, found))
-    codes = variant_codes(seed, students)
-    sheets = tuple(Sheet(student, code, tuple(own)) for student, code, own in zip(students, codes, items, strict=True))
-    redrawn = tuple(dict.fromkeys(students[owners[k][0]].id for k in again))
-    return Assembly(sheets, redrawn)
-
-
-def _pool_choice(seed: str, student: Student, task: Task) -> int:
-    number = int.from_bytes(digest("pool", seed, student.id, task.number), "big")
-    return number % len(task.families)
-
-
 def variant_codes(seed: str, students: Sequence[Student]) -> list[str]:
     """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same.
 
@@ -166,6 +124,16 @@ def solve_all(
 def _tolerance(quantity: Quantity, value: float, margin: float) -> float:
     """Absolute tolerance in the printed unit: of an angle the like part of a radian."""
     return float(f"{margin * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
+
+
+def answers_of(
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+    margins: Margins,
+) -> list[tuple[Answer, ...]]:
+    """The answers of solved variants, with tolerances and the mistakes that go unnoticed in them."""
+    return _with_mistakes(_answers(variants, asked, solved, margins), variants, asked, solved, margins)
 
 
 def _with_mistakes(

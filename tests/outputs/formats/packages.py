@@ -15,9 +15,9 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from variantgen.cli import main
+from variantgen.exam.assembly import assemble
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
-from variantgen.exam.sheets import assemble
 from variantgen.outputs.formats import Part, read_exam
 from variantgen.outputs.typesetter import typesetter
 from variantgen.outputs.web.questions import Question, questions

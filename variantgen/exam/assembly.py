@@ -1,0 +1,144 @@
+"""From an exam and a roster to sheets: who gets which variant of which family, and what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.confirm import confirm
+from variantgen.exam.margins import Margins
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Item, Sheet, answers_of, solve_all, variant_codes
+from variantgen.families.asking import read_ask
+from variantgen.variants.distinct import More, Settled, TooFewError, settle
+from variantgen.variants.draw import Drawing, check_room, drawn, too_few
+from variantgen.variants.likeness import Traits, traits
+from variantgen.variants.seeding import digest
+from variantgen.variants.variant import Variant
+
+
+@dataclass(frozen=True)
+class Wish:
+    """A problem of a student, by its place in the exam, and the attempts of the draw that are behind it."""
+
+    student: Student
+    place: int
+    used: int = 0
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The sheets in the order of the roster.
+
+    ``redrawn`` are ids of students who had to draw again to be distinct, ``alike`` says of problems (``problem[2]:
+    ladder``) how many sheets have nearly the data of another in their group.
+    """
+
+    sheets: tuple[Sheet, ...]
+    redrawn: tuple[str, ...]
+    alike: Mapping[str, int]
+
+
+class Drawer:
+    """Draws, solves and verifies problems of an exam. What follows from the exam alone is worked out once."""
+
+    def __init__(self, exam: Exam, seed: str) -> None:
+        self.exam, self.seed = exam, seed
+        self._margins = Margins(exam.tolerance)
+        self._drawings = [
+            [Drawing(f, task.ask, where=f"problem[{task.number}]", judge=self._margins) for f in task.families]
+            for task in exam.tasks
+        ]
+
+    def drawing(self, wish: Wish) -> Drawing:
+        """From what a problem is drawn: one of the families of its task."""
+        task = self.exam.tasks[wish.place]
+        number = int.from_bytes(digest("pool", self.seed, wish.student.id, task.number), "big")
+        return self._drawings[wish.place][number % len(task.families)]
+
+    def priority(self, wish: Wish) -> bytes:
+        """Who keeps a variant that two would get: the smaller one."""
+        return digest("priority", *self._key(wish))
+
+    def variants(self, wishes: Sequence[Wish]) -> list[Variant]:
+        """The next valid variant of each wish. Raises InputError where the ranges of a problem leave none."""
+        drawings, keys = [self.drawing(wish) for wish in wishes], [self._key(wish) for wish in wishes]
+        return drawn(drawings, keys, [wish.used for wish in wishes])
+
+    def items(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> list[Item]:
+        """The problems with their answers. Raises VerificationError if a method disagrees with the solver."""
+        tasks = [self.exam.tasks[wish.place] for wish in wishes]
+        asked = [read_ask(variant.form, task.ask) for variant, task in zip(variants, tasks, strict=True)]
+        solved = solve_all(variants, asked)
+        confirm(variants, asked, solved, [self._key(wish) for wish in wishes])
+        answers = answers_of(variants, asked, solved, self._margins)
+        self._margins.forget()
+        return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
+
+    def _key(self, wish: Wish) -> tuple[object, ...]:
+        return self.seed, wish.student.id, self.exam.tasks[wish.place].number
+
+
+def wishes_of(exam: Exam, students: Iterable[Student]) -> list[Wish]:
+    """All problems of some students, student by student."""
+    return [Wish(student, place) for student in students for place in range(len(exam.tasks))]
+
+
+def sheets_of(exam: Exam, students: Sequence[tuple[Student, str]], items: Sequence[Item]) -> tuple[Sheet, ...]:
+    """Sheets of students with their codes, from the problems of all of them, student by student."""
+    count = len(exam.tasks)
+    return tuple(
+        Sheet(student, code, tuple(items[i * count : (i + 1) * count])) for i, (student, code) in enumerate(students)
+    )
+
+
+def traits_of(wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
+    """What is compared of drawn variants."""
+    return traits(variants, [wish.student.group for wish in wishes])
+
+
+def keep_apart(drawer: Drawer, wishes: Sequence[Wish], first: Traits, more: More) -> Settled:
+    """Who has to draw again; ``more`` draws. Raises InputError where there are too few variants."""
+    try:
+        return settle(first, lambda i: drawer.priority(wishes[i]), more) if wishes else Settled({}, ())
+    except TooFewError as error:
+        raise too_few(error, [drawer.drawing(wish) for wish in wishes]) from None
+
+
+def alike_of(drawer: Drawer, wishes: Sequence[Wish], alike: Iterable[int]) -> dict[str, int]:
+    """How many sheets have nearly the data of another, by problem and family."""
+    found: dict[str, int] = {}
+    for i in alike:
+        where = drawer.drawing(wishes[i]).where
+        found[where] = found.get(where, 0) + 1
+    return dict(sorted(found.items()))
+
+
+def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
+    """Draw, solve and verify everything in this process."""
+    drawer, wishes = Drawer(exam, seed), wishes_of(exam, students)
+    check_room([drawer.drawing(wish) for wish in wishes])
+    variants = drawer.variants(wishes)
+
+    def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
+        again = [Wish(wishes[i].student, wishes[i].place, done) for i, done in zip(owners, used, strict=True)]
+        return traits_of(again, drawer.variants(again))
+
+    settled = keep_apart(drawer, wishes, traits_of(wishes, variants), more)
+    again = again_of(wishes, settled)
+    for i, variant in zip(again, drawer.variants(list(again.values())), strict=True):
+        variants[i] = variant
+    codes = variant_codes(seed, students)
+    sheets = sheets_of(exam, list(zip(students, codes, strict=True)), drawer.items(wishes, variants))
+    return Assembly(sheets, redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike))
+
+
+def again_of(wishes: Sequence[Wish], settled: Settled) -> dict[int, Wish]:
+    """The wishes, by their places, whose next draw is not their first one."""
+    return {i: Wish(wishes[i].student, wishes[i].place, attempt - 1) for i, attempt in settled.again.items()}
+
+
+def redrawn_of(wishes: Sequence[Wish], settled: Settled) -> tuple[str, ...]:
+    """The ids of students who had to draw again."""
+    return tuple(dict.fromkeys(wishes[i].student.id for i in settled.again))

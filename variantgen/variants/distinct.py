@@ -1,0 +1,171 @@
+"""Distinct variants for any number of students, however their draws were split.
+
+Everyone has a sequence of draws of their own and a priority. In the order of priority each takes the first of their own
+draws that nobody before has, and that is not nearly the same as one that somebody before in the same group has
+(:mod:`variantgen.variants.likeness`). Where the ranges leave no room for the second wish, only the first is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.variants.likeness import Traits
+
+TRIES = 10  # draws in which somebody looks for data that are not nearly those of another
+# With more near neighbours than this, on average, there is no room to keep the variants of a group apart.
+_CROWD = 12.0
+_FEW = 400  # points of which all pairs are compared
+
+# The next draw of some owners after the attempts that they have used: (owners, attempts) -> traits.
+More = Callable[[Sequence[int], Sequence[int]], Traits]
+
+
+@dataclass(frozen=True)
+class Settled:
+    """Who has to take another than their first draw, and by which attempt; who has nearly the same data as another."""
+
+    again: dict[int, int]
+    alike: tuple[int, ...]
+
+
+class TooFewError(Exception):
+    """There are fewer distinct variants than owners; ``owner`` is one who found none."""
+
+    def __init__(self, owner: int, owners: Sequence[int], identities: NDArray[np.uint64]) -> None:
+        super().__init__(owner)
+        self.owner, self._owners, self._identities = owner, owners, identities
+
+    def found(self, counts: Callable[[int], bool]) -> int:
+        """How many distinct variants the owners of whom ``counts`` is true have seen."""
+        own = [counts(owner) for owner in self._owners]
+        return int(np.unique(self._identities[np.array(own)]).size)
+
+
+def settle(first: Traits, priority: Callable[[int], bytes], more: More) -> Settled:
+    """Give everyone a draw, from the first draw of each owner 0 .. N-1. Raises TooFewError."""
+    pool = _Pool(first, priority)
+    idle = seen = 0
+    while wanting := pool.choose():
+        before, seen = seen, pool.contested
+        idle = 0 if seen > before else idle + len(wanting)
+        # One unseen variant among n is missed by 20 n draws with a probability of 2e-9.
+        if idle > 100 + 20 * seen:
+            raise pool.too_few(wanting[0])
+        pool.add(wanting, more(wanting, [pool.used(owner) for owner in wanting]))
+    return pool.settled()
+
+
+class _Pool:
+    """All draws so far, and which of them everyone takes."""
+
+    def __init__(self, first: Traits, priority: Callable[[int], bytes]) -> None:
+        self.traits = first
+        self._owner = list(range(len(first)))
+        self._more: dict[int, list[int]] = {}  # draws of owners with several, after their first
+        self._priority = priority
+        self._taken: dict[int, int] = {}
+        self._alike: set[int] = set()  # owners who gave up looking
+        self._crowded: set[int] = set()  # draws that nobody keeps apart
+        self.contested = 0  # distinct variants that several want, or that somebody drew in vain
+
+    def add(self, owners: Sequence[int], drawn: Traits) -> None:
+        """One more draw of each of some owners."""
+        for place, owner in enumerate(owners, start=len(self.traits)):
+            self._more.setdefault(owner, []).append(place)
+        self._owner += owners
+        self.traits = Traits.joined([self.traits, drawn])
+
+    def used(self, owner: int) -> int:
+        """The attempts that an owner has used."""
+        return int(self.traits.attempt[self._draws(owner)[-1]])
+
+    def too_few(self, owner: int) -> TooFewError:
+        """The error for an owner who finds nothing."""
+        return TooFewError(owner, self._owner, self.traits.identity)
+
+    def settled(self) -> Settled:
+        """What was chosen."""
+        again = {owner: int(self.traits.attempt[taken]) for owner, taken in self._taken.items() if taken != owner}
+        crowded = {self._owner[i] for i in self._crowded if self._taken.get(self._owner[i], self._owner[i]) == i}
+        return Settled(dict(sorted(again.items())), tuple(sorted(self._alike | crowded)))
+
+    def choose(self) -> list[int]:
+        """Choose for everyone; the owners for whom no draw is left, in order."""
+        same = dict(_equal(self.traits.identity))
+        near, crowded = _near(self.traits)
+        self._alike, self._crowded = set(), set(crowded)
+        # Whoever has one draw that nobody else wants takes it: nothing is to be decided.
+        contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
+        draws = [i for owner in contested for i in self._draws(owner)]
+        self.contested = np.unique(self.traits.identity[np.array(draws, dtype=int)]).size
+        held: set[int] = set()
+        wanting = []
+        self._taken = {}
+        for owner in sorted(contested, key=self._priority):
+            draws = self._draws(owner)
+            free = [i for i in draws if not any(other in held for other in same.get(i, ()))]
+            apart = [i for i in free if not any(other in held for other in near.get(i, ()))]
+            apart = [i for i in apart if i in draws[:TRIES]]
+            if apart or (free and len(draws) >= TRIES):
+                self._taken[owner] = (apart or free)[0]
+                held.add(self._taken[owner])
+                if not apart:
+                    self._alike.add(owner)
+            else:
+                wanting.append(owner)
+        return sorted(wanting)
+
+    def _draws(self, owner: int) -> list[int]:
+        return [owner, *self._more.get(owner, ())]
+
+
+def _equal(keys: NDArray[np.uint64]) -> Iterator[tuple[int, list[int]]]:
+    """For each place that has the same key as others all the places with that key."""
+    for members in _runs(keys):
+        listed = members.tolist()
+        yield from ((i, listed) for i in listed)
+
+
+def _runs(keys: NDArray[np.uint64]) -> Iterator[NDArray[np.intp]]:
+    """The places of each key that occurs more than once."""
+    order = np.argsort(keys, kind="stable")
+    _, starts, counts = np.unique(keys[order], return_index=True, return_counts=True)
+    several = counts > 1
+    for start, count in zip(starts[several], counts[several], strict=True):
+        yield order[start : start + count]
+
+
+def _near(found: Traits) -> tuple[dict[int, list[int]], list[int]]:
+    """The near ones of each draw that has any, and the draws in rooms that are too crowded to keep them apart."""
+    near: dict[int, list[int]] = {}
+    crowded: list[int] = []
+    for members in _runs(found.room):
+        pairs = _close_pairs(found.place[members])
+        if pairs is None:
+            crowded += members.tolist()
+            continue
+        for a, b in members[pairs].tolist():
+            near.setdefault(a, []).append(b)
+            near.setdefault(b, []).append(a)
+    return near, crowded
+
+
+def _close_pairs(places: NDArray[np.float64]) -> NDArray[np.intp] | None:
+    """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate; None if nearly all do."""
+    limit = 1.0 + 1e-9
+    if len(places) <= _FEW:
+        close = np.ones((len(places), len(places)), dtype=bool)
+        for column in places.T:
+            close &= np.abs(column[:, None] - column[None, :]) <= limit
+        pairs = np.argwhere(np.triu(close, 1))
+        return None if 2 * len(pairs) > _CROWD * len(places) else pairs
+    from scipy.spatial import cKDTree  # for large rooms only: the import takes as long as the build of a sheet
+
+    tree = cKDTree(places)
+    if tree.count_neighbors(tree, limit, p=np.inf) > (_CROWD + 1) * len(places):
+        return None
+    return np.asarray(tree.query_pairs(limit, p=np.inf, output_type="ndarray"))
