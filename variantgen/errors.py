@@ -34,9 +34,13 @@ class Problem:
 
 
 class VariantgenError(Exception):
-    """Base of every error this package raises on purpose."""
+    """Base of every error this package raises on purpose.
+
+    ``may_pass``: whether the cause lies outside, so that the same work may succeed another time.
+    """
 
     exit_code = 1
+    may_pass = False
 
 
 class InputError(VariantgenError):

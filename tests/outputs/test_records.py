@@ -13,7 +13,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import read_exam
-from variantgen.outputs.records import key_csv
+from variantgen.outputs.records import key_rows
 
 FORMULA_STARTS = tuple("=+-@＝＋－＠")
 BLANKS = " \t\r\n\u00a0\u3000\u200b\u2060\ufeff"
@@ -31,7 +31,7 @@ def sheet() -> Sheet:
 @pytest.mark.parametrize("start", ["=1+1", "=cmd|' /C calc'!A0", "+1", "-1", "@SUM(A1)", "＝1", "＋1", "－1", "＠A"])
 def test_no_cell_begins_like_a_formula(lead: str, start: str, sheet: Sheet) -> None:
     text = lead + start
-    found = key_csv([replace(sheet, student=Student(text, text, text))])
+    found = key_rows([replace(sheet, student=Student(text, text, text))])
     (*_, row) = csv.reader(io.StringIO(found))
     assert [cell.replace("'", "") for cell in row[:3]] == [text.replace("'", "")] * 3
     for delimiter in ",;\t":
@@ -52,5 +52,5 @@ def is_number(text: str) -> bool:
 
 @pytest.mark.parametrize("text", ["Smith-Jones", "a = b", "O'Neil", "007", "1E5", "Иванов; Петров", "x@y.org", "−5"])
 def test_other_text_stays(text: str, sheet: Sheet) -> None:
-    (*_, row) = csv.reader(io.StringIO(key_csv([replace(sheet, student=Student(text, text, text))])))
+    (*_, row) = csv.reader(io.StringIO(key_rows([replace(sheet, student=Student(text, text, text))])))
     assert row[:3] == [text] * 3

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -96,11 +95,10 @@ def _told(answers: Sequence[tuple[str, float]]) -> str:
 
 def _typeset(finished: Finished, sheets: tuple[Sheet, ...], target: str, engine: Typesetter) -> bytes:
     """The document of some students as a build makes it."""
-    with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
-        part = Part(Content(finished.exam, sheets), finished.record.seed, False, Path(folder), engine)
-        for piece in pdf.make(part):
-            if piece.target == target:
-                return piece.path.read_bytes()
+    part = Part(Content(finished.exam, sheets), finished.record.seed, False, engine)
+    for piece in pdf.make(part):
+        if piece.target == target:
+            return piece.content
     raise InputError(Problem("the exam was built without solutions", key="--solutions", remedy="leave the option out"))
 
 

@@ -18,6 +18,12 @@ from types import FrameType
 from variantgen.errors import InputError, Problem
 
 
+class WritingError(InputError):
+    """The system refused to write: no room, no rights, no disk."""
+
+    may_pass = True
+
+
 def check_free(target: Path, force: bool, known: Collection[str]) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made.
 
@@ -82,28 +88,45 @@ def whole_folder(target: Path, force: bool, known: Collection[str]) -> Iterator[
     _tidy(target, replaced)
     check_free(target, force, known)
     mine = f".{target.name}.partial-{os.getpid()}-"
-    main = threading.current_thread() is threading.main_thread()
     # The handler comes before the folder, so that no signal can find a folder that nobody would remove.
-    previous = signal.signal(signal.SIGTERM, _terminate) if main else None
+    with terminable(), writing(target):
+        try:
+            work = _made(target, mine)
+            yield work
+            if target.exists():
+                target.rename(replaced)
+            work.rename(target)
+            shutil.rmtree(replaced, ignore_errors=True)
+        finally:
+            for left in target.parent.glob(f"{glob.escape(mine)}*"):
+                shutil.rmtree(left, ignore_errors=True)
+
+
+@contextmanager
+def terminable() -> Iterator[None]:
+    """A termination signal ends the block as SystemExit does, so that what it has begun is cleared away."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    previous = signal.signal(signal.SIGTERM, _terminate)
     try:
-        work = _made(target, mine)
-        yield work
-        if target.exists():
-            target.rename(replaced)
-        work.rename(target)
-        shutil.rmtree(replaced, ignore_errors=True)
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, previous)
+
+
+@contextmanager
+def writing(target: Path) -> Iterator[None]:
+    """Errors of the system inside the block are told as errors of writing to the target (WritingError)."""
+    try:
+        yield
     except OSError as error:
         if error.strerror is None:
             raise
         remedy = "free some space or choose another folder"
-        raise InputError(
+        raise WritingError(
             Problem(f"writing failed: {error.strerror}", key="--out", value=str(target), remedy=remedy)
         ) from None
-    finally:
-        for left in target.parent.glob(f"{glob.escape(mine)}*"):
-            shutil.rmtree(left, ignore_errors=True)
-        if main:
-            signal.signal(signal.SIGTERM, previous)
 
 
 def _made(target: Path, prefix: str) -> Path:

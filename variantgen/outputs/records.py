@@ -5,14 +5,17 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
-from typing import Any
+from pathlib import Path
+from typing import Any, TextIO
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.record import SCHEMA, made_with
+from variantgen.exam.record import NAME, SCHEMA, made_with
 from variantgen.exam.sheets import Item, Sheet
+from variantgen.outputs.folder import file_hashes
 from variantgen.version import VERSION
 
 # Where a spreadsheet would begin a formula: at the start of a cell, be there blanks or not. Where the decimal mark is a
@@ -20,34 +23,61 @@ from variantgen.version import VERSION
 _FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－＠]|[\t\r])")
 
 
-def key_csv(sheets: Sequence[Sheet]) -> str:
-    """The key with one row per answer; text that a spreadsheet would run as a formula gets an apostrophe.
+_COLUMNS = ("id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed")
+RECORDS = "records"  # the name of the pieces of both files among those of the formats
+
+
+def write_records(
+    folder: Path, exam: Exam, seed: str, redrawn: Sequence[str], pieces: Mapping[str, Sequence[Path]]
+) -> None:
+    """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
+    with (folder / "key.csv").open("w", encoding="utf-8", newline="") as file:
+        file.write("\ufeff" + _rows([_COLUMNS]))
+        for path in pieces["key.csv"]:
+            file.write(path.read_text("utf-8"))
+        _keep(file)
+    before, after = manifest_frame(exam, seed, redrawn, file_hashes(folder))
+    with (folder / NAME).open("w", encoding="utf-8", newline="") as file:
+        file.write(before)
+        for number, path in enumerate(pieces[NAME]):
+            file.write((",\n" if number else "\n") + path.read_text("utf-8"))
+        file.write("\n" + after)
+        _keep(file)
+
+
+def _keep(file: TextIO) -> None:
+    """See to it that a file is on the disk."""
+    file.flush()
+    os.fsync(file.fileno())
+
+
+def key_rows(sheets: Sequence[Sheet]) -> str:
+    """The key of some students as CSV, one row per answer; text that a spreadsheet would run gets an apostrophe.
 
     Commas part the cells and numbers have points, in every language: it is a file for programs. A spreadsheet that
     guesses what cells are takes ids like ``007`` and ``1E5`` for numbers.
     """
-    out = io.StringIO(newline="")
-    writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(
-        ["id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed"]
+    return _rows(
+        (
+            *(_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)),
+            sheet.code,
+            item.task.number,
+            item.variant.family.name,
+            answer.quantity.name,
+            repr(answer.value),
+            answer.unit.name,
+            repr(answer.tolerance),
+            "; ".join(answer.unnoticed),
+        )
+        for sheet in sheets
+        for item in sheet.items
+        for answer in item.answers
     )
-    for sheet in sheets:
-        who = [_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)]
-        for item in sheet.items:
-            for answer in item.answers:
-                writer.writerow(
-                    [
-                        *who,
-                        sheet.code,
-                        item.task.number,
-                        item.variant.family.name,
-                        answer.quantity.name,
-                        repr(answer.value),
-                        answer.unit.name,
-                        repr(answer.tolerance),
-                        "; ".join(answer.unnoticed),
-                    ]
-                )
+
+
+def _rows(rows: Iterable[Sequence[object]]) -> str:
+    out = io.StringIO(newline="")
+    csv.writer(out, lineterminator="\r\n").writerows(rows)
     return out.getvalue()
 
 
@@ -55,10 +85,11 @@ def _safe(text: str) -> str:
     return _FORMULA.sub(r"\1'", text)
 
 
-def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[str], files: Mapping[str, str]) -> str:
-    """Everything that is needed to make each sheet again, as JSON.
+def manifest_frame(exam: Exam, seed: str, redrawn: Sequence[str], files: Mapping[str, str]) -> tuple[str, str]:
+    """What stands in the manifest before the lines of the students, and after them.
 
-    ``made_with`` says what a sheet depends on besides this file; ``files`` has the SHA-256 of the other files.
+    The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
+    depends on besides this file; ``files`` has the SHA-256 of the other files.
     """
     content = {
         "schema": SCHEMA,
@@ -79,19 +110,27 @@ def manifest(exam: Exam, sheets: Sequence[Sheet], seed: str, redrawn: Sequence[s
         "formats": list(exam.formats),
         "seed": seed,
         "redrawn": list(redrawn),
-        "students": [
+        "files": dict(files),
+    }
+    text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")
+    return f'{text},\n "students": [', " ]\n}\n"
+
+
+def manifest_lines(exam: Exam, sheets: Sequence[Sheet]) -> str:
+    """The entries of some students in the manifest, a line for each."""
+    return ",\n".join(
+        json.dumps(
             {
                 "id": sheet.student.id,
                 "name": sheet.student.name,
                 "group": sheet.student.group,
                 "code": sheet.code,
                 "problems": [_problem(exam, item) for item in sheet.items],
-            }
-            for sheet in sheets
-        ],
-        "files": dict(files),
-    }
-    return json.dumps(content, ensure_ascii=False, indent=1) + "\n"
+            },
+            ensure_ascii=False,
+        )
+        for sheet in sheets
+    )
 
 
 def _problem(exam: Exam, item: Item) -> dict[str, Any]:

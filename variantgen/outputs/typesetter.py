@@ -7,6 +7,7 @@ templates and nothing else, its own fonts only, and a fixed time stamp.
 from __future__ import annotations
 
 import datetime
+import importlib.util
 import json
 import os
 import shutil
@@ -87,10 +88,9 @@ def typesetter() -> Iterator[Typesetter]:
     # One thread: measured on 100 sheets, the engine's own threads cost a third more CPU and save no time here;
     # --jobs is the way to use more cores.
     os.environ.setdefault("RAYON_NUM_THREADS", "1")
-    try:
-        import typst  # noqa: F401  (found here, so that the message comes before any work)
-    except ImportError:
-        raise ToolMissingError("PDF output needs the package typst: install it with  pip install typst") from None
+    # Only looked for, so that the message comes before any work: a process that has not used it can be forked.
+    if importlib.util.find_spec("typst") is None:
+        raise ToolMissingError("PDF output needs the package typst: install it with  pip install typst")
     with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)

@@ -41,20 +41,20 @@ STUDENTS_PER_PART = 8
 
 @dataclass(frozen=True)
 class Piece:
-    """A file made of a part of the students, and the output that it belongs to."""
+    """Content made of a part of the students, the output that it belongs to, and the ending of its file's name."""
 
     target: str
-    path: Path
+    content: bytes
+    ending: str = ""
 
 
 @dataclass(frozen=True)
 class Part:
-    """A few students of an exam. ``folder`` is an empty folder for pieces, ``first`` whether it is the first part."""
+    """A few students of an exam; ``first`` says whether it is the first part."""
 
     content: Content
     seed: str
     first: bool
-    folder: Path
     engine: Typesetter
 
     @property
@@ -66,12 +66,6 @@ class Part:
     def sheets(self) -> tuple[Sheet, ...]:
         """The sheets of these students."""
         return self.content.sheets
-
-    def piece(self, target: str, content: bytes, ending: str = "") -> Piece:
-        """Write a piece of an output; ``ending`` is that of the name of the file."""
-        path = self.folder / f"{target.replace('/', '-')}-{sum(1 for _ in self.folder.iterdir()):04}{ending}"
-        path.write_bytes(content)
-        return Piece(target, path)
 
 
 @dataclass(frozen=True)

@@ -54,14 +54,14 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
 def make(part: Part) -> Iterator[Piece]:
     """An article for each student and document."""
     for number in range(len(part.sheets)):
-        yield part.piece("sheets", sheet_article(part.content, number), ".html")
+        yield Piece("sheets", sheet_article(part.content, number), ".html")
         if part.exam.solutions.wanted:
-            yield part.piece("solutions", solution_article(part.content, number), ".html")
+            yield Piece("solutions", solution_article(part.content, number), ".html")
 
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
-    yield part.piece("key", student_key(part.exam, part.sheets), ".html")
+    yield Piece("key", student_key(part.exam, part.sheets), ".html")
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
@@ -71,7 +71,7 @@ def _problem_key(part: Part) -> Iterator[Piece]:
         for item in sheet.items:
             owners.setdefault(place(item), []).append((sheet, item))
     for where, own in owners.items():
-        yield part.piece(_rows(where), problem_key(part.exam, own), ".html")
+        yield Piece(_rows(where), problem_key(part.exam, own), ".html")
 
 
 SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))

@@ -83,27 +83,27 @@ def make(part: Part) -> Iterator[Piece]:
     exam = part.exam
     writing = _writing(exam, exam.language)
     data = sheets_data(part.content, seed=part.seed, writing=writing)
-    yield part.piece("sheets", fill("sheets.tex.j2", data, writing.alphabet).encode(), ".tex")
+    yield Piece("sheets", fill("sheets.tex.j2", data, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:
         return
     writing = _writing(exam, exam.solutions.language)
     for number in range(len(part.sheets)):
         solved = solutions_data(part.content, number, writing=writing)
-        yield part.piece("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
+        yield Piece("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
 
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
     writing = _writing(part.exam, part.exam.language)
     data = key_by_student(part.exam, part.sheets, part.first, writing)
-    yield part.piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+    yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem."""
     writing = _writing(part.exam, part.exam.language)
     data = key_by_problem(part.exam, part.sheets, part.first, writing)
-    yield part.piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+    yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
 SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))

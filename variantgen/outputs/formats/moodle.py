@@ -73,7 +73,7 @@ def make(part: Part) -> Iterator[Piece]:
     for question in questions(part):
         found.setdefault(_target(question, chosen), []).append(_written(_question(question, part.exam, files)))
     for target, written in found.items():
-        yield part.piece(target, b"".join(written), ".xml")
+        yield Piece(target, b"".join(written), ".xml")
 
 
 def finish(whole: Whole) -> None:

@@ -54,7 +54,7 @@ def _piece(part: Part, target: str, data: Mapping[str, Any], handed_out: bool = 
     tagged = chosen.tagged or handed_out
     template = "key.typ" if target == "key" else f"{target}.typ"
     made = part.engine.compile(template, data, tagged=tagged, standards=chosen.standards)
-    return part.piece(target, made[0], ".pdf")
+    return Piece(target, made[0], ".pdf")
 
 
 def _student_key(part: Part) -> Iterator[Piece]:

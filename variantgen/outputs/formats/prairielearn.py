@@ -73,9 +73,9 @@ def make(part: Part) -> Iterator[Piece]:
         qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id(part.seed))
         found.setdefault(qid, []).append(variant)
         for name, content in told.used.items():
-            yield part.piece(f"{qid}/{_CLIENT}/{name}", content)
+            yield Piece(f"{qid}/{_CLIENT}/{name}", content)
     for qid, variants in found.items():
-        yield part.piece(qid, ",\n".join(variants).encode(), ".json")
+        yield Piece(qid, ",\n".join(variants).encode(), ".json")
 
 
 def finish(whole: Whole) -> None:

@@ -88,7 +88,7 @@ def make(part: Part) -> Iterator[Piece]:
         else:
             quizzes.append(_quiz_name(part.exam, part.seed, sheet[0].sheet))
             files.update(_quiz(quizzes[-1], sheet, items, options))
-    yield part.piece(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
+    yield Piece(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
 
 
 def _quiz_name(exam: Exam, seed: str, sheet: Sheet) -> str:

@@ -49,7 +49,7 @@ def make(part: Part, dialect: Dialect) -> Iterator[Piece]:
         student = question.sheet.student
         sheet = sheets.setdefault(question.sheet.code, {"code": question.sheet.code, "name": student.name, "items": []})
         sheet["items"].append({"name": name, "files": images(item)})
-    yield part.piece(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
+    yield Piece(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
 
 
 def finish(whole: Whole, dialect: Dialect) -> None:

@@ -1,0 +1,166 @@
+"""A build from beginning to end."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from variantgen.builder.carried import Carried, known_here
+from variantgen.builder.drawing import draw_all
+from variantgen.builder.jobs import Make
+from variantgen.builder.unfinished import StoredSheets, Unfinished, unfinished
+from variantgen.builder.workers import Workers, local_workers
+from variantgen.errors import InputError
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.roster import Student
+from variantgen.outputs.folder import check_free, terminable, whole_folder, writing
+from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
+from variantgen.outputs.records import RECORDS, write_records
+from variantgen.outputs.typesetter import Typesetter, typesetter
+
+Progress = Callable[[str, int, int], None]
+# Jobs that a foreign executor is given at a time, unless its workers are known.
+AHEAD = 256
+
+
+@dataclass(frozen=True)
+class Built:
+    """What a build made: the folder, how many students, and who had to draw again to be distinct.
+
+    ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``alike`` says of
+    problems how many sheets have nearly the data of another of their group, because there was no room to keep them
+    apart; ``notes`` are messages of the formats; ``kept`` counts the parts that an earlier try had finished.
+    """
+
+    folder: Path
+    students: int
+    redrawn: tuple[str, ...]
+    unexplained: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    alike: Mapping[str, int] = field(default_factory=dict)
+    kept: int = 0
+
+
+def build(
+    exam: Exam | Path,
+    students: Sequence[Student],
+    out: Path,
+    seed: str | None = None,
+    jobs: int = 1,
+    force: bool = False,
+    progress: Progress = lambda stage, done, total: None,
+    executor: Executor | Workers | None = None,
+    resume: bool = False,
+) -> Built:
+    """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
+
+    Writes ``key.csv``, ``manifest.json`` and what the formats of the exam make (see
+    :mod:`variantgen.outputs.formats`). The work is done by ``jobs`` processes or by an ``executor`` (of processes, of
+    threads, that of Dask, of mpi4py, ...), whose workers need this version of the package and nothing else; the bytes
+    are the same. With ``resume`` it goes on from the parts that an interrupted build has finished. Raises InputError
+    for wrong input, ToolMissingError where a format needs something that is not installed.
+    """
+    exam = read_exam(exam) if isinstance(exam, Path) else exam
+    known = known_files()
+    check_free(out, force, known)
+    for name in exam.formats:
+        formats()[name].check(exam, students)
+    carried = Carried.of(exam, exam.seed if seed is None else seed)
+    plan = _plan(carried, students)
+    with terminable(), writing(out), unfinished(out, plan, resume) as parts, typesetter() as engine:
+        with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
+            try:
+                draw_all(exam, students, carried, parts, workers, progress)
+            except InputError as error:
+                raise error.located(str(exam.path)) from None
+            kept = _make_all(exam, len(students), carried, parts, workers, progress)
+        with whole_folder(out, force, known) as folder:
+            return replace(_put_together(exam, students, carried.seed, parts, folder, engine), folder=out, kept=kept)
+
+
+@contextmanager
+def _workers(executor: Executor | Workers | None, jobs: int) -> Iterator[Workers]:
+    """Who does the jobs."""
+    with ExitStack() as stack:
+        if executor is None:
+            yield stack.enter_context(local_workers(jobs))
+        else:
+            yield executor if isinstance(executor, Workers) else Workers(executor, AHEAD)
+
+
+def _plan(carried: Carried, students: Sequence[Student]) -> dict[str, str]:
+    """What must be the same for a build to go on: by the words that tell what is different."""
+    roster = hashlib.sha256()
+    for student in students:
+        roster.update(repr((student.id, student.name, student.group)).encode())
+    return {
+        "version of the program, its templates or families": _hash(sorted(carried.made_with.items())),
+        "seed": carried.seed,
+        "roster": roster.hexdigest(),
+        "exam file or choice of outputs": carried.name,
+    }
+
+
+def _hash(found: object) -> str:
+    return hashlib.sha256(json.dumps(found).encode()).hexdigest()
+
+
+def _make_jobs(exam: Exam, count: int, parts: Unfinished) -> Iterator[tuple[int, Callable[[], Make], int]]:
+    """All jobs that make something, in the order in which their pieces are put together.
+
+    Each with its number, as a function that reads the sheets it needs, and with the number of its students (none for
+    an overview).
+    """
+
+    def job(start: int, size: int, summary: tuple[str, int] | None) -> Callable[[], Make]:
+        places = range(start // STUDENTS_PER_PART, -(-min(start + size, count) // STUDENTS_PER_PART))
+        return lambda: Make(tuple(parts.sheets(place) for place in places), start == 0, summary)
+
+    number = 0
+    for start in range(0, count, STUDENTS_PER_PART):
+        yield number, job(start, STUDENTS_PER_PART, None), min(STUDENTS_PER_PART, count - start)
+        number += 1
+    for name in exam.formats:
+        for place, (size, _) in enumerate(formats()[name].SUMMARIES):
+            for start in range(0, count, size):
+                yield number, job(start, size, (name, place)), 0
+                number += 1
+
+
+def _make_all(exam: Exam, count: int, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress) -> int:
+    """Make all pieces that are not there; how many jobs were done before."""
+    listed = list(_make_jobs(exam, count, parts))
+    missing = [(number, job, size) for number, job, size in listed if not parts.has_made(number)]
+    done = count - sum(size for *_, size in missing)
+    progress("typesetting", done, count)
+    todo = (((number, size), job()) for number, job, size in missing)
+    for (number, size), made in workers.run(carried, todo):
+        parts.put_made(number, made)
+        done += size
+        progress("typesetting", done, count)
+    return len(listed) - len(missing)
+
+
+def _put_together(
+    exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished, folder: Path, engine: Typesetter
+) -> Built:
+    """The output folder from all pieces."""
+    pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
+    unexplained: set[str] = set()
+    for number, *_ in _make_jobs(exam, len(students), parts):
+        made = parts.made(number)
+        for name, target, path in made.pieces:
+            pieces[name].setdefault(target, []).append(path)
+        unexplained.update(made.unexplained)
+    notes: list[str] = []
+    sheets = StoredSheets(exam, parts, len(students))
+    for name in exam.formats:
+        formats()[name].finish(Whole(exam, sheets, seed, folder, engine, pieces[name], notes))
+    redrawn, alike = parts.settled()
+    write_records(folder, exam, seed, redrawn, pieces[RECORDS])
+    return Built(folder, len(students), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)

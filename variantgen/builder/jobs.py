@@ -1,0 +1,142 @@
+"""The jobs of a build: each can be done by any process, and its result depends on nothing but the job."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from variantgen.builder.carried import Carried, Setting, setting_of
+from variantgen.exam.assembly import Wish, sheets_of, traits_of, wishes_of
+from variantgen.exam.content import Content
+from variantgen.exam.packing import pack, unpack_sheets
+from variantgen.exam.roster import Student
+from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, formats
+from variantgen.outputs.records import RECORDS, key_rows, manifest_lines
+from variantgen.variants.attempts import VerificationError
+from variantgen.variants.likeness import Traits
+
+# Variants that are drawn together share the price of a batch; larger ones save little. Always the same number, so that
+# numbers do not depend, in their last bit, on how the work was split.
+STUDENTS_PER_DRAW = 5 * STUDENTS_PER_PART
+WISHES_PER_DRAW = 200
+
+
+class Job(Protocol):
+    """Some work of a build."""
+
+    def run(self, setting: Setting) -> Any:
+        """Do it."""
+
+
+def perform(carried: Carried, job: Job) -> Any:
+    """Do a job in this process. This is what executors are given."""
+    with setting_of(carried) as setting, _without_collector():
+        try:
+            return job.run(setting)
+        except VerificationError as error:
+            raise VerificationError(f"{error} (seed {carried.seed})") from error
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Packed sheets by parts, and what is compared of their variants."""
+
+    parts: tuple[bytes, ...]
+    traits: Traits
+
+
+@dataclass(frozen=True)
+class Draw:
+    """The first draw of all problems of some students, who come with the codes of their sheets."""
+
+    students: tuple[tuple[Student, str], ...]
+
+    def run(self, setting: Setting) -> Drawn:
+        """Draw, solve, verify."""
+        exam, drawer = setting.exam, setting.drawer
+        wishes = wishes_of(exam, [student for student, _ in self.students])
+        variants = drawer.variants(wishes)
+        sheets = sheets_of(exam, self.students, drawer.items(wishes, variants))
+        parts = [sheets[i : i + STUDENTS_PER_PART] for i in range(0, len(sheets), STUDENTS_PER_PART)]
+        return Drawn(tuple(pack(exam, part) for part in parts), traits_of(wishes, variants))
+
+
+@dataclass(frozen=True)
+class DrawMore:
+    """The next draws of some problems, to be compared."""
+
+    wishes: tuple[Wish, ...]
+
+    def run(self, setting: Setting) -> Traits:
+        """Draw."""
+        return traits_of(self.wishes, setting.drawer.variants(self.wishes))
+
+
+@dataclass(frozen=True)
+class Redraw:
+    """The next draws of some problems, as packed items."""
+
+    wishes: tuple[Wish, ...]
+
+    def run(self, setting: Setting) -> bytes:
+        """Draw, solve, verify."""
+        items = setting.drawer.items(self.wishes, setting.drawer.variants(self.wishes))
+        return pack(setting.exam, items)
+
+
+@dataclass(frozen=True)
+class Made:
+    """The pieces of a part by format, and the families of problems in it that have no worked solution."""
+
+    pieces: tuple[tuple[str, Piece], ...]
+    unexplained: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Make:
+    """All outputs of a few students, whose packed sheets come by parts, or one overview of one format."""
+
+    parts: tuple[bytes, ...]
+    first: bool
+    summary: tuple[str, int] | None = None
+
+    def run(self, setting: Setting) -> Made:
+        """Make the pieces."""
+        exam = setting.exam
+        sheets = tuple(sheet for part in self.parts for sheet in unpack_sheets(exam, part))
+        content = Content(exam, sheets)
+        part = Part(content, setting.seed, self.first, setting.engine)
+        pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]
+        return Made(tuple(pieces), () if self.summary else content.unexplained)
+
+    def _makers(self, chosen: Iterable[str]) -> Iterator[tuple[str, Callable[[Part], Iterable[Piece]]]]:
+        known = formats()
+        if self.summary:
+            name, place = self.summary
+            yield name, known[name].SUMMARIES[place][1]
+        else:
+            yield RECORDS, _records
+            yield from ((name, known[name].make) for name in chosen)
+
+
+def _records(part: Part) -> Iterator[Piece]:
+    """What every build has, whatever its formats are."""
+    yield Piece("key.csv", key_rows(part.sheets).encode())
+    yield Piece("manifest.json", manifest_lines(part.exam, part.sheets).encode())
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    """Nothing is searched for cycles of references inside the block: in the many small objects of a part the search
+    would take a tenth of the time, and what it could free until the end of the part is little.
+    """
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()

@@ -1,0 +1,154 @@
+"""Who does the jobs: this process, processes beside it, or any executor that somebody else provides."""
+
+from __future__ import annotations
+
+import importlib.util
+import multiprocessing
+import multiprocessing.connection
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    wait,
+)
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from variantgen.builder.carried import Carried
+from variantgen.builder.jobs import Job, perform
+from variantgen.errors import InputError, Problem, ToolMissingError, VariantgenError
+
+_Key = TypeVar("_Key")
+
+
+class WorkerLostError(VariantgenError):
+    """A process that did jobs is gone."""
+
+    may_pass = True
+
+
+@dataclass(frozen=True)
+class Workers:
+    """An executor and how many jobs it is given at a time: more would only be held in memory."""
+
+    executor: Executor
+    ahead: int
+
+    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+        """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
+        pending: dict[Future[Any], _Key] = {}
+        try:
+            for key, job in jobs:
+                pending[self.executor.submit(perform, carried, job)] = key
+                while len(pending) >= self.ahead:
+                    yield from _ready(pending)
+            while pending:
+                yield from _ready(pending)
+        except Exception as error:
+            if _is_loss(error):
+                what = "a worker ended before its work was done; was there enough memory?"
+                raise WorkerLostError(f"{what} ({error or type(error).__name__})") from error
+            raise
+        finally:
+            for future in pending:
+                future.cancel()
+
+
+def _ready(pending: dict[Future[Any], _Key]) -> Iterator[tuple[_Key, Any]]:
+    done, _ = wait(pending, return_when=FIRST_COMPLETED)
+    for future in done:
+        key = pending.pop(future)
+        yield key, future.result()
+
+
+def _is_loss(error: Exception) -> bool:
+    """Whether an error tells of the executor, not of a job."""
+    package = type(error).__module__.partition(".")[0]
+    return isinstance(error, BrokenExecutor | CancelledError) or package == "distributed"
+
+
+class _Here(Executor):
+    """Does every job at once, in this process."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """The result of a call, which has been made."""
+        future: Future[Any] = Future()
+        future.set_result(fn(*args, **kwargs))
+        return future
+
+
+@contextmanager
+def local_workers(processes: int) -> Iterator[Workers]:
+    """The calling process alone or so many beside it, which end with the block, and when this process is killed."""
+    if processes <= 1:
+        yield Workers(_Here(), 1)
+        return
+    others = set(multiprocessing.active_children())
+    with ProcessPoolExecutor(processes, _context(), initializer=_leave_with_parent) as pool:
+        try:
+            yield Workers(pool, 2 * processes + 2)
+        except BaseException:
+            # Nobody waits for what is being done.
+            for worker in set(multiprocessing.active_children()) - others:
+                worker.kill()
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def _context() -> Any:
+    """How processes are begun: forked, which takes no time, where nothing in this process can be harmed by it.
+
+    The engine has threads of its own as soon as it is used, and a fork copies what they hold, but not them.
+    """
+    methods = multiprocessing.get_all_start_methods()
+    engine_is_free = "typst" not in sys.modules and threading.active_count() == 1
+    if "fork" in methods and engine_is_free:
+        return multiprocessing.get_context("fork")
+    if "forkserver" in methods:
+        context = multiprocessing.get_context("forkserver")
+        context.set_forkserver_preload([perform.__module__])
+        return context
+    return multiprocessing.get_context("spawn")
+
+
+def _leave_with_parent() -> None:
+    """Let a worker end when the program is killed, so that nothing is left running; Ctrl-C is the program's."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(
+            target=lambda: (multiprocessing.connection.wait([parent.sentinel]), os._exit(1)), daemon=True
+        ).start()
+
+
+@contextmanager
+def scheduled_workers(address: str) -> Iterator[Workers]:
+    """The workers of a Dask scheduler. Raises ToolMissingError without its client, InputError if nobody answers."""
+    if importlib.util.find_spec("distributed") is None:
+        how = "install it with  pip install 'variantgen[dask]'"
+        raise ToolMissingError(f"--scheduler needs the package distributed: {how}")
+    from distributed import Client
+
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        remedy = "is the scheduler running, and its address as it prints it?"
+        problem = Problem(f"no scheduler answers: {error}", key="--scheduler", value=address, remedy=remedy)
+        raise InputError(problem) from None
+    with client:
+        threads = sum(client.nthreads().values())
+        if not threads:
+            remedy = "start some:  dask worker " + address
+            raise InputError(Problem("the scheduler has no workers", key="--scheduler", value=address, remedy=remedy))
+        # A job that was lost with its worker is given to another one.
+        with client.get_executor(pure=False, retries=3) as executor:
+            yield Workers(executor, 2 * threads + 2)

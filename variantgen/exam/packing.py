@@ -1,0 +1,99 @@
+"""Sheets as bytes, for other processes and for a build that goes on later.
+
+The exam and its families are not packed: they are named, and found again in the exam that the reader has. Reading
+makes only objects of the few classes that sheets consist of, so that a file put in their place can do nothing.
+"""
+
+from __future__ import annotations
+
+import io
+import pickle
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import Any, cast
+
+from variantgen.errors import VariantgenError
+from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Answer, Item, Sheet
+from variantgen.families.family import Family, Form
+from variantgen.families.quantities import Quantity
+from variantgen.families.units import Unit
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Surd
+
+_CLASSES = {
+    (c.__module__, c.__qualname__): c for c in (Answer, Decimal, Item, Quantity, Sheet, Student, Surd, Unit, Variant)
+}
+
+
+class PackingError(VariantgenError):
+    """Bytes that no sheets were packed to, or those of another exam."""
+
+
+def pack(exam: Exam, found: Sequence[Sheet] | Sequence[Item]) -> bytes:
+    """Sheets or problems of an exam as bytes."""
+    file = io.BytesIO()
+    _Packer(file, exam).dump(tuple(found))
+    return file.getvalue()
+
+
+def unpack_sheets(exam: Exam, content: bytes) -> tuple[Sheet, ...]:
+    """What was packed. Raises PackingError."""
+    return cast(tuple[Sheet, ...], _unpacked(exam, content, Sheet))
+
+
+def unpack_items(exam: Exam, content: bytes) -> tuple[Item, ...]:
+    """What was packed. Raises PackingError."""
+    return cast(tuple[Item, ...], _unpacked(exam, content, Item))
+
+
+def _unpacked(exam: Exam, content: bytes, kind: type) -> tuple[Any, ...]:
+    try:
+        found = _Reader(io.BytesIO(content), exam).load()
+    except PackingError:
+        raise
+    # What damaged bytes lead to is not restricted to errors of the module.
+    except Exception as error:
+        raise PackingError(f"packed sheets cannot be read: {type(error).__name__}") from error
+    if not (isinstance(found, tuple) and all(isinstance(one, kind) for one in found)):
+        raise PackingError("packed sheets cannot be read: they hold something else")
+    return found
+
+
+class _Packer(pickle.Pickler):
+    """Names tasks, families and forms by their places in the exam."""
+
+    def __init__(self, file: io.BytesIO, exam: Exam) -> None:
+        super().__init__(file, protocol=5)
+        self._names: dict[int, tuple[object, ...]] = {}
+        for i, task in enumerate(exam.tasks):
+            self._names.setdefault(id(task), (i,))
+            for k, family in enumerate(task.families):
+                self._names.setdefault(id(family), (i, k))
+                for name, form in family.forms.items():
+                    self._names.setdefault(id(form), (i, k, name))
+
+    def persistent_id(self, obj: Any) -> tuple[object, ...] | None:
+        """The name of an object that is not packed."""
+        return self._names.get(id(obj)) if isinstance(obj, Task | Family | Form) else None
+
+
+class _Reader(pickle.Unpickler):
+    def __init__(self, file: io.BytesIO, exam: Exam) -> None:
+        super().__init__(file)
+        self._exam = exam
+
+    def find_class(self, module_name: str, global_name: str) -> type:
+        """One of the classes of sheets."""
+        if (module_name, global_name) not in _CLASSES:
+            raise PackingError(f"packed sheets cannot be read: they hold a {module_name}.{global_name}")
+        return _CLASSES[module_name, global_name]
+
+    def persistent_load(self, pid: Any) -> Task | Family | Form:
+        """The object of the exam that has this name."""
+        task: Task = self._exam.tasks[pid[0]]
+        if len(pid) == 1:
+            return task
+        family: Family = task.families[pid[1]]
+        return family if len(pid) == 2 else family.forms[pid[2]]
