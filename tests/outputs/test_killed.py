@@ -75,7 +75,13 @@ def test_no_room_for_a_file(limit: int, whole: tuple[dict[str, bytes], float], t
     assert "Traceback" not in run.stderr, run.stderr
     assert run.returncode == 2, run.stderr
     assert "writing failed" in run.stderr
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["exam.toml"]
+    left = sorted(path.name for path in tmp_path.iterdir())
+    assert left in (["exam.toml"], [".out.unfinished", "exam.toml"])
+    assert (".out.unfinished" in left) == ("--resume" in run.stderr)
+    # With more room it goes on from what there is.
+    subprocess.run([*arguments, "--resume"], cwd=tmp_path, check=True, capture_output=True, timeout=60)
+    assert content(tmp_path / "out") == whole[0]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["exam.toml", "out"]
 
 
 def test_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
