@@ -28,6 +28,7 @@ from variantgen.builder.jobs import Job, perform
 from variantgen.errors import InputError, Problem, ToolMissingError, VariantgenError
 
 _Key = TypeVar("_Key")
+PATIENCE = 10  # seconds in which a scheduler must answer
 
 
 class WorkerLostError(VariantgenError):
@@ -139,7 +140,7 @@ def scheduled_workers(address: str) -> Iterator[Workers]:
     from distributed import Client
 
     try:
-        client = Client(address, timeout=10, set_as_default=False)
+        client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         remedy = "is the scheduler running, and its address as it prints it?"
         problem = Problem(f"no scheduler answers: {error}", key="--scheduler", value=address, remedy=remedy)
