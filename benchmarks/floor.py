@@ -43,7 +43,9 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
     if main(list(arguments)):
         raise SystemExit("the build failed")
     if not any(folder.iterdir()):
-        raise SystemExit("the build has not called variantgen.outputs.typesetter:Typesetter.compile: see benchmarks/floor.py")
+        raise SystemExit(
+            "the build has not called variantgen.outputs.typesetter:Typesetter.compile: see benchmarks/floor.py"
+        )
 
 
 def replay(folder: Path) -> Clock:

@@ -94,7 +94,7 @@ def _shown(cell: Cell) -> str:
 def machine() -> dict[str, str]:
     """The machine and the versions of everything that is measured."""
     known = {
-        "processor": f"{_processor()}, {len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else '?'} of them",
+        "processor": f"{_processor()} ({os.cpu_count()})",
         "system": f"{platform.system()} {platform.machine()}",
         "load before": f"{os.getloadavg()[0]:.2f}",
         "Python": platform.python_version(),
@@ -114,13 +114,18 @@ def _processor() -> str:
 
 
 def machine_line() -> str:
-    """Python and machine for the notes of tables."""
+    """Python and machine for the notes of documents."""
     return f"Python {platform.python_version()}, {platform.machine()}"
+
+
+def write_beside(script: str, lines: Sequence[str]) -> None:
+    """Write a document of one script to the file of its name."""
+    Path(script).with_suffix(".md").write_text("\n".join(lines) + "\n", "utf-8")
 
 
 @dataclass(frozen=True)
 class Report:
-    """The tables of one part of the benchmarks and where they were measured."""
+    """The tables of one part of the benchmarks and the machine on which they were measured."""
 
     part: str
     title: str
@@ -129,7 +134,7 @@ class Report:
     machine: Mapping[str, str]
 
     def write(self, folder: Path) -> None:
-        """Write the part as JSON and renew the document of all parts in the folder."""
+        """Write the part as JSON."""
         folder.mkdir(parents=True, exist_ok=True)
         content = {
             "part": self.part,

@@ -127,7 +127,9 @@ def _parents() -> dict[int, int]:
         if entry.name.isdecimal():
             try:
                 # The name of a program, in parentheses, may hold anything.
-                found[int(entry.name)] = int((entry / "stat").read_text("utf-8", "replace").rsplit(")", 1)[1].split()[1])
+                found[int(entry.name)] = int(
+                    (entry / "stat").read_text("utf-8", "replace").rsplit(")", 1)[1].split()[1]
+                )
             except OSError:  # it has ended
                 continue
     return found

@@ -47,7 +47,14 @@ def run(options: Options) -> list[Table]:
                     found.setdefault(title, []).append(ran)
     table = Table(
         "Commands in a fresh process",
-        ("command", "wall, least, s", "wall, median, s", "CPU, least, s", "CPU, median, s", "CPU above Python alone, s"),
+        (
+            "command",
+            "wall, least, s",
+            "wall, median, s",
+            "CPU, least, s",
+            "CPU, median, s",
+            "CPU above Python alone, s",
+        ),
         f"{len(found[PYTHON])} interleaved rounds; the files are in the memory of the system. The environment sets no "
         "number of threads.",
     )

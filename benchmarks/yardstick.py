@@ -216,9 +216,9 @@ def comparison(mark: Mark, builds: Sequence[tuple[int, float]]) -> Table:
         "Times less than R/exams (converted by the yardstick)",
         ("students", "CPU per student here, ms", "R/exams by wall, converted, ms", "times less",
          "R/exams by user CPU, converted, ms", "times less than that"),
-        "R/exams (one process, R and pdfLaTeX, sheet and key for each student) took 836 ms of wall per student there; of "
-        "its CPU the user part is known, 754 ms: the whole lies between. Both are converted by the ratio of the "
-        f"yardstick's CPU with one thread, {mark.cpu / THERE.cpu:.3f}. R/exams itself has not been run on this machine.",
+        "R/exams (one process, R and pdfLaTeX, sheet and key for each student) took 836 ms of wall per student there. "
+        "Of its CPU the user part is known, 754 ms: the whole lies between. Both are converted by the ratio of the "
+        f"yardstick's CPU with one thread, {mark.cpu / THERE.cpu:.3f}. R/exams has not been run on this machine.",
     )  # fmt: skip
     for students, seconds in builds:
         wall, user = (1e3 * there * mark.cpu / THERE.cpu for there in (R_EXAMS_WALL, R_EXAMS_USER))
