@@ -80,7 +80,7 @@ class Floor:
             processes.run([sys.executable, "-m", "benchmarks.floor", "replay", self._folder.name, str(result)])
             clock = json.loads(result.read_text("utf-8"))
         # The data are written as JSON inside the calls, too.
-        return (sum(clock.values()) - 2 * clock[JSON]) / 1e3
+        return float(sum(clock.values()) - 2 * clock[JSON]) / 1e3
 
     def close(self) -> None:
         """Forget the input."""

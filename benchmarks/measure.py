@@ -14,6 +14,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from variantgen.version import VERSION
+
 PACKAGES = ("numpy", "scipy", "typst", "jinja2", "pikepdf", "segno", "numba", "pylinkage")
 
 Cell = str | int | float | None
@@ -98,8 +100,9 @@ def machine() -> dict[str, str]:
         "system": f"{platform.system()} {platform.machine()}",
         "load before": f"{os.getloadavg()[0]:.2f}",
         "Python": platform.python_version(),
+        "variantgen": VERSION,
     }
-    for name in ("variantgen", *PACKAGES):
+    for name in PACKAGES:
         try:
             known[name] = version(name)
         except PackageNotFoundError:
@@ -160,6 +163,6 @@ def _section(known: Mapping[str, Any]) -> str:
     where = ", ".join(f"{name} {value}" for name, value in known["machine"].items())
     tables = []
     for table in known["tables"]:
-        rows = [tuple(row.values()) for row in table["rows"]]
+        rows: list[Sequence[Cell]] = [tuple(row.values()) for row in table["rows"]]
         tables.append(Table(table["title"], list(table["rows"][0]) if rows else [], table["note"], rows).markdown())
     return "\n".join([f"## {known['title']}\n", f"`{known['command']}`; {where}.\n", *tables])

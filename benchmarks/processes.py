@@ -1,4 +1,4 @@
-"""Commands in fresh processes: time, memory of the process and of its workers, bytes written."""
+"""Commands in fresh processes: time, memory of the process and of its workers, bytes written (on Linux)."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _MB = 1e6
 
 @dataclass(frozen=True)
 class Ran:
-    """What a command took: seconds (``cpu`` with those of its workers), megabytes (None where the system hides them).
+    """What a command took: seconds (``cpu`` with those of its workers), megabytes (None: no workers, or not told).
 
     ``written`` is all that was given to the system to write, temporary files and messages between processes included.
     """
 
     wall: float
     cpu: float
-    main_mb: float | None
+    main_mb: float
     worker_mb: float | None
     written_mb: float | None
 
@@ -56,10 +56,10 @@ def run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> Ra
         if process.returncode:
             said.seek(0)
             raise RuntimeError(f"{' '.join(command)}:\n{said.read().decode(errors='replace')}")
-    main, worker = watch.main, watch.worker
+    main, worker = watch.main or 0.0, watch.worker
     # The system knows the larger of the two exactly; looking from time to time may miss the last growth.
-    largest = usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024) / _MB
-    if worker is None or (main or 0.0) >= worker:
+    largest = usage.ru_maxrss * 1024 / _MB
+    if worker is None or main >= worker:
         main = largest
     else:
         worker = largest
@@ -75,7 +75,7 @@ def least(runs: Sequence[Ran]) -> Ran:
     return Ran(
         min(r.wall for r in runs),
         min(r.cpu for r in runs),
-        largest([r.main_mb for r in runs]),
+        max(r.main_mb for r in runs),
         largest([r.worker_mb for r in runs]),
         largest([r.written_mb for r in runs]),
     )
@@ -90,14 +90,12 @@ class _Watch:
         self._thread = threading.Thread(target=self._look, daemon=True)
 
     def __enter__(self) -> _Watch:
-        if Path("/proc/self/status").exists():
-            self._thread.start()
+        self._thread.start()
         return self
 
     def __exit__(self, *error: object) -> None:
         self._over.set()
-        if self._thread.ident:
-            self._thread.join()
+        self._thread.join()
 
     @property
     def main(self) -> float | None:
