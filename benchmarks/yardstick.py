@@ -45,7 +45,8 @@ class Mark:
     plain_pdf: float
 
 
-# Medians; noise 2 to 7 %. CPU without figures was measured with two threads, where the whole document took 1.32 s.
+# Medians; noise 2 to 7 %. The 9 ms per student that are quoted for Typst are its wall time with two threads. The CPU
+# without figures, 0.80 s, was measured with two threads, where that of the whole document was 1.32 s.
 THERE = Mark(cpu=1.31, wall=1.25, threaded_wall=0.91, pdf=4.50, plain_cpu=1.31 * 0.80 / 1.32, plain_pdf=3.27)
 
 # R/exams per student: wall of a single process, and the user part of its CPU (R 4.2 s, TeX 33.5 s for 50 students).
