@@ -1,6 +1,6 @@
 """Every family of the catalogue: parameters, blocks, acceptance, distinct variants, time of 1000 accepted variants.
 
-    python benchmarks/catalogue.py [--seeds N]
+    python -m benchmarks.catalogue [--seeds N]
 
 Prints a Markdown table and writes it to ``benchmarks/catalogue.md``. Times depend on the machine.
 """
@@ -8,9 +8,8 @@ Prints a Markdown table and writes it to ``benchmarks/catalogue.md``. Times depe
 from __future__ import annotations
 
 import argparse
-import platform
-from pathlib import Path
 
+from benchmarks.measure import machine_line, write_beside
 from variantgen.check.family import check_family
 from variantgen.check.report import FormReport
 from variantgen.families.load import family_names
@@ -40,9 +39,8 @@ def main() -> None:
         assert not report.failures, (name, report.failures)
         lines += [row(name, form) for form in report.forms]
         print(*lines[-len(report.forms) :], sep="\n", flush=True)
-    note = f"{seeds} seeds per form, Python {platform.python_version()}, {platform.machine()}"
-    text = "\n".join([f"# The catalogue, measured\n\n`python benchmarks/catalogue.py`: {note}.\n", *lines]) + "\n"
-    Path(__file__).with_suffix(".md").write_text(text, "utf-8")
+    note = f"{seeds} seeds per form, {machine_line()}"
+    write_beside(__file__, [f"# The catalogue, measured\n\n`python -m benchmarks.catalogue`: {note}.\n", *lines])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """The figures of the whole catalogue, inspected by program: labels, sizes, hinges, time.
 
-    python benchmarks/figures.py [--seeds N] [--family NAME ...] [--language ru]
+    python -m benchmarks.figures [--seeds N] [--family NAME ...] [--language ru]
 
 Draws N variants of every form of every family and counts labels that cover another label, a line or a symbol, or leave
 the paper; leaders; the smallest free space around a label; hinges nearer to each other than a symbol; the largest
@@ -11,12 +11,11 @@ figures; the time of a figure. Prints a Markdown table and, run on the whole cat
 from __future__ import annotations
 
 import argparse
-import platform
 import statistics
 import time
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
+from benchmarks.measure import machine_line, write_beside
 from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
@@ -184,13 +183,10 @@ def main() -> None:
         f"Typesetting such a figure takes the engine {engine:.2f} ms: drawing one takes {median / engine:.2f} of that."
     )
     print(share + ratio)
-    note = f"{options.seeds} seeds per form, Python {platform.python_version()}, {platform.machine()}"
-    text = (
-        "\n".join([f"# The figures, inspected\n\n`python benchmarks/figures.py`: {note}.\n", *lines, "", share + ratio])
-        + "\n"
-    )
     if not options.family:
-        Path(__file__).with_suffix(".md").write_text(text, "utf-8")
+        note = f"{options.seeds} seeds per form, {machine_line()}"
+        head = f"# The figures, inspected\n\n`python -m benchmarks.figures`: {note}.\n"
+        write_beside(__file__, [head, *lines, "", share + ratio])
 
 
 if __name__ == "__main__":

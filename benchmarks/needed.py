@@ -1,6 +1,6 @@
 """What is computed for a problem and what is left out: every form with velocities only, and with all that it asks.
 
-    python benchmarks/needed.py
+    python -m benchmarks.needed
 
 Prints Markdown tables and writes them to ``benchmarks/needed.md``. Nothing here is a time; the numbers are the same on
 every machine but for the modules, which depend on versions.
@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from benchmarks.measure import write_beside
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family
@@ -127,7 +128,7 @@ def main() -> None:
     lines = [
         "# What is computed, and what is left out",
         "",
-        "`python benchmarks/needed.py`: one variant of every form, asked for velocities only and for all that it asks.",
+        "`python -m benchmarks.needed`: one variant of every form, asked for velocities only and for all that it asks.",
         "Unknown rates are solved block by block (2 + 1: a pair, then one); quadratic terms are counted as joints and",
         "drivers are asked for them. Values are the numbers of the worked solution, given ones included.",
         "",
@@ -140,9 +141,8 @@ def main() -> None:
         "|---|---|---|---|",
         *module_rows(),
     ]
-    text = "\n".join(lines) + "\n"
-    print(text)
-    Path(__file__).with_suffix(".md").write_text(text, "utf-8")
+    print(*lines, "", sep="\n")
+    write_beside(__file__, lines)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Cost of worked solutions: CPU of every stage per student of a class, and by family, beside the typesetting engine.
 
-    python benchmarks/solutions.py [--students N] [--variants N] [--family NAME ...]
+    python -m benchmarks.solutions [--students N] [--variants N] [--family NAME ...]
 
 Prints Markdown tables and, run on the whole catalogue, writes them to ``benchmarks/solutions.md``. The first variant of
 every form is made beforehand, so that what is worked out once for a form is not counted. Ratios within one run are
@@ -12,17 +12,16 @@ from __future__ import annotations
 import argparse
 import gc
 import json
-import platform
 import subprocess
 import sys
 import tempfile
-import time
-from collections import Counter
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from benchmarks import exams, processes
+from benchmarks.exams import FIVE_FAMILIES
+from benchmarks.measure import Clock, machine_line, write_beside
 from variantgen.builder import build
 from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import Exam, read_exam
@@ -42,7 +41,6 @@ from variantgen.outputs.typesetter import figure_data, typesetter
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
 
-CLASS = ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")
 SOLVING, METHODS, TEXT, FIGURES, DATA, JSON = "solving again", "methods", "text", "figures", "data", "JSON"
 STAGES = (SOLVING, METHODS, TEXT, FIGURES, DATA, JSON)
 STATEMENT = "a statement figure"
@@ -53,23 +51,9 @@ FAMILY_HEAD = """\
 |---|---|---|---|---|---|---|---|---|---|"""
 
 
-class Clock(Counter[str]):
-    """CPU milliseconds of this process by stage."""
-
-    @contextmanager
-    def measuring(self, stage: str) -> Iterator[None]:
-        """Add what happens inside the block to a stage."""
-        start = time.process_time()
-        yield
-        self[stage] += 1e3 * (time.process_time() - start)  # type: ignore[assignment]
-
-
 def exam_of(families: Sequence[str], folder: Path) -> Exam:
     """An exam with one problem of each family, all answers asked, with full solutions."""
-    path = folder / "exam.toml"
-    tables = "".join(f'[[problem]]\nfamily = "{name}"\n' for name in families)
-    path.write_text('title = "T"\nlanguage = "ru"\n' + tables, "utf-8")
-    return read_exam(path)
+    return read_exam(exams.write(exams.of_families(families), folder))
 
 
 def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None:
@@ -123,8 +107,18 @@ def _documents(plan: Exam, sheets: Sequence[Sheet]) -> Iterator[tuple[str, str, 
 
 def in_fresh_process(task: str, exam: Path, students: int) -> Clock:
     """What :func:`typesetting_cost` or :func:`building_cost` measure (the engine remembers what it has laid out)."""
-    command = [sys.executable, __file__, "--only", task, "--exam", str(exam), "--students", str(students)]
-    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.solutions",
+        "--only",
+        task,
+        "--exam",
+        str(exam),
+        "--students",
+        str(students),
+    ]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, env=processes.environment())
     return Clock(json.loads(done.stdout))
 
 
@@ -140,7 +134,7 @@ def class_table(students: int) -> list[str]:
     """What a class costs, by stage, in milliseconds of CPU for each student."""
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
-        exam = exam_of(CLASS, Path(name))
+        exam = exam_of(FIVE_FAMILIES, Path(name))
         sheets = assemble(exam, numbered(students), "0").sheets
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
@@ -155,7 +149,7 @@ def class_table(students: int) -> list[str]:
     clock |= Clock({f"Typst alone, {target}": engine[target] for target in (SHEETS, KEY, SOLUTIONS)})
     clock["Typst alone, all"] = engine.total()
     clock["whole build"] = whole
-    clock[STATEMENT] /= len(CLASS)  # type: ignore[assignment]
+    clock[STATEMENT] /= len(FIVE_FAMILIES)  # type: ignore[assignment]
     rows = [f"| {stage} | {value / students:.2f} |" for stage, value in clock.items()]
     ratios = [
         "",
@@ -203,8 +197,8 @@ def main() -> None:
         cost = typesetting_cost if options.only == "typesetting" else building_cost
         print(json.dumps(cost(options.exam, options.students)))
         return
-    note = f"{options.students} students, {options.variants} variants of a family, Python {platform.python_version()}"
-    lines = [f"# Worked solutions, their cost\n\n`python benchmarks/solutions.py`: {note}, {platform.machine()}.", ""]
+    note = f"{options.students} students, {options.variants} variants of a family, {machine_line()}"
+    lines = [f"# Worked solutions, their cost\n\n`python -m benchmarks.solutions`: {note}.", ""]
     if options.family is None:
         lines += [*class_table(options.students), ""]
     lines.append(FAMILY_HEAD)
@@ -213,7 +207,7 @@ def main() -> None:
         lines.append(family_row(name, options.variants))
         print(lines[-1], flush=True)
     if options.family is None:
-        Path(__file__).with_suffix(".md").write_text("\n".join(lines) + "\n", "utf-8")
+        write_beside(__file__, lines)
 
 
 if __name__ == "__main__":
