@@ -61,7 +61,7 @@ HOOKS = (
     Hook("Typst: {}", "variantgen.outputs.typesetter:Typesetter.compile"),
     Hook("joining", "variantgen.outputs.join:join_pdfs", whole=True),
     Hook(_PARTS, "variantgen.exam.packing:pack", whole=True),
-    Hook(_PARTS, "variantgen.exam.packing:unpack_sheets", whole=True),
+    Hook(_PARTS, "variantgen.exam.packing:unpack", whole=True),
     Hook(_PARTS, "variantgen.builder.unfinished:Unfinished.put_made", whole=True),
     Hook(_PARTS, "variantgen.builder.unfinished:Unfinished.made", whole=True),
     Hook(_RECORDS, "variantgen.outputs.records:key_rows", whole=True),

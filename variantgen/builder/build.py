@@ -13,7 +13,8 @@ from pathlib import Path
 from variantgen.builder.carried import Carried, known_here
 from variantgen.builder.drawing import draw_all
 from variantgen.builder.jobs import Make
-from variantgen.builder.unfinished import StoredSheets, Unfinished, unfinished
+from variantgen.builder.stored import StoredSheets
+from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
@@ -78,9 +79,10 @@ def build(
                 draw_all(exam, students, carried, parts, workers, progress)
             except InputError as error:
                 raise error.located(str(exam.path)) from None
-            kept = _make_all(exam, len(students), carried, parts, workers, progress)
+            sheets = StoredSheets(exam, students, carried.seed, parts)
+            kept = _make_all(exam, sheets, carried, parts, workers, progress)
         with whole_folder(out, force, known) as folder:
-            return replace(_put_together(exam, students, carried.seed, parts, folder, engine), folder=out, kept=kept)
+            return replace(_put_together(exam, sheets, carried.seed, parts, folder, engine), folder=out, kept=kept)
 
 
 @contextmanager
@@ -110,57 +112,56 @@ def _hash(found: object) -> str:
     return hashlib.sha256(json.dumps(found).encode()).hexdigest()
 
 
-def _make_jobs(exam: Exam, count: int, parts: Unfinished) -> Iterator[tuple[int, Callable[[], Make], int]]:
-    """All jobs that make something, in the order in which their pieces are put together.
+def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] | None]]:
+    """All jobs that make something, in the order in which their pieces are put together: parts, and which overview."""
 
-    Each with its number, as a function that reads the sheets it needs, and with the number of its students (none for
-    an overview).
-    """
+    def parts(start: int, size: int) -> range:
+        return range(start // STUDENTS_PER_PART, -(-min(start + size, count) // STUDENTS_PER_PART))
 
-    def job(start: int, size: int, summary: tuple[str, int] | None) -> Callable[[], Make]:
-        places = range(start // STUDENTS_PER_PART, -(-min(start + size, count) // STUDENTS_PER_PART))
-        return lambda: Make(tuple(parts.sheets(place) for place in places), start == 0, summary)
-
-    number = 0
     for start in range(0, count, STUDENTS_PER_PART):
-        yield number, job(start, STUDENTS_PER_PART, None), min(STUDENTS_PER_PART, count - start)
-        number += 1
+        yield parts(start, STUDENTS_PER_PART), None
     for name in exam.formats:
         for place, (size, _) in enumerate(formats()[name].SUMMARIES):
             for start in range(0, count, size):
-                yield number, job(start, size, (name, place)), 0
-                number += 1
+                yield parts(start, size), (name, place)
 
 
-def _make_all(exam: Exam, count: int, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress) -> int:
+def _make_all(
+    exam: Exam, sheets: StoredSheets, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
+) -> int:
     """Make all pieces that are not there; how many jobs were done before."""
-    listed = list(_make_jobs(exam, count, parts))
-    missing = [(number, job, size) for number, job, size in listed if not parts.has_made(number)]
-    done = count - sum(size for *_, size in missing)
+    count = len(sheets)
+    listed = list(enumerate(_make_jobs(exam, count)))
+    missing = [number for number, _ in listed if not parts.has_made(number)]
+    last = -(-count // STUDENTS_PER_PART) - 1
+    sizes = {i: min(STUDENTS_PER_PART, count - i * STUDENTS_PER_PART) for i in range(last + 1)}  # overviews have none
+    done = count - sum(sizes.get(number, 0) for number in missing)
     progress("typesetting", done, count)
-    todo = (((number, size), job()) for number, job, size in missing)
-    for (number, size), made in workers.run(carried, todo):
+    todo = (
+        (number, Make(tuple(sheets.packed(part) for part in chosen), chosen.start == 0, summary))
+        for number, (chosen, summary) in (listed[number] for number in missing)
+    )
+    for number, made in workers.run(carried, todo):
         parts.put_made(number, made)
-        done += size
+        done += sizes.get(number, 0)
         progress("typesetting", done, count)
     return len(listed) - len(missing)
 
 
 def _put_together(
-    exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished, folder: Path, engine: Typesetter
+    exam: Exam, sheets: StoredSheets, seed: str, parts: Unfinished, folder: Path, engine: Typesetter
 ) -> Built:
     """The output folder from all pieces."""
     pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
     unexplained: set[str] = set()
-    for number, *_ in _make_jobs(exam, len(students), parts):
+    for number, _ in enumerate(_make_jobs(exam, len(sheets))):
         made = parts.made(number)
         for name, target, path in made.pieces:
             pieces[name].setdefault(target, []).append(path)
         unexplained.update(made.unexplained)
     notes: list[str] = []
-    sheets = StoredSheets(exam, parts, len(students))
     for name in exam.formats:
         formats()[name].finish(Whole(exam, sheets, seed, folder, engine, pieces[name], notes))
     redrawn, alike = parts.settled()
     write_records(folder, exam, seed, redrawn, pieces[RECORDS])
-    return Built(folder, len(students), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)
+    return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)

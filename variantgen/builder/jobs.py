@@ -9,19 +9,20 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from variantgen.builder.carried import Carried, Setting, setting_of
-from variantgen.exam.assembly import Wish, sheets_of, traits_of, wishes_of
+from variantgen.exam.assembly import Wish, traits_of
+from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
-from variantgen.exam.packing import pack, unpack_sheets
+from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, formats
 from variantgen.outputs.records import RECORDS, key_rows, manifest_lines
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.likeness import Traits
 
-# Variants that are drawn together share the price of a batch; larger ones save little. Always the same number, so that
-# numbers do not depend, in their last bit, on how the work was split.
-STUDENTS_PER_DRAW = 5 * STUDENTS_PER_PART
-WISHES_PER_DRAW = 200
+# Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
+# not depend, in their last bit, on how the work was split.
+STUDENTS_PER_DRAW = 25 * STUDENTS_PER_PART
 
 
 class Job(Protocol):
@@ -42,7 +43,7 @@ def perform(carried: Carried, job: Job) -> Any:
 
 @dataclass(frozen=True)
 class Drawn:
-    """Packed sheets by parts, and what is compared of their variants."""
+    """Packed problems by parts of students, and what is compared of their variants."""
 
     parts: tuple[bytes, ...]
     traits: Traits
@@ -50,23 +51,21 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Draw:
-    """The first draw of all problems of some students, who come with the codes of their sheets."""
+    """Some wishes drawn, solved and verified."""
 
-    students: tuple[tuple[Student, str], ...]
+    wishes: tuple[Wish, ...]
 
     def run(self, setting: Setting) -> Drawn:
         """Draw, solve, verify."""
-        exam, drawer = setting.exam, setting.drawer
-        wishes = wishes_of(exam, [student for student, _ in self.students])
-        variants = drawer.variants(wishes)
-        sheets = sheets_of(exam, self.students, drawer.items(wishes, variants))
-        parts = [sheets[i : i + STUDENTS_PER_PART] for i in range(0, len(sheets), STUDENTS_PER_PART)]
-        return Drawn(tuple(pack(exam, part) for part in parts), traits_of(wishes, variants))
+        variants = setting.drawer.variants(self.wishes)
+        items = setting.drawer.items(self.wishes, variants)
+        parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
+        return Drawn(tuple(pack(setting.exam, part) for part in parts), traits_of(self.wishes, variants))
 
 
 @dataclass(frozen=True)
-class DrawMore:
-    """The next draws of some problems, to be compared."""
+class Compare:
+    """The next draws of some wishes, only to be compared."""
 
     wishes: tuple[Wish, ...]
 
@@ -76,15 +75,19 @@ class DrawMore:
 
 
 @dataclass(frozen=True)
-class Redraw:
-    """The next draws of some problems, as packed items."""
+class PackedPart:
+    """Some students with the codes of their sheets, and their packed problems: each problem for all of them."""
 
-    wishes: tuple[Wish, ...]
+    students: tuple[tuple[Student, str], ...]
+    problems: tuple[bytes, ...]
 
-    def run(self, setting: Setting) -> bytes:
-        """Draw, solve, verify."""
-        items = setting.drawer.items(self.wishes, setting.drawer.variants(self.wishes))
-        return pack(setting.exam, items)
+    def sheets(self, exam: Exam) -> tuple[Sheet, ...]:
+        """Their sheets."""
+        problems = [unpack(exam, packed) for packed in self.problems]
+        return tuple(
+            Sheet(student, code, items)
+            for (student, code), items in zip(self.students, zip(*problems, strict=True), strict=True)
+        )
 
 
 @dataclass(frozen=True)
@@ -97,16 +100,16 @@ class Made:
 
 @dataclass(frozen=True)
 class Make:
-    """All outputs of a few students, whose packed sheets come by parts, or one overview of one format."""
+    """All outputs of a few students, or one overview of one format."""
 
-    parts: tuple[bytes, ...]
+    parts: tuple[PackedPart, ...]
     first: bool
     summary: tuple[str, int] | None = None
 
     def run(self, setting: Setting) -> Made:
         """Make the pieces."""
         exam = setting.exam
-        sheets = tuple(sheet for part in self.parts for sheet in unpack_sheets(exam, part))
+        sheets = tuple(sheet for part in self.parts for sheet in part.sheets(exam))
         content = Content(exam, sheets)
         part = Part(content, setting.seed, self.first, setting.engine)
         pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]

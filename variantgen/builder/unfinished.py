@@ -1,11 +1,11 @@
 """The finished parts of a build that is not finished, in a hidden folder beside the output: one can go on from there.
 
     .NAME.unfinished/
-        plan.json       what is being built; a build goes on only from parts of the very same plan
-        drawn/0000012   packed sheets of a part as they were drawn first
-        changed/0000012 those of a part in which somebody had to draw again; whole as soon as settled.json is there
-        settled.json    who had to draw again
-        made/0000012*   pieces of the outputs; whole as soon as 0000012.json, their list, is there
+        plan.json           what is being built; a build goes on only from parts of the very same plan
+        drawn/0000200-3     the fourth problem of the students from 200 on, as it was drawn first
+        changed/0000012-3   that of a part (12 * 8 students on) in which somebody had to draw again
+        settled.json        who had to draw again; all changed problems are there
+        made/0000012*       pieces of the outputs; whole as soon as 0000012.json, their list, is there
 
 Every file has its name only when it is whole.
 """
@@ -19,14 +19,12 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from variantgen.builder.jobs import Made
+from variantgen.builder.jobs import STUDENTS_PER_DRAW, Made
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.packing import unpack_sheets
-from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import STUDENTS_PER_PART
 
 _PLAN, _SETTLED, _LOCK = "plan.json", "settled.json", "lock"
@@ -130,6 +128,7 @@ class Unfinished:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
+        self._framed = lru_cache(maxsize=8)(self._read_framed)
 
     def begin(self, plan: Mapping[str, str]) -> None:
         """Make what is not there yet."""
@@ -154,26 +153,37 @@ class Unfinished:
         found = json.loads((self.folder / _SETTLED).read_text("utf-8"))
         return tuple(found["redrawn"]), found["alike"]
 
-    def has_drawn(self, part: int) -> bool:
-        """Whether a part was drawn."""
-        return (self.folder / f"drawn/{part:07}").exists()
+    def has_drawn(self, start: int, problem: int) -> bool:
+        """Whether a problem was drawn for the students from ``start`` on."""
+        return (self.folder / _drawn(start, problem)).exists()
 
-    def put_drawn(self, part: int, content: bytes) -> None:
-        """Keep a part as it was drawn first."""
-        self._write(f"drawn/{part:07}", content)
+    def put_drawn(self, start: int, problem: int, parts: Sequence[bytes]) -> None:
+        """Keep a problem as it was drawn first, by parts of the students."""
+        self._write(_drawn(start, problem), b"".join(len(part).to_bytes(4, "big") + part for part in parts))
 
-    def put_changed(self, part: int, content: bytes) -> None:
-        """Keep a part in which somebody drew again."""
-        self._write(f"changed/{part:07}", content)
+    def put_changed(self, part: int, problem: int, content: bytes) -> None:
+        """Keep a problem of a part in which somebody drew again."""
+        self._write(_changed(part, problem), content)
 
-    def first(self, part: int) -> bytes:
-        """The packed sheets of a part as they were drawn first."""
-        return (self.folder / f"drawn/{part:07}").read_bytes()
+    def problem(self, part: int, problem: int) -> bytes:
+        """A packed problem of a part as it is now."""
+        changed = self.folder / _changed(part, problem)
+        return changed.read_bytes() if changed.exists() else self.first(part, problem)
 
-    def sheets(self, part: int) -> bytes:
-        """The packed sheets of a part as they are now."""
-        changed = self.folder / f"changed/{part:07}"
-        return changed.read_bytes() if changed.exists() else self.first(part)
+    def first(self, part: int, problem: int) -> bytes:
+        """A packed problem of a part as it was drawn first."""
+        inside = part * STUDENTS_PER_PART % STUDENTS_PER_DRAW
+        return self._framed(part * STUDENTS_PER_PART - inside, problem)[inside // STUDENTS_PER_PART]
+
+    def _read_framed(self, start: int, problem: int) -> list[bytes]:
+        """A problem of the students from ``start`` on by parts."""
+        content = (self.folder / _drawn(start, problem)).read_bytes()
+        parts, place = [], 0
+        while place < len(content):
+            end = place + 4 + int.from_bytes(content[place : place + 4], "big")
+            parts.append(content[place + 4 : end])
+            place = end
+        return parts
 
     def has_made(self, number: int) -> bool:
         """Whether the pieces of a part are there, as they were written."""
@@ -213,23 +223,9 @@ def _digest(content: bytes) -> str:
     return hashlib.blake2b(content, digest_size=16).hexdigest()
 
 
-class StoredSheets(Sequence[Sheet]):
-    """The sheets of a build, read from its parts when they are asked for, in turn best."""
+def _drawn(start: int, problem: int) -> str:
+    return f"drawn/{start:07}-{problem}"
 
-    def __init__(self, exam: Exam, parts: Unfinished, count: int) -> None:
-        self._exam, self._parts, self._count = exam, parts, count
-        self._last: tuple[int, tuple[Sheet, ...]] = (-1, ())
 
-    def __len__(self) -> int:
-        return self._count
-
-    def __getitem__(self, place: Any) -> Any:
-        """The sheet at a place, or those of a slice."""
-        if isinstance(place, slice):
-            return [self[i] for i in range(*place.indices(self._count))]
-        if not -self._count <= place < self._count:
-            raise IndexError(place)
-        part, inside = divmod(place % self._count, STUDENTS_PER_PART)
-        if self._last[0] != part:
-            self._last = (part, unpack_sheets(self._exam, self._parts.sheets(part)))
-        return self._last[1][inside]
+def _changed(part: int, problem: int) -> str:
+    return f"changed/{part:07}-{problem}"

@@ -85,14 +85,6 @@ def wishes_of(exam: Exam, students: Iterable[Student]) -> list[Wish]:
     return [Wish(student, place) for student in students for place in range(len(exam.tasks))]
 
 
-def sheets_of(exam: Exam, students: Sequence[tuple[Student, str]], items: Sequence[Item]) -> tuple[Sheet, ...]:
-    """Sheets of students with their codes, from the problems of all of them, student by student."""
-    count = len(exam.tasks)
-    return tuple(
-        Sheet(student, code, tuple(items[i * count : (i + 1) * count])) for i, (student, code) in enumerate(students)
-    )
-
-
 def traits_of(wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
     """What is compared of drawn variants."""
     return traits(variants, [wish.student.group for wish in wishes])
@@ -130,7 +122,9 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     for i, variant in zip(again, drawer.variants(list(again.values())), strict=True):
         variants[i] = variant
     codes = variant_codes(seed, students)
-    sheets = sheets_of(exam, list(zip(students, codes, strict=True)), drawer.items(wishes, variants))
+    items, count = drawer.items(wishes, variants), len(exam.tasks)
+    own = [tuple(items[i : i + count]) for i in range(0, len(items), count)]
+    sheets = tuple(Sheet(*found) for found in zip(students, codes, own, strict=True))
     return Assembly(sheets, redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike))
 
 

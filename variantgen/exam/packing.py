@@ -1,7 +1,7 @@
-"""Sheets as bytes, for other processes and for a build that goes on later.
+"""Solved problems as bytes, for other processes and for a build that goes on later.
 
 The exam and its families are not packed: they are named, and found again in the exam that the reader has. Reading
-makes only objects of the few classes that sheets consist of, so that a file put in their place can do nothing.
+makes only objects of the few classes that problems consist of, so that a file put in their place can do nothing.
 """
 
 from __future__ import annotations
@@ -10,54 +10,42 @@ import io
 import pickle
 from collections.abc import Sequence
 from decimal import Decimal
-from typing import Any, cast
+from typing import Any
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.blueprint import Exam, Task
-from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Answer, Item, Sheet
+from variantgen.exam.sheets import Answer, Item
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Surd
 
-_CLASSES = {
-    (c.__module__, c.__qualname__): c for c in (Answer, Decimal, Item, Quantity, Sheet, Student, Surd, Unit, Variant)
-}
+_CLASSES = {(c.__module__, c.__qualname__): c for c in (Answer, Decimal, Item, Quantity, Surd, Unit, Variant)}
 
 
 class PackingError(VariantgenError):
-    """Bytes that no sheets were packed to, or those of another exam."""
+    """Bytes that no problems were packed to, or those of another exam."""
 
 
-def pack(exam: Exam, found: Sequence[Sheet] | Sequence[Item]) -> bytes:
-    """Sheets or problems of an exam as bytes."""
+def pack(exam: Exam, items: Sequence[Item]) -> bytes:
+    """Problems of an exam, with their answers, as bytes."""
     file = io.BytesIO()
-    _Packer(file, exam).dump(tuple(found))
+    _Packer(file, exam).dump(tuple(items))
     return file.getvalue()
 
 
-def unpack_sheets(exam: Exam, content: bytes) -> tuple[Sheet, ...]:
+def unpack(exam: Exam, content: bytes) -> tuple[Item, ...]:
     """What was packed. Raises PackingError."""
-    return cast(tuple[Sheet, ...], _unpacked(exam, content, Sheet))
-
-
-def unpack_items(exam: Exam, content: bytes) -> tuple[Item, ...]:
-    """What was packed. Raises PackingError."""
-    return cast(tuple[Item, ...], _unpacked(exam, content, Item))
-
-
-def _unpacked(exam: Exam, content: bytes, kind: type) -> tuple[Any, ...]:
     try:
         found = _Reader(io.BytesIO(content), exam).load()
     except PackingError:
         raise
     # What damaged bytes lead to is not restricted to errors of the module.
     except Exception as error:
-        raise PackingError(f"packed sheets cannot be read: {type(error).__name__}") from error
-    if not (isinstance(found, tuple) and all(isinstance(one, kind) for one in found)):
-        raise PackingError("packed sheets cannot be read: they hold something else")
+        raise PackingError(f"packed problems cannot be read: {type(error).__name__}") from error
+    if not (isinstance(found, tuple) and all(isinstance(one, Item) for one in found)):
+        raise PackingError("packed problems cannot be read: they are something else")
     return found
 
 
@@ -85,9 +73,9 @@ class _Reader(pickle.Unpickler):
         self._exam = exam
 
     def find_class(self, module_name: str, global_name: str) -> type:
-        """One of the classes of sheets."""
+        """One of the classes of problems."""
         if (module_name, global_name) not in _CLASSES:
-            raise PackingError(f"packed sheets cannot be read: they hold a {module_name}.{global_name}")
+            raise PackingError(f"packed problems cannot be read: they hold a {module_name}.{global_name}")
         return _CLASSES[module_name, global_name]
 
     def persistent_load(self, pid: Any) -> Task | Family | Form:

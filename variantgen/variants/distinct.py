@@ -154,9 +154,9 @@ def _near(found: Traits) -> tuple[dict[int, list[int]], list[int]]:
     return near, crowded
 
 
-def _close_pairs(places: NDArray[np.float64]) -> NDArray[np.intp] | None:
+def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp] | None:
     """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate; None if nearly all do."""
-    limit = 1.0 + 1e-9
+    limit = 1.0 + 1e-4  # single precision
     if len(places) <= _FEW:
         close = np.ones((len(places), len(places)), dtype=bool)
         for column in places.T:

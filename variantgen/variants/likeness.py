@@ -33,11 +33,15 @@ class Traits:
 
     identity: NDArray[np.uint64]
     room: NDArray[np.uint64]
-    place: NDArray[np.float64]
+    place: NDArray[np.float32]
     attempt: NDArray[np.int64]
 
     def __len__(self) -> int:
         return int(self.identity.size)
+
+    def take(self, chosen: NDArray[np.intp]) -> Traits:
+        """Those at the given places."""
+        return Traits(self.identity[chosen], self.room[chosen], self.place[chosen], self.attempt[chosen])
 
     @staticmethod
     def joined(parts: Sequence[Traits]) -> Traits:
@@ -63,7 +67,7 @@ def traits(variants: Sequence[Variant], groups: Sequence[str]) -> Traits:
     return Traits(
         np.array([_number("identity", *variant.identity) for variant in variants], dtype=np.uint64),
         np.array(rooms, dtype=np.uint64),
-        np.array([place + [0.0] * (width - len(place)) for place in places], dtype=float).reshape(-1, width),
+        np.array([place + [0.0] * (width - len(place)) for place in places], dtype=np.float32).reshape(-1, width),
         np.array([variant.attempt for variant in variants], dtype=np.int64),
     )
 
