@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,8 @@ from variantgen.variants.likeness import Traits
 TRIES = 10  # draws in which somebody looks for data that are not nearly those of another
 # With more near neighbours than this, on average, there is no room to keep the variants of a group apart.
 _CROWD = 12.0
-_FEW = 400  # points of which all pairs are compared
+_FEW = 400  # places of which all pairs are compared
+_LIMIT = 1.0 + 1e-4  # of single precision
 
 # The next draw of some owners after the attempts that they have used: (owners, attempts) -> traits.
 More = Callable[[Sequence[int], Sequence[int]], Traits]
@@ -64,12 +66,13 @@ class _Pool:
 
     def __init__(self, first: Traits, priority: Callable[[int], bytes]) -> None:
         self.traits = first
-        self._owner = list(range(len(first)))
+        self._count = len(first)
+        self._owner = list(range(self._count))
         self._more: dict[int, list[int]] = {}  # draws of owners with several, after their first
         self._priority = priority
         self._taken: dict[int, int] = {}
         self._alike: set[int] = set()  # owners who gave up looking
-        self._crowded: set[int] = set()  # draws that nobody keeps apart
+        self._crowds = _crowds(first)
         self.contested = 0  # distinct variants that several want, or that somebody drew in vain
 
     def add(self, owners: Sequence[int], drawn: Traits) -> None:
@@ -90,14 +93,15 @@ class _Pool:
     def settled(self) -> Settled:
         """What was chosen."""
         again = {owner: int(self.traits.attempt[taken]) for owner, taken in self._taken.items() if taken != owner}
-        crowded = {self._owner[i] for i in self._crowded if self._taken.get(self._owner[i], self._owner[i]) == i}
+        everyone = range(self._count if self._crowds else 0)
+        crowded = {i for i in everyone if int(self.traits.room[self._taken.get(i, i)]) in self._crowds}
         return Settled(dict(sorted(again.items())), tuple(sorted(self._alike | crowded)))
 
     def choose(self) -> list[int]:
         """Choose for everyone; the owners for whom no draw is left, in order."""
         same = dict(_equal(self.traits.identity))
-        near, crowded = _near(self.traits)
-        self._alike, self._crowded = set(), set(crowded)
+        near = _near(self.traits, self._crowds)
+        self._alike = set()
         # Whoever has one draw that nobody else wants takes it: nothing is to be decided.
         contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
         draws = [i for owner in contested for i in self._draws(owner)]
@@ -139,33 +143,45 @@ def _runs(keys: NDArray[np.uint64]) -> Iterator[NDArray[np.intp]]:
         yield order[start : start + count]
 
 
-def _near(found: Traits) -> tuple[dict[int, list[int]], list[int]]:
-    """The near ones of each draw that has any, and the draws in rooms that are too crowded to keep them apart."""
+def _crowds(first: Traits) -> set[int]:
+    """The rooms in which the first draws lie too close together to be kept apart."""
+    return {
+        int(first.room[members[0]])
+        for members in _runs(first.room)
+        if _neighbours(first.place[members]) > _CROWD * len(members)
+    }
+
+
+def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
+    """The near ones of each draw that has any, but for the crowded rooms."""
     near: dict[int, list[int]] = {}
-    crowded: list[int] = []
     for members in _runs(found.room):
-        pairs = _close_pairs(found.place[members])
-        if pairs is None:
-            crowded += members.tolist()
-            continue
-        for a, b in members[pairs].tolist():
-            near.setdefault(a, []).append(b)
-            near.setdefault(b, []).append(a)
-    return near, crowded
+        if int(found.room[members[0]]) not in crowds:
+            for a, b in members[_close_pairs(found.place[members])].tolist():
+                near.setdefault(a, []).append(b)
+                near.setdefault(b, []).append(a)
+    return near
 
 
-def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp] | None:
-    """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate; None if nearly all do."""
-    limit = 1.0 + 1e-4  # single precision
+def _neighbours(places: NDArray[np.float32]) -> int:
+    """How many near ones all places have together."""
     if len(places) <= _FEW:
-        close = np.ones((len(places), len(places)), dtype=bool)
-        for column in places.T:
-            close &= np.abs(column[:, None] - column[None, :]) <= limit
-        pairs = np.argwhere(np.triu(close, 1))
-        return None if 2 * len(pairs) > _CROWD * len(places) else pairs
-    from scipy.spatial import cKDTree  # for large rooms only: the import takes as long as the build of a sheet
+        return 2 * len(_close_pairs(places))
+    tree = _tree(places)
+    return int(tree.count_neighbors(tree, _LIMIT, p=np.inf)) - len(places)
 
-    tree = cKDTree(places)
-    if tree.count_neighbors(tree, limit, p=np.inf) > (_CROWD + 1) * len(places):
-        return None
-    return np.asarray(tree.query_pairs(limit, p=np.inf, output_type="ndarray"))
+
+def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp]:
+    """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate."""
+    if len(places) > _FEW:
+        return np.asarray(_tree(places).query_pairs(_LIMIT, p=np.inf, output_type="ndarray"))
+    close = np.ones((len(places), len(places)), dtype=bool)
+    for column in places.T:
+        close &= np.abs(column[:, None] - column[None, :]) <= _LIMIT
+    return np.argwhere(np.triu(close, 1))
+
+
+def _tree(places: NDArray[np.float32]) -> Any:
+    from scipy.spatial import cKDTree  # for large rooms only: the import takes as long as ten sheets
+
+    return cKDTree(places)
