@@ -12,10 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.variants.distinct import TRIES, Settled, TooFewError, settle
 from variantgen.variants.draw import draw
 from variantgen.variants.likeness import CLOSE, CLOSE_ANGLE, Traits, traits
+from variantgen.variants.needed import told_size
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant
 
@@ -113,6 +115,7 @@ def test_large_rooms_are_searched_as_small_ones_are() -> None:
 
 
 BASE = draw(load_family("four_bar"), ["v_B"], [("s", 1, 1)])[0]
+VELOCITIES, ACCELERATIONS = read_ask(BASE.form, ["v_B"]), read_ask(BASE.form, ["a_B"])
 
 
 def changed(**values: str) -> Variant:
@@ -120,7 +123,7 @@ def changed(**values: str) -> Variant:
 
 
 def close(one: Variant, other: Variant, groups: Sequence[str] = ("", "")) -> bool:
-    found = traits([one, other], groups)
+    found = traits([one, other], [ACCELERATIONS] * 2, groups)
     return bool(found.room[0] == found.room[1] and np.all(np.abs(found.place[0] - found.place[1]) <= 1.0001))
 
 
@@ -137,8 +140,21 @@ def test_what_is_nearly_the_same() -> None:
 
 def test_what_is_the_same() -> None:
     mirrored = replace(BASE, sense=-BASE.sense, turns=2, attempt=99)
-    found = traits([BASE, mirrored, changed(OA="20.5")], ["A", "B", "A"])
+    found = traits([BASE, mirrored, changed(OA="20.5")], [ACCELERATIONS] * 3, ["A", "B", "A"])
     assert found.identity[0] == found.identity[1] != found.identity[2]
+
+
+def test_what_no_sheet_tells_makes_no_difference() -> None:
+    # Where velocities alone are asked, the angular acceleration of the crank is not given.
+    rate = next(name for name, p in BASE.form.parameters.items() if p.of_second_order)
+    other = changed(**{rate: str(BASE.printed[rate] + 1)})
+    velocities = traits([BASE, other], [VELOCITIES] * 2, ["", ""])
+    assert velocities.identity[0] == velocities.identity[1]
+    accelerations = traits([BASE, other], [ACCELERATIONS] * 2, ["", ""])
+    assert accelerations.identity[0] != accelerations.identity[1]
+    assert told_size(BASE.form, ACCELERATIONS) == told_size(BASE.form, VELOCITIES) * len(
+        BASE.form.parameters[rate].printed
+    )
 
 
 def test_hashes_of_many_variants_do_not_meet() -> None:

@@ -66,12 +66,16 @@ def distinct(family: Family, names: list[str], ask: list[str] | None = None) -> 
     def draws(owners: Sequence[int], used: Sequence[int]) -> list[Variant]:
         return drawing.after([("s", names[i]) for i in owners], used)
 
+    def traits_of(variants: Sequence[Variant]) -> Traits:
+        asked = [drawing.asked[variant.form.name] for variant in variants]
+        return traits(variants, asked, [""] * len(variants))
+
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
-        return traits(draws(owners, used), [""] * len(owners))
+        return traits_of(draws(owners, used))
 
     found = draws(range(len(names)), [0] * len(names))
     try:
-        settled = settle(traits(found, [""] * len(names)), lambda i: digest("priority", names[i]), more)
+        settled = settle(traits_of(found), lambda i: digest("priority", names[i]), more)
     except TooFewError as error:
         raise too_few(error, [drawing] * len(names)) from None
     for i, attempt in settled.again.items():

@@ -12,7 +12,7 @@ from variantgen.builder.carried import Carried
 from variantgen.builder.jobs import STUDENTS_PER_DRAW, Compare, Draw
 from variantgen.builder.unfinished import Unfinished
 from variantgen.builder.workers import Workers
-from variantgen.exam.assembly import Drawer, Wish, again_of, alike_of, keep_apart, redrawn_of, traits_of
+from variantgen.exam.assembly import Drawer, Wish, again_of, alike_of, keep_apart, redrawn_of
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
@@ -37,7 +37,7 @@ def draw_all(
         return
     wishes, drawer = _Wishes(exam, students), Drawer(exam, carried.seed)
     check_room([drawer.drawing(wish) for wish in wishes])
-    first = _first(exam, wishes, carried, parts, workers, progress)
+    first = _first(drawer, wishes, carried, parts, workers, progress)
 
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
         again = [replace(wishes[i], used=done) for i, done in zip(owners, used, strict=True)]
@@ -73,7 +73,7 @@ class _Wishes(Sequence[Wish]):
 
 
 def _first(
-    exam: Exam, wishes: _Wishes, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
+    drawer: Drawer, wishes: _Wishes, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
 ) -> Traits:
     """What is compared of the first draws of all wishes, in their order."""
     found: list[Traits] = []
@@ -81,7 +81,7 @@ def _first(
     todo: list[tuple[tuple[int, int, list[int]], Draw]] = []
     for start, problem, places in wishes.batches():
         if parts.has_drawn(start, problem):
-            found.append(_kept(exam, parts, start, problem, [wishes[i] for i in places]))
+            found.append(_kept(drawer, parts, start, problem, [wishes[i] for i in places]))
             order += places
         else:
             todo.append(((start, problem, places), Draw(tuple(wishes[i] for i in places))))
@@ -94,11 +94,11 @@ def _first(
     return Traits.joined(found).take(np.argsort(np.array(order)))
 
 
-def _kept(exam: Exam, parts: Unfinished, start: int, problem: int, wishes: Sequence[Wish]) -> Traits:
+def _kept(drawer: Drawer, parts: Unfinished, start: int, problem: int, wishes: Sequence[Wish]) -> Traits:
     """What is compared of a problem that was drawn before."""
     chosen = range(start // STUDENTS_PER_PART, -(-(start + len(wishes)) // STUDENTS_PER_PART))
-    items = [item for part in chosen for item in unpack(exam, parts.first(part, problem))]
-    return traits_of(wishes, [item.variant for item in items])
+    items = [item for part in chosen for item in unpack(drawer.exam, parts.first(part, problem))]
+    return drawer.traits(wishes, [item.variant for item in items])
 
 
 def _change(exam: Exam, again: Mapping[int, Wish], carried: Carried, parts: Unfinished, workers: Workers) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from variantgen.builder.carried import Carried, Setting, setting_of
-from variantgen.exam.assembly import Wish, traits_of
+from variantgen.exam.assembly import Wish
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.packing import pack, unpack
@@ -60,7 +60,7 @@ class Draw:
         variants = setting.drawer.variants(self.wishes)
         items = setting.drawer.items(self.wishes, variants)
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
-        return Drawn(tuple(pack(setting.exam, part) for part in parts), traits_of(self.wishes, variants))
+        return Drawn(tuple(pack(setting.exam, part) for part in parts), setting.drawer.traits(self.wishes, variants))
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Compare:
 
     def run(self, setting: Setting) -> Traits:
         """Draw."""
-        return traits_of(self.wishes, setting.drawer.variants(self.wishes))
+        return setting.drawer.traits(self.wishes, setting.drawer.variants(self.wishes))
 
 
 @dataclass(frozen=True)

@@ -76,6 +76,11 @@ class Drawer:
         self._margins.forget()
         return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
 
+    def traits(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
+        """What is compared of drawn variants."""
+        asked = [self.drawing(wish).asked[v.form.name] for wish, v in zip(wishes, variants, strict=True)]
+        return traits(variants, asked, [wish.student.group for wish in wishes])
+
     def _key(self, wish: Wish) -> tuple[object, ...]:
         return self.seed, wish.student.id, self.exam.tasks[wish.place].number
 
@@ -83,11 +88,6 @@ class Drawer:
 def wishes_of(exam: Exam, students: Iterable[Student]) -> list[Wish]:
     """All problems of some students, student by student."""
     return [Wish(student, place) for student in students for place in range(len(exam.tasks))]
-
-
-def traits_of(wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
-    """What is compared of drawn variants."""
-    return traits(variants, [wish.student.group for wish in wishes])
 
 
 def keep_apart(drawer: Drawer, wishes: Sequence[Wish], first: Traits, more: More) -> Settled:
@@ -115,9 +115,9 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
 
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
         again = [Wish(wishes[i].student, wishes[i].place, done) for i, done in zip(owners, used, strict=True)]
-        return traits_of(again, drawer.variants(again))
+        return drawer.traits(again, drawer.variants(again))
 
-    settled = keep_apart(drawer, wishes, traits_of(wishes, variants), more)
+    settled = keep_apart(drawer, wishes, drawer.traits(wishes, variants), more)
     again = again_of(wishes, settled)
     for i, variant in zip(again, drawer.variants(list(again.values())), strict=True):
         variants[i] = variant

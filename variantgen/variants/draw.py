@@ -15,6 +15,7 @@ from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
 from variantgen.variants.attempts import FormDrawing, Judge, Tally
 from variantgen.variants.distinct import TooFewError
+from variantgen.variants.needed import told_size
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
@@ -40,7 +41,7 @@ def check_room(drawings: Sequence[Drawing]) -> None:
     """
     wanted = Counter(map(id, drawings))
     for drawing in {id(drawing): drawing for drawing in drawings}.values():
-        room = sum(form.grid_size for form in drawing.forms)
+        room = sum(told_size(form, drawing.asked[form.name]) for form in drawing.forms)
         if room < wanted[id(drawing)]:
             raise InputError(_too_few(drawing, wanted[id(drawing)], room))
 

@@ -1,8 +1,8 @@
 """When two variants are the same problem, and when they are nearly the same: what tells of it, as arrays.
 
-Two variants are nearly the same if they belong to one form, the same words are chosen, and every printed number of one
-differs from that of the other by at most :data:`CLOSE` of it, every angle by at most :data:`CLOSE_ANGLE`: whoever sits
-beside could copy the answers with a small correction.
+Two variants are nearly the same if they belong to one form, the same words are chosen, and every number that a sheet
+tells of one differs from that of the other by at most :data:`CLOSE` of it, every angle by at most :data:`CLOSE_ANGLE`:
+whoever sits beside could copy the answers with a small correction.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.families.quantities import Quantity
+from variantgen.variants.needed import told_names
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant
 
@@ -56,16 +58,19 @@ class Traits:
         )
 
 
-def traits(variants: Sequence[Variant], groups: Sequence[str]) -> Traits:
-    """The traits of variants; only those of one group are kept from being nearly the same."""
-    rooms, places = [], []
-    for variant, group in zip(variants, groups, strict=True):
-        alike, place = _place(variant)
+def traits(variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], groups: Sequence[str]) -> Traits:
+    """The traits of variants: only what their sheets tell counts, only those of one group can be nearly the same."""
+    identities, rooms, places = [], [], []
+    for variant, quantities, group in zip(variants, asked, groups, strict=True):
+        told = told_names(variant, quantities)
+        alike, place = _place(variant, told)
+        values = [(name, str(variant.printed[name])) for name in sorted(told)]
+        identities.append(_number("identity", *alike[:2], *values))
         rooms.append(_number("room", group, *alike))
         places.append(place)
     width = max(map(len, places), default=0)
     return Traits(
-        np.array([_number("identity", *variant.identity) for variant in variants], dtype=np.uint64),
+        np.array(identities, dtype=np.uint64),
         np.array(rooms, dtype=np.uint64),
         np.array([place + [0.0] * (width - len(place)) for place in places], dtype=np.float32).reshape(-1, width),
         np.array([variant.attempt for variant in variants], dtype=np.int64),
@@ -76,17 +81,15 @@ def _number(*parts: object) -> int:
     return int.from_bytes(digest(*parts)[:8], "big")
 
 
-def _place(variant: Variant) -> tuple[list[str], list[float]]:
+def _place(variant: Variant, told: Sequence[str]) -> tuple[list[str], list[float]]:
     """What must be equal, and coordinates in which a difference of 1 is the largest of nearly the same data."""
-    alike, place = [variant.family.name, variant.form.name], []
-    for name, parameter in variant.form.parameters.items():
-        value = variant.printed[name]
-        if parameter.silent:
-            continue
-        if parameter.unit is None:
+    alike, place = [variant.family.name, variant.form.name, *told], []
+    for name in told:
+        unit, value = variant.form.parameters[name].unit, variant.printed[name]
+        if unit is None:
             alike.append(str(value))
-        elif parameter.unit.measures == "angle":
-            # Never far from a few degrees in size, and nothing is said of an angle by its ratio to another.
+        elif unit.measures == "angle":
+            # Angles are compared by their difference: 2 and 4 degrees are no further from each other than 62 and 64.
             place.append(float(np.degrees(variant.si(name))) / CLOSE_ANGLE)
         else:
             alike.append(str(value.compare(0)))

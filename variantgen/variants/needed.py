@@ -24,6 +24,25 @@ def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     return sorted(names, key=lambda name: _rank(variant.form.parameters[name]))
 
 
+def told_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
+    """Names of the parameters that a sheet tells: those that are printed, and choices, which the figure shows."""
+    idle = unneeded_parameters(variant, asked)
+    chosen = [name for name, parameter in variant.form.parameters.items() if parameter.unit is None]
+    return [*given_names(variant, asked), *(name for name in chosen if name not in idle)]
+
+
+def told_size(form: Form, asked: Sequence[Quantity]) -> int:
+    """How many different problems the grid of a form has at most, by what a sheet tells of it."""
+    idle = _unneeded(form, _points_of(asked))
+    velocities_only = max((q.order for q in asked), default=1) == 1
+    size = len(form.ties.rows) if form.ties else 1
+    for name in form.free_names:
+        parameter = form.parameters[name]
+        if name not in idle and not (parameter.of_second_order and velocities_only):
+            size *= len(parameter.printed)
+    return size
+
+
 def _rank(parameter: Parameter) -> int:
     """Lengths first, then angles and numbers, times, velocities, accelerations, constants."""
     if parameter.constant:
