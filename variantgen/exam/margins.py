@@ -20,14 +20,16 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.family import Form, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.rows import Frame
 from variantgen.methods.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing, Tally, VerificationError
+from variantgen.variants.attempts import FormDrawing, Tally
 from variantgen.variants.mistakes import distances, wrong_answers
-from variantgen.variants.screening import sensitivity
+from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, columns
 
 Table = NDArray[np.float64]
+Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed in it
 
 # Where no method leads to an answer: three standard deviations of data rounded to three digits (0.13 % each), by the
 # sensitivity of the answers to the data.
@@ -39,41 +41,46 @@ _STEP = 0.001  # to which a tolerance above the floor is rounded up
 class Margins:
     """The tolerances of answers, and the screens that follow from them.
 
-    What is known of the solutions of a form, and what has been found for a variant, is kept.
+    What has been found for a variant is kept.
     """
 
     tolerance: Tolerance = Tolerance()
     _found: dict[tuple[object, ...], Table] = field(default_factory=dict)
-    _known: dict[tuple[int, tuple[Quantity, ...]], tuple[Form, HandCalculation]] = field(default_factory=dict)
+    _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
 
     def __call__(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
-    ) -> dict[str, NDArray[np.bool_]]:
-        """Flags by screen, shape (N,), for variants of one form and their motion (in the same order)."""
-        needed = np.full((len(asked), len(variants)), self.tolerance.floor)
-        wrong = _distances(variants, asked, motion) if self.tolerance.mistakes else {}
-        # What a mistake rules out at the floor already need not be worked out.
-        chosen = np.flatnonzero(_is_seen(wrong, needed)).tolist()
-        if chosen:
-            needed[:, chosen] = self.tolerances([variants[i] for i in chosen], asked, motion, chosen)
-        return {
-            "plausible mistakes outside the tolerance": _is_seen(wrong, needed),
-            "rounding by hand within the ceiling": np.all(needed <= self.tolerance.ceiling * (1 + 1e-9), axis=0),
-        }
+        self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
+    ) -> Screened:
+        """The screens of a batch of attempts at a form; see :class:`variantgen.variants.attempts.Judging`."""
+        wrong = _distances(form, parameters, on_paper, asked, motion) if self.tolerance.mistakes else {}
+        return Screened(self, asked, motion, wrong)
 
     def unnoticed(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
-    ) -> list[list[tuple[str, ...]]]:
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
+    ) -> list[Marks]:
         """By variant and answer the mistakes that change the answer by less than its tolerance.
 
-        ``motion`` is that of the variants, in their order.
+        ``places`` are the indices of the variants, which share one form, in the batch ``motion``.
         """
-        needed = self.tolerances(variants, asked, motion, range(len(variants)))
+        keys = [_key(variant, asked) for variant in variants]
+        new = [i for i, key in enumerate(keys) if key not in self._marks]
+        if new:
+            chosen, own = [variants[i] for i in new], motion.take(np.array([places[i] for i in new]))
+            on_paper = frame([v.sense for v in chosen], [v.turns for v in chosen])
+            wrong = _distances(chosen[0].form, columns(chosen), on_paper, asked, own)
+            self.mark(chosen, asked, wrong, self.tolerances(chosen, asked, own, range(len(new))))
+        return [self._marks[key] for key in keys]
+
+    def mark(
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], wrong: Mapping[str, Table], tolerances: Table
+    ) -> None:
+        """Keep which mistakes go unnoticed in the answers of variants; distances and tolerances in their order."""
         found: list[list[list[str]]] = [[[] for _ in asked] for _ in variants]
-        for name, distance in _distances(variants, asked, motion).items():
-            for answer, place in np.argwhere(distance <= needed).tolist():
+        for name, distance in wrong.items():
+            for answer, place in np.argwhere(distance <= tolerances).tolist():
                 found[place][answer].append(name)
-        return [[tuple(names) for names in own] for own in found]
+        for variant, own in zip(variants, found, strict=True):
+            self._marks[_key(variant, asked)] = tuple(tuple(names) for names in own)
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -83,7 +90,7 @@ class Margins:
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``. An answer of zero or
         infinity has the floor.
         """
-        keys = [(variant.identity, variant.sense, variant.turns, tuple(asked)) for variant in variants]
+        keys = [_key(variant, asked) for variant in variants]
         new = [i for i, key in enumerate(keys) if key not in self._found]
         if new:
             table = self._new_tolerances([variants[i] for i in new], asked, motion, [places[i] for i in new])
@@ -93,7 +100,7 @@ class Margins:
     def _new_tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> Table:
-        errors = self._calculation(variants[0], asked).errors(variants, motion, places)
+        errors = _calculation(variants[0], asked).errors(variants, motion, places)
         chosen = np.array(places, dtype=int)
         found = []
         for quantity, error in zip(asked, errors, strict=True):
@@ -111,16 +118,57 @@ class Margins:
         steps = np.ceil(table / _STEP - 1e-6) * _STEP
         return np.asarray(np.where(table > self.tolerance.floor, steps, self.tolerance.floor))
 
-    def _calculation(self, variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
-        key = (id(variant.form), tuple(asked))
-        if key not in self._known:
-            calculation = HandCalculation(variant.form, asked, _models(variant, asked))
-            self._known[key] = variant.form, calculation  # the form is kept, so that its id stays its own
-        return self._known[key][1]
-
     def _gain(self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
         on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
         return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
+
+
+@dataclass(frozen=True)
+class Screened:
+    """A batch of attempts with the distances of its answers from those by mistakes, shape (answers, N)."""
+
+    margins: Margins
+    asked: Sequence[Quantity]
+    motion: Motion
+    wrong: Mapping[str, Table]
+
+    def screens(self) -> dict[str, NDArray[np.bool_]]:
+        """What a mistake rules out at the floor already need not be worked out."""
+        return {_MISTAKES: _is_seen(self.wrong, self._floor(self.motion.size))}
+
+    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
+        """Whether tolerances are within the ceiling and tell the mistakes; the tolerances are kept."""
+        needed = self.margins.tolerances(variants, self.asked, self.motion, places)
+        chosen = list(places)
+        wrong = {name: distance[:, chosen] for name, distance in self.wrong.items()}
+        if self.wrong:
+            self.margins.mark(variants, self.asked, wrong, needed)
+        ceiling = self.margins.tolerance.ceiling * (1 + 1e-9)
+        return {
+            _MISTAKES: _is_seen(wrong, needed),
+            "rounding by hand within the ceiling": np.all(needed <= ceiling, axis=0),
+        }
+
+    def _floor(self, count: int) -> Table:
+        return np.full((len(self.asked), count), self.margins.tolerance.floor)
+
+
+_MISTAKES = "plausible mistakes outside the tolerance"
+
+
+def _key(variant: Variant, asked: Sequence[Quantity]) -> tuple[object, ...]:
+    """What the tolerances of a variant depend on."""
+    return variant.identity, variant.sense, variant.turns, tuple(asked)
+
+
+def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
+    """Calculations by hand of variants of a form, which remembers what is known of their steps."""
+    key = (HandCalculation, variant.family.name, tuple(asked))
+    known = variant.form.remembered
+    if key not in known:
+        known[key] = HandCalculation(variant.form, asked, _models(variant, asked))
+    found: HandCalculation = known[key]
+    return found
 
 
 def _is_seen(wrong: Mapping[str, Table], tolerances: Table) -> NDArray[np.bool_]:
@@ -132,11 +180,12 @@ def _is_seen(wrong: Mapping[str, Table], tolerances: Table) -> NDArray[np.bool_]
     return found
 
 
-def _distances(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> dict[str, Table]:
+def _distances(
+    form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
+) -> dict[str, Table]:
     """By mistake the relative distance of each answer from the wrong one, shape (answers, N)."""
     right = np.array([quantity.value(motion) for quantity in asked], dtype=float)
-    form, on_paper = variants[0].form, frame([v.sense for v in variants], [v.turns for v in variants])
-    wrong = wrong_answers(form, columns(variants), on_paper, asked, motion)
+    wrong = wrong_answers(form, parameters, on_paper, asked, motion)
     return {name: distances(right, values, asked) for name, values in wrong.items()}
 
 
@@ -149,8 +198,8 @@ def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list
         drawing = FormDrawing(variant.family, variant.form, asked, Tally(), variant.family.name)
         streams = [Stream("model", number, variant.family.name) for number in range(count)]
         try:
-            return drawing.run(streams, [0] * count)
-        except (InputError, VerificationError):  # the draw of the students' variants says it, with their keys
+            return drawing.first(streams, [0] * count)
+        except InputError:  # the draw of the students' variants says it, with their keys
             return []
 
     return drawn

@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
 
-import numpy as np
-
 from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.confirm import confirm
 from variantgen.exam.margins import Margins
@@ -178,10 +176,11 @@ def _with_mistakes(
     """The answers with the mistakes that go unnoticed in them."""
     found = list(answers)
     for (_, quantities), members in _groups(asked, solved).items():
-        motion = solved[members[0]][0].take(np.array([solved[i][1] for i in members]))
-        every = margins.unnoticed([variants[i] for i in members], quantities, motion)
+        motion, places = solved[members[0]][0], [solved[i][1] for i in members]
+        every = margins.unnoticed([variants[i] for i in members], quantities, motion, places)
         for i, own in zip(members, every, strict=True):
-            found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
+            if any(own):
+                found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
     return found
 
 

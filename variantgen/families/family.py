@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fnmatch import fnmatchcase
@@ -222,6 +222,15 @@ class Form:
             on_paper or Frame(),
             tuple(template.build(values) for template in self.conditions),
         )
+
+    @cached_property
+    def remembered(self) -> dict[Hashable, Any]:
+        """What other parts of the program have worked out from this form alone, by keys of their own."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What is remembered stays in its process: it can be worked out again, and is larger than the form.
+        return {name: value for name, value in vars(self).items() if name != "remembered"}
 
     @cached_property
     def askable(self) -> list[str]:
