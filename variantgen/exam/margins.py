@@ -108,7 +108,7 @@ class Margins:
                 relative = np.radians(error)
             else:
                 unit = quantity.unit(variants[0].family.length_unit)
-                value = np.abs(np.array([unit.from_si(float(x)) for x in quantity.value(motion)[chosen]]))
+                value = np.abs(unit.from_si(quantity.value(motion)[chosen]))
                 usual = (value > 0) & np.isfinite(value)
                 relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)
             found.append(relative)

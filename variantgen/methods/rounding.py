@@ -17,6 +17,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import reduce
+from operator import mul
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,46 +75,51 @@ class Worked:
 
     def repeat(self, data: dict[str, Table]) -> Table:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
-        size = next(iter(data.values())).size if data else 1
-        numbers = self._evaluate(data, (size,))
+        numbers, size = self._evaluate(data), _size(data)
         return np.array([np.broadcast_to(numbers[id(answer)], (size,)) for answer in self.answers])
 
     def errors(self, data: dict[str, Table]) -> Table:
         """What rounding makes of the answers, in their units, shape (answers, N)."""
-        size = next(iter(data.values())).size if data else 1
         parts = [
             self._errors({name: column[start : start + _TOGETHER] for name, column in data.items()})
-            for start in range(0, size, _TOGETHER)
+            for start in range(0, _size(data), _TOGETHER)
         ]
-        return np.concatenate(parts, axis=1)
+        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
     def _errors(self, data: dict[str, Table]) -> Table:
-        size = next(iter(data.values())).size if data else 1
-        shape = (len(self._rounded) + 1, size)
-        numbers = self._evaluate(data, shape, {id(value): row for row, value in enumerate(self._rounded, start=1)})
-        found = []
-        for answer in self.answers:
-            table = np.broadcast_to(numbers[id(answer)], shape)
-            changes = np.abs(table[1:] - table[0])
-            found.append(np.minimum(np.sum(changes, axis=0), _DEVIATIONS * np.sqrt(np.sum(changes**2, axis=0) / 3.0)))
-        return np.array(found)
+        exact = self._evaluate(data)
+        rounded = np.empty((len(self._rounded), _size(data)))
+        for row, value in enumerate(self._rounded):
+            rounded[row] = exact[id(value)]
+        numbers = self._evaluate(data, _half_units([value.measure for value in self._rounded], rounded))
+        found = np.empty((len(self.answers), _size(data)))
+        for answer, errors in zip(self.answers, found, strict=True):
+            changes = np.abs(np.broadcast_to(numbers[id(answer)] - exact[id(answer)], rounded.shape))
+            bound, deviation = np.sum(changes, axis=0), np.sqrt(np.sum(changes**2, axis=0) / 3.0)
+            np.minimum(bound, _DEVIATIONS * deviation, out=errors)
+        return found
 
-    def _evaluate(
-        self, data: dict[str, Table], shape: tuple[int, ...], rows: dict[int, int] | None = None
-    ) -> dict[int, Table]:
-        """The numbers of all values; the value of each of ``rows`` is off by its rounding in that row."""
+    def _evaluate(self, data: dict[str, Table], off: Table | None = None) -> dict[int, Table]:
+        """The numbers of all values. With ``off`` in rows: in row k the k-th rounded value is off by so much."""
         numbers: dict[int, Table] = {}
+        rows = {id(value): row for row, value in enumerate(self._rounded)} if off is not None else {}
         for value in self._values:
             key = id(value)
             if value.expression is not None:
-                numbers[key] = _number(value.expression, numbers, shape)
+                number = _number(value.expression, numbers)
             else:
-                numbers[key] = data[self._leaves[key]] if key in self._leaves else np.array(value.exact)
-            if rows and key in rows:
-                table = np.array(np.broadcast_to(numbers[key], shape))
-                table[rows[key]] += _half_unit(value, table[0])
-                numbers[key] = table
+                number = data[self._leaves[key]] if key in self._leaves else np.asarray(value.exact)
+            if off is not None and key in rows:
+                table = np.empty(off.shape)
+                table[:] = number
+                table[rows[key]] += off[rows[key]]
+                number = table
+            numbers[key] = number
         return numbers
+
+
+def _size(data: dict[str, Table]) -> int:
+    return next(iter(data.values())).size if data else 1
 
 
 def _is_copy(value: Value) -> bool:
@@ -122,15 +130,13 @@ def _is_copy(value: Value) -> bool:
     return isinstance(item, Value)
 
 
-def _half_unit(value: Value, numbers: Table) -> Table:
-    """Half a unit of the last digit that is kept; nothing for a number that has no more digits."""
+def _half_units(measures: Sequence[str], numbers: Table) -> Table:
+    """Half units of the last digits that are kept, by rows; nothing for a number that has no more digits."""
     size = np.abs(numbers)
     present = (size > 0) & np.isfinite(size)
     safe = np.where(present, size, 1.0)
-    if value.measure == "angle":
-        unit = np.full_like(safe, 2.0 * _HALF_DEGREE_DIGIT)
-    else:
-        unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
+    unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
+    unit[[row for row, measure in enumerate(measures) if measure == "angle"]] = 2.0 * _HALF_DEGREE_DIGIT
     short = np.abs(np.round(safe / unit) * unit - safe) <= 1e-9 * safe
     return np.where(present & ~short, 0.5 * unit, 0.0)
 
@@ -140,46 +146,56 @@ _FUNCTIONS: dict[str, Callable[[Table], Table]] = {
     "sin": lambda x: np.sin(np.radians(x)),
     "tan": lambda x: np.tan(np.radians(x)),
     "arctan": lambda x: np.degrees(np.arctan(x)),
-    "arcsin": lambda x: np.degrees(np.arcsin(np.clip(x, -1.0, 1.0))),
-    "arccos": lambda x: np.degrees(np.arccos(np.clip(x, -1.0, 1.0))),
+    "arcsin": lambda x: np.degrees(np.arcsin(np.minimum(np.maximum(x, -1.0), 1.0))),
+    "arccos": lambda x: np.degrees(np.arccos(np.minimum(np.maximum(x, -1.0), 1.0))),
 }
 
 
-def _number(item: Expression, numbers: dict[int, Table], shape: tuple[int, ...]) -> Table:
+def _number(item: Expression, numbers: dict[int, Table]) -> Table:
     """An expression on arrays (the like of :meth:`Expression.number`)."""
-    match item:
-        case Value():
-            return numbers[id(item)]
-        case Constant(value):
-            return np.array(value)
-        case Pi():
-            return np.array(np.pi)
-        case Total(terms):
-            return np.asarray(sum(sign * _number(term, numbers, shape) for sign, term in terms))
-        case Times(factors):
-            product = np.array(1.0)
-            for factor in factors:
-                product = product * _number(factor, numbers, shape)
-            return product
-        case Ratio(above, below):
-            return np.asarray(_number(above, numbers, shape) / _number(below, numbers, shape))
-        case Raised(base, exponent):
-            return np.asarray(_number(base, numbers, shape) ** exponent)
-        case SquareRoot(inner):
-            return np.sqrt(np.maximum(_number(inner, numbers, shape), 0.0))
-        case Magnitude(inner):
-            return np.abs(_number(inner, numbers, shape))
-        case Applied(function, argument):
-            return _FUNCTIONS[function](_number(argument, numbers, shape))
-        case LinearSolution(rows, right, index):
-            table = [[np.broadcast_to(_number(c, numbers, shape), shape) for c in row] for row in rows]
-            sides = [np.broadcast_to(_number(c, numbers, shape), shape) for c in right]
-            matrix = np.moveaxis(np.array(table), (0, 1), (-2, -1))
-            try:
-                return np.asarray(np.linalg.solve(matrix, np.stack(sides, axis=-1)[..., None])[..., index, 0])
-            except np.linalg.LinAlgError:
-                return np.full(shape, np.nan)
-    raise TypeError(f"no number of {item!r}")
+    return numbers[id(item)] if type(item) is Value else _NUMBERS[type(item)](item, numbers)
+
+
+def _total(item: Total, numbers: dict[int, Table]) -> Table:
+    found: Table | None = None
+    for sign, term in item.terms:
+        number = _number(term, numbers)
+        if found is None:
+            found = number if sign > 0 else -number
+        else:
+            found = found + number if sign > 0 else found - number
+    return found if found is not None else np.zeros(())
+
+
+def _times(item: Times, numbers: dict[int, Table]) -> Table:
+    return reduce(mul, [_number(factor, numbers) for factor in item.factors])
+
+
+def _linear_solution(item: LinearSolution, numbers: dict[int, Table]) -> Table:
+    """One unknown of a linear system; not a number where it is singular."""
+    table = [_number(operand, numbers) for operand in item.operands()]
+    count = len(item.right)
+    flat = np.stack(np.broadcast_arrays(*table), axis=-1)
+    right, matrix = flat[..., :count, None], flat[..., count:].reshape(*flat.shape[:-1], count, count)
+    try:
+        return np.asarray(np.linalg.solve(matrix, right)[..., item.index, 0])
+    except np.linalg.LinAlgError:
+        return np.full(flat.shape[:-1], np.nan)
+
+
+# By kind of expression; a value stands for its number.
+_NUMBERS: dict[type, Callable[[Any, dict[int, Table]], Table]] = {
+    Constant: lambda item, numbers: np.asarray(item.value),
+    Pi: lambda item, numbers: np.asarray(np.pi),
+    Total: _total,
+    Times: _times,
+    Ratio: lambda item, numbers: _number(item.above, numbers) / _number(item.below, numbers),
+    Raised: lambda item, numbers: _number(item.base, numbers) ** item.exponent,
+    SquareRoot: lambda item, numbers: np.sqrt(np.maximum(_number(item.inner, numbers), 0.0)),
+    Magnitude: lambda item, numbers: np.abs(_number(item.inner, numbers)),
+    Applied: lambda item, numbers: _FUNCTIONS[item.function](_number(item.argument, numbers)),
+    LinearSolution: _linear_solution,
+}
 
 
 class HandCalculation:
@@ -200,35 +216,31 @@ class HandCalculation:
         ``places`` are the indices of the variants in the batch ``motion``. Infinite where no method leads to an answer.
         """
         found = np.full((len(self._asked), len(variants)), np.inf)
-        units = [quantity.unit(variants[0].family.length_unit) for quantity in self._asked]
-        chosen = list(places)
-        exact = np.array(
-            [
-                [u.from_si(float(value)) for value in q.value(motion)[chosen]]
-                for q, u in zip(self._asked, units, strict=True)
-            ]
-        )
+        length, chosen = variants[0].family.length_unit, list(places)
+        exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
+        data = self._data(variants)
         left = np.arange(len(variants))
         with np.errstate(all="ignore"):
             for worked in self._models():
-                data = self._data([variants[i] for i in left.tolist()])
-                fits = self._leads_to(worked.repeat(data), exact[:, left])
+                own = {name: column[left] for name, column in data.items()}
+                fits = self._leads_to(worked.repeat(own), exact[:, left])
                 if np.any(fits):
-                    found[:, left[fits]] = worked.errors({name: column[fits] for name, column in data.items()})
+                    found[:, left[fits]] = worked.errors({name: column[fits] for name, column in own.items()})
                 left = left[~fits]
                 if not left.size:
                     return found
-            for i in map(int, left):
-                found[:, i] = self._alone(variants[i], motion, places[i])
+            for i in left.tolist():
+                own = {name: column[i : i + 1] for name, column in data.items()}
+                found[:, i] = self._alone(variants[i], motion, places[i], own)
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int) -> Table:
+    def _alone(self, variant: Variant, motion: Motion, place: int, data: dict[str, Table]) -> Table:
         """The errors of a variant by its own steps."""
         try:
             worked = Worked(task_of(variant, motion, place, self._asked))
         except LookupError:
             return np.full(len(self._asked), np.inf)
-        return worked.errors(self._data([variant]))[:, 0]
+        return worked.errors(data)[:, 0]
 
     def _models(self) -> Iterator[Worked]:
         """The steps of the model variants, worked out one after the other as they are needed."""
