@@ -91,7 +91,7 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
     assert np.any(needed > 0.01)
     right = np.array([quantity.value(motion) for quantity in asked])
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    named = tight.unnoticed(variants, asked, motion)
+    named = tight.unnoticed(variants, asked, motion, range(40))
     for name, values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).items():
         distance = distances(right, values, asked)
         for i in range(40):
