@@ -9,7 +9,7 @@ the others do not show it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -52,7 +52,9 @@ class Margins:
         self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
     ) -> Screened:
         """The screens of a batch of attempts at a form; see :class:`variantgen.variants.attempts.Judging`."""
-        wrong = _distances(form, parameters, on_paper, asked, motion) if self.tolerance.mistakes else {}
+        wrong = _Wrong((), np.empty((0, len(asked), motion.size)))
+        if self.tolerance.mistakes:
+            wrong = _wrong(form, parameters, on_paper, asked, motion)
         return Screened(self, asked, motion, wrong)
 
     def unnoticed(
@@ -67,20 +69,20 @@ class Margins:
         if new:
             chosen, own = [variants[i] for i in new], motion.take(np.array([places[i] for i in new]))
             on_paper = frame([v.sense for v in chosen], [v.turns for v in chosen])
-            wrong = _distances(chosen[0].form, columns(chosen), on_paper, asked, own)
-            self.mark(chosen, asked, wrong, self.tolerances(chosen, asked, own, range(len(new))))
+            wrong = _wrong(chosen[0].form, columns(chosen), on_paper, asked, own)
+            needed = self.tolerances(chosen, asked, own, range(len(new)))
+            self._marks.update(zip((keys[i] for i in new), wrong.within(needed), strict=True))
         return [self._marks[key] for key in keys]
 
-    def mark(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], wrong: Mapping[str, Table], tolerances: Table
-    ) -> None:
-        """Keep which mistakes go unnoticed in the answers of variants; distances and tolerances in their order."""
-        found: list[list[list[str]]] = [[[] for _ in asked] for _ in variants]
-        for name, distance in wrong.items():
-            for answer, place in np.argwhere(distance <= tolerances).tolist():
-                found[place][answer].append(name)
-        for variant, own in zip(variants, found, strict=True):
-            self._marks[_key(variant, asked)] = tuple(tuple(names) for names in own)
+    def needed(
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], batch: Screened, places: list[int]
+    ) -> Table:
+        """The tolerances of variants at places of a batch of attempts; their marks are kept as well."""
+        needed = self.tolerances(variants, asked, batch.motion, places)
+        if batch.wrong.names:
+            marks = batch.wrong.at(places).within(needed)
+            self._marks.update(zip((_key(variant, asked) for variant in variants), marks, strict=True))
+        return needed
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -123,42 +125,63 @@ class Margins:
         return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
 
 
+_MISTAKES = "plausible mistakes outside the tolerance"
+
+
+@dataclass(frozen=True)
+class _Wrong:
+    """By mistake how far each answer is from the wrong one, shape (mistakes, answers, N)."""
+
+    names: tuple[str, ...]
+    distances: Table
+
+    def at(self, places: list[int]) -> _Wrong:
+        """Of some variants."""
+        return _Wrong(self.names, self.distances[..., places])
+
+    def seen(self, tolerances: Table | float) -> NDArray[np.bool_]:
+        """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
+        touched = np.isfinite(self.distances)
+        shown = touched & (self.distances > tolerances)
+        return np.asarray(np.all(~np.any(touched, axis=1) | np.any(shown, axis=1), axis=0))
+
+    def within(self, tolerances: Table) -> list[Marks]:
+        """By variant and answer the mistakes that change the answer by less than its tolerance."""
+        count, size = tolerances.shape
+        found: list[list[list[str]]] = [[[] for _ in range(count)] for _ in range(size)]
+        for mistake, answer, place in np.argwhere(self.distances <= tolerances).tolist():
+            found[place][answer].append(self.names[mistake])
+        return [tuple(tuple(names) for names in own) for own in found]
+
+
 @dataclass(frozen=True)
 class Screened:
-    """A batch of attempts with the distances of its answers from those by mistakes, shape (answers, N)."""
+    """A batch of attempts with what mistakes make of their answers."""
 
     margins: Margins
     asked: Sequence[Quantity]
     motion: Motion
-    wrong: Mapping[str, Table]
+    wrong: _Wrong
 
     def screens(self) -> dict[str, NDArray[np.bool_]]:
         """What a mistake rules out at the floor already need not be worked out."""
-        return {_MISTAKES: _is_seen(self.wrong, self._floor(self.motion.size))}
+        return {_MISTAKES: self.wrong.seen(self.margins.tolerance.floor)}
 
     def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
         """Whether tolerances are within the ceiling and tell the mistakes; the tolerances are kept."""
-        needed = self.margins.tolerances(variants, self.asked, self.motion, places)
         chosen = list(places)
-        wrong = {name: distance[:, chosen] for name, distance in self.wrong.items()}
-        if self.wrong:
-            self.margins.mark(variants, self.asked, wrong, needed)
+        needed = self.margins.needed(variants, self.asked, self, chosen)
         ceiling = self.margins.tolerance.ceiling * (1 + 1e-9)
         return {
-            _MISTAKES: _is_seen(wrong, needed),
+            _MISTAKES: self.wrong.at(chosen).seen(needed),
             "rounding by hand within the ceiling": np.all(needed <= ceiling, axis=0),
         }
 
-    def _floor(self, count: int) -> Table:
-        return np.full((len(self.asked), count), self.margins.tolerance.floor)
-
-
-_MISTAKES = "plausible mistakes outside the tolerance"
-
 
 def _key(variant: Variant, asked: Sequence[Quantity]) -> tuple[object, ...]:
-    """What the tolerances of a variant depend on."""
-    return variant.identity, variant.sense, variant.turns, tuple(asked)
+    """What the tolerances of a variant depend on; the form stands for itself."""
+    values = (variant.printed[name] for name in variant.form.parameters)
+    return variant.form, *values, variant.sense, variant.turns, tuple(asked)
 
 
 def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
@@ -171,22 +194,11 @@ def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation
     return found
 
 
-def _is_seen(wrong: Mapping[str, Table], tolerances: Table) -> NDArray[np.bool_]:
-    """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
-    found = np.ones(tolerances.shape[1], dtype=bool)
-    for distance in wrong.values():
-        touched = np.isfinite(distance)
-        found &= ~np.any(touched, axis=0) | np.any(touched & (distance > tolerances), axis=0)
-    return found
-
-
-def _distances(
-    form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
-) -> dict[str, Table]:
-    """By mistake the relative distance of each answer from the wrong one, shape (answers, N)."""
+def _wrong(form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion) -> _Wrong:
     right = np.array([quantity.value(motion) for quantity in asked], dtype=float)
     wrong = wrong_answers(form, parameters, on_paper, asked, motion)
-    return {name: distances(right, values, asked) for name, values in wrong.items()}
+    answers = np.array(list(wrong.values())).reshape(len(wrong), *right.shape)
+    return _Wrong(tuple(wrong), distances(right, answers, asked))
 
 
 def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list[Variant]]:

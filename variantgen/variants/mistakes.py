@@ -46,20 +46,21 @@ def wrong_answers(
 
 
 def distances(right: Table, wrong: Table, asked: Sequence[Quantity]) -> Table:
-    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (answers, N).
+    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (..., answers, N).
 
     Infinite where the mistake does not touch an answer, or leads to no mechanism.
     """
-    found = np.full(right.shape, np.inf)
+    found = np.full(wrong.shape, np.inf)
     for i, quantity in enumerate(asked):
         if quantity.component == "sense":
             continue
-        change, size = np.abs(wrong[i] - right[i]), np.abs(right[i])
+        change, size = wrong[..., i, :] - right[i], np.abs(right[i])
         if quantity.is_angle:
-            change, size = np.abs(np.angle(np.exp(1j * (wrong[i] - right[i])))), np.ones_like(size)
+            change, size = np.angle(np.exp(1j * change)), np.ones_like(size)
+        change = np.abs(change)
         safe = np.where(size > 0, size, 1.0)
         with np.errstate(invalid="ignore"):
-            found[i] = np.where(change > _UNCHANGED * size, change / safe, np.inf)
+            found[..., i, :] = np.where(change > _UNCHANGED * size, change / safe, np.inf)
     return found
 
 
