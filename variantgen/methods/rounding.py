@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import reduce
 from operator import mul
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,6 +49,8 @@ from variantgen.methods.task import Task, task_of
 from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]
+Numbers = dict[str, Table]  # printed, by parameter
+_Key = TypeVar("_Key", int, str)
 
 DIGITS = 3  # significant digits of a careful hand calculation
 _HALF_DEGREE_DIGIT = 0.05  # degrees: angles are written with one decimal
@@ -73,25 +75,51 @@ class Worked:
         self._leaves = {id(value): printed[id(value)] for value in self._values if id(value) in printed}
         self._rounded = [value for value in self._values if value.expression is not None and not _is_copy(value)]
 
-    def repeat(self, data: dict[str, Table]) -> Table:
+    def repeat(self, data: Numbers) -> Table:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
-        numbers, size = self._evaluate(data), _size(data)
-        return np.array([np.broadcast_to(numbers[id(answer)], (size,)) for answer in self.answers])
+        return np.array(list(self.in_turn(data, {})))
 
-    def errors(self, data: dict[str, Table]) -> Table:
-        """What rounding makes of the answers, in their units, shape (answers, N)."""
-        parts = [
-            self._errors({name: column[start : start + _TOGETHER] for name, column in data.items()})
-            for start in range(0, _size(data), _TOGETHER)
-        ]
-        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+    def in_turn(self, data: Numbers, numbers: dict[int, Table]) -> Iterator[Table]:
+        """One answer after the other for other data, shape (N,); ``numbers`` takes those of the values worked out."""
+        values, shape = iter(self._values), (_size(data),)
+        for answer in self.answers:
+            while id(answer) not in numbers:
+                value = next(values)
+                numbers[id(value)] = self._of(value, data, numbers)
+            yield np.broadcast_to(numbers[id(answer)], shape)
 
-    def _errors(self, data: dict[str, Table]) -> Table:
-        exact = self._evaluate(data)
+    def errors(self, data: Numbers, exact: dict[int, Table] | None = None) -> Table:
+        """What rounding makes of the answers, in their units, shape (answers, N).
+
+        ``exact`` are the numbers of all values for these data, where they are known already.
+        """
+        if exact is None:
+            exact = {}
+            for value in self._values:
+                exact[id(value)] = self._of(value, data, exact)
+        size = _size(data)
+        parts = [slice(start, start + _TOGETHER) for start in range(0, size, _TOGETHER)]
+        if len(parts) == 1:
+            return self._errors(data, exact)
+        return np.concatenate([self._errors(_cut(data, part), _cut(exact, part)) for part in parts], axis=1)
+
+    def _errors(self, data: Numbers, exact: dict[int, Table]) -> Table:
         rounded = np.empty((len(self._rounded), _size(data)))
-        for row, value in enumerate(self._rounded):
-            rounded[row] = exact[id(value)]
-        numbers = self._evaluate(data, _half_units([value.measure for value in self._rounded], rounded))
+        rows = {id(value): row for row, value in enumerate(self._rounded)}
+        for key, row in rows.items():
+            rounded[row] = exact[key]
+        off = _half_units([value.measure for value in self._rounded], rounded)
+        # In row k of a table the k-th rounded value is off.
+        numbers: dict[int, Table] = {}
+        for value in self._values:
+            key = id(value)
+            number = self._of(value, data, numbers)
+            if key in rows:
+                table = np.empty(off.shape)
+                table[:] = number
+                table[rows[key]] += off[rows[key]]
+                number = table
+            numbers[key] = number
         found = np.empty((len(self.answers), _size(data)))
         for answer, errors in zip(self.answers, found, strict=True):
             changes = np.abs(np.broadcast_to(numbers[id(answer)] - exact[id(answer)], rounded.shape))
@@ -99,26 +127,20 @@ class Worked:
             np.minimum(bound, _DEVIATIONS * deviation, out=errors)
         return found
 
-    def _evaluate(self, data: dict[str, Table], off: Table | None = None) -> dict[int, Table]:
-        """The numbers of all values. With ``off`` in rows: in row k the k-th rounded value is off by so much."""
-        numbers: dict[int, Table] = {}
-        rows = {id(value): row for row, value in enumerate(self._rounded)} if off is not None else {}
-        for value in self._values:
-            key = id(value)
-            if value.expression is not None:
-                number = _number(value.expression, numbers)
-            else:
-                number = data[self._leaves[key]] if key in self._leaves else np.asarray(value.exact)
-            if off is not None and key in rows:
-                table = np.empty(off.shape)
-                table[:] = number
-                table[rows[key]] += off[rows[key]]
-                number = table
-            numbers[key] = number
-        return numbers
+    def _of(self, value: Value, data: Numbers, numbers: dict[int, Table]) -> Table:
+        """The number of a value from those before it."""
+        if value.expression is not None:
+            return _number(value.expression, numbers)
+        name = self._leaves.get(id(value))
+        return np.asarray(value.exact) if name is None else data[name]
 
 
-def _size(data: dict[str, Table]) -> int:
+def _cut(numbers: dict[_Key, Table], chosen: Any) -> dict[_Key, Table]:
+    """Those of chosen variants; a number that is the same for all of them stays."""
+    return {key: table[chosen] if table.ndim else table for key, table in numbers.items()}
+
+
+def _size(data: Numbers) -> int:
     return next(iter(data.values())).size if data else 1
 
 
@@ -222,19 +244,18 @@ class HandCalculation:
         left = np.arange(len(variants))
         with np.errstate(all="ignore"):
             for worked in self._models():
-                own = {name: column[left] for name, column in data.items()}
-                fits = self._leads_to(worked.repeat(own), exact[:, left])
+                own, numbers = _cut(data, left), dict[int, Table]()
+                fits = self._leads_to(worked.in_turn(own, numbers), exact[:, left])
                 if np.any(fits):
-                    found[:, left[fits]] = worked.errors({name: column[fits] for name, column in own.items()})
-                left = left[~fits]
-                if not left.size:
-                    return found
+                    found[:, left[fits]] = worked.errors(_cut(own, fits), _cut(numbers, fits))
+                    left = left[~fits]
+                    if not left.size:
+                        return found
             for i in left.tolist():
-                own = {name: column[i : i + 1] for name, column in data.items()}
-                found[:, i] = self._alone(variants[i], motion, places[i], own)
+                found[:, i] = self._alone(variants[i], motion, places[i], _cut(data, slice(i, i + 1)))
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int, data: dict[str, Table]) -> Table:
+    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers) -> Table:
         """The errors of a variant by its own steps."""
         try:
             worked = Worked(task_of(variant, motion, place, self._asked))
@@ -268,7 +289,7 @@ class HandCalculation:
         except LookupError:
             return None
 
-    def _data(self, variants: Sequence[Variant]) -> dict[str, Table]:
+    def _data(self, variants: Sequence[Variant]) -> Numbers:
         """The printed numbers by parameter, magnitudes of rates as a solution has them."""
         found = {}
         for name, parameter in self._form.parameters.items():
@@ -277,15 +298,19 @@ class HandCalculation:
                 found[name] = np.abs(column) if parameter.is_rate else column
         return found
 
-    def _leads_to(self, answers: Table, exact: Table) -> NDArray[np.bool_]:
-        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,)."""
+    def _leads_to(self, answers: Iterator[Table], exact: Table) -> NDArray[np.bool_]:
+        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,).
+
+        Further answers are not worked out where none is right.
+        """
         good = np.ones(exact.shape[1], dtype=bool)
         for quantity, repeated, number in zip(self._asked, answers, exact, strict=True):
-            if quantity.component == "sense":
-                continue
             if quantity.is_angle:
                 turn = np.abs((repeated - number + 180.0) % 360.0 - 180.0)
                 good &= turn <= np.degrees(_SAME)
-            else:
-                good &= np.abs(np.abs(repeated) - np.abs(number)) <= _SAME * np.abs(number)
+            elif quantity.component != "sense":
+                size = np.abs(number)
+                good &= np.abs(np.abs(repeated) - size) <= _SAME * size
+            if not good.any():
+                break
         return good

@@ -92,13 +92,9 @@ class Attempts:
         )
 
 
-def _rank(owner: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Which attempt of its owner each one is, from 0 on."""
-    order = np.argsort(owner, kind="stable")
-    _, starts, counts = np.unique(owner[order], return_index=True, return_counts=True)
-    rank = np.empty_like(owner)
-    rank[order] = np.arange(owner.size) - np.repeat(starts, counts)
-    return rank
+def _starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where the attempts of each owner begin; attempts are in the order of their owners."""
+    return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))
 
 
 class FormDrawing:
@@ -180,8 +176,9 @@ class FormDrawing:
         """
         promising = self._promising(attempts)
         while promising.owner.size:
-            owners = np.unique(promising.owner).size
-            chosen = np.flatnonzero(_rank(promising.owner) < max(1, min(_AHEAD, _AT_LEAST // owners)))
+            size, starts = promising.owner.size, _starts(promising.owner)
+            rank = np.arange(size) - np.repeat(starts, np.diff(starts, append=size))
+            chosen = np.flatnonzero(rank < max(1, min(_AHEAD, _AT_LEAST // starts.size)))
             heads = promising.take(chosen)
             good = np.flatnonzero(self._conditioned(heads))
             accepted = self._judged(heads.take(good)) if self.judge else self._firsts(heads.take(good))
@@ -228,14 +225,13 @@ class FormDrawing:
         assert motion is not None, "only promising attempts come here, and these are solved"
         gain = sensitivity(self.form, self._si(attempts), self._frame(attempts), self.asked, motion)
         good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
-        self.tally.rejected["answers well conditioned"] += int(np.sum(~good))
+        self.tally.rejected["answers well conditioned"] += int(np.count_nonzero(~good))
         return good
 
     def _firsts(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
         """The first attempt of each owner."""
-        owners, firsts = np.unique(attempts.owner, return_index=True)
-        for owner, place in zip(owners.tolist(), firsts.tolist(), strict=True):
-            yield self._variant(attempts, place), owner
+        for place in _starts(attempts.owner).tolist() if attempts.owner.size else []:
+            yield self._variant(attempts, place), int(attempts.owner[place])
 
     def _judged(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
         """The first attempt of each owner that passes the judge.
@@ -249,14 +245,16 @@ class FormDrawing:
         judging = self.judge(self.form, self._si(attempts), self._frame(attempts), self.asked, attempts.motion)
         left = self._keep(judging.screens(), attempts.owner.size)
         while left.size:
-            owners, firsts = np.unique(attempts.owner[left], return_index=True)
+            owner = attempts.owner[left]
+            firsts = _starts(owner)
             places = left[firsts].tolist()
             variants = [self._variant(attempts, place) for place in places]
             passed = self._keep(judging.judge(variants, places), len(places))
             for i in passed.tolist():
-                yield variants[i], int(owners[i])
-            left = np.delete(left, firsts)
-            left = left[~np.isin(attempts.owner[left], owners[passed])]
+                yield variants[i], int(owner[firsts[i]])
+            later = ~np.isin(owner, owner[firsts[passed]])
+            later[firsts] = False
+            left = left[later]
 
     def _disagreement(self, variant: Variant, stream: Stream) -> VerificationError:
         """What to say of a variant on which the two computations disagree: its key and its data."""
@@ -270,7 +268,7 @@ class FormDrawing:
     def _keep(self, screens: Mapping[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
         alive = np.ones(size, dtype=bool)
         for name, passed in screens.items():
-            self.tally.rejected[name] += int(np.sum(alive & ~passed))
+            self.tally.rejected[name] += int(np.count_nonzero(alive & ~passed))
             alive &= passed
         return np.flatnonzero(alive)
 

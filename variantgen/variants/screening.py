@@ -63,12 +63,12 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
     low, high = _box(form, motion, values, z)
     size = np.maximum(np.real(high - low), np.imag(high - low))
     safe = np.where(size > 0, size, 1.0)
-    gaps = np.abs(z[:, None] - z[None, :]) / safe
     first, second = np.triu_indices(len(shown), 1)
+    gaps = np.abs(z[first] - z[second]) / safe
     spacing = form.screens.spacing
     found = {
         "assembles": motion.solved,
-        "hinges apart": _at_least(np.min(gaps[first, second], axis=0, initial=np.inf), spacing),
+        "hinges apart": _at_least(np.min(gaps, axis=0, initial=np.inf), spacing),
         "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, spacing),
         "aspect": _at_least(np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect, size),
     }
