@@ -186,7 +186,7 @@ def _key(variant: Variant, asked: Sequence[Quantity]) -> tuple[object, ...]:
 
 def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
     """Calculations by hand of variants of a form, which remembers what is known of their steps."""
-    key = (HandCalculation, variant.family.name, tuple(asked))
+    key = ("by hand", variant.family.name, tuple(asked))
     known = variant.form.remembered
     if key not in known:
         known[key] = HandCalculation(variant.form, asked, _models(variant, asked))
