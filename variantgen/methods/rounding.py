@@ -17,8 +17,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import reduce
-from operator import mul
 from typing import Any, TypeVar
 
 import numpy as np
@@ -27,23 +25,11 @@ from numpy.typing import NDArray
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.batch import number_of
 from variantgen.methods.book import Book
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
-from variantgen.methods.expression import (
-    Applied,
-    Constant,
-    Expression,
-    LinearSolution,
-    Magnitude,
-    Pi,
-    Raised,
-    Ratio,
-    SquareRoot,
-    Times,
-    Total,
-    Value,
-)
+from variantgen.methods.expression import Total, Value
 from variantgen.methods.settle import in_order
 from variantgen.methods.task import Task, task_of
 from variantgen.variants.variant import Variant, solve_variants
@@ -130,7 +116,7 @@ class Worked:
     def _of(self, value: Value, data: Numbers, numbers: dict[int, Table]) -> Table:
         """The number of a value from those before it."""
         if value.expression is not None:
-            return _number(value.expression, numbers)
+            return number_of(value.expression, numbers)
         name = self._leaves.get(id(value))
         return np.asarray(value.exact) if name is None else data[name]
 
@@ -161,63 +147,6 @@ def _half_units(measures: Sequence[str], numbers: Table) -> Table:
     unit[[row for row, measure in enumerate(measures) if measure == "angle"]] = 2.0 * _HALF_DEGREE_DIGIT
     short = np.abs(np.round(safe / unit) * unit - safe) <= 1e-9 * safe
     return np.where(present & ~short, 0.5 * unit, 0.0)
-
-
-_FUNCTIONS: dict[str, Callable[[Table], Table]] = {
-    "cos": lambda x: np.cos(np.radians(x)),
-    "sin": lambda x: np.sin(np.radians(x)),
-    "tan": lambda x: np.tan(np.radians(x)),
-    "arctan": lambda x: np.degrees(np.arctan(x)),
-    "arcsin": lambda x: np.degrees(np.arcsin(np.minimum(np.maximum(x, -1.0), 1.0))),
-    "arccos": lambda x: np.degrees(np.arccos(np.minimum(np.maximum(x, -1.0), 1.0))),
-}
-
-
-def _number(item: Expression, numbers: dict[int, Table]) -> Table:
-    """An expression on arrays (the like of :meth:`Expression.number`)."""
-    return numbers[id(item)] if type(item) is Value else _NUMBERS[type(item)](item, numbers)
-
-
-def _total(item: Total, numbers: dict[int, Table]) -> Table:
-    found: Table | None = None
-    for sign, term in item.terms:
-        number = _number(term, numbers)
-        if found is None:
-            found = number if sign > 0 else -number
-        else:
-            found = found + number if sign > 0 else found - number
-    return found if found is not None else np.zeros(())
-
-
-def _times(item: Times, numbers: dict[int, Table]) -> Table:
-    return reduce(mul, [_number(factor, numbers) for factor in item.factors])
-
-
-def _linear_solution(item: LinearSolution, numbers: dict[int, Table]) -> Table:
-    """One unknown of a linear system; not a number where it is singular."""
-    table = [_number(operand, numbers) for operand in item.operands()]
-    count = len(item.right)
-    flat = np.stack(np.broadcast_arrays(*table), axis=-1)
-    right, matrix = flat[..., :count, None], flat[..., count:].reshape(*flat.shape[:-1], count, count)
-    try:
-        return np.asarray(np.linalg.solve(matrix, right)[..., item.index, 0])
-    except np.linalg.LinAlgError:
-        return np.full(flat.shape[:-1], np.nan)
-
-
-# By kind of expression; a value stands for its number.
-_NUMBERS: dict[type, Callable[[Any, dict[int, Table]], Table]] = {
-    Constant: lambda item, numbers: np.asarray(item.value),
-    Pi: lambda item, numbers: np.asarray(np.pi),
-    Total: _total,
-    Times: _times,
-    Ratio: lambda item, numbers: _number(item.above, numbers) / _number(item.below, numbers),
-    Raised: lambda item, numbers: _number(item.base, numbers) ** item.exponent,
-    SquareRoot: lambda item, numbers: np.sqrt(np.maximum(_number(item.inner, numbers), 0.0)),
-    Magnitude: lambda item, numbers: np.abs(_number(item.inner, numbers)),
-    Applied: lambda item, numbers: _FUNCTIONS[item.function](_number(item.argument, numbers)),
-    LinearSolution: _linear_solution,
-}
 
 
 class HandCalculation:
