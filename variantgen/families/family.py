@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fnmatch import fnmatchcase
@@ -44,9 +44,19 @@ class Parameter:
     @cached_property
     def si(self) -> NDArray[np.float64]:
         """The grid in SI, shape (G,): what is printed is what is solved."""
-        if self.unit is None:
-            return np.array([float(value) for value in self.printed])
-        return np.array([self.unit.to_si(value) for value in self.printed])
+        return np.array([self._to_si(value) for value in self.printed])
+
+    def in_si(self, printed: Iterable[Decimal]) -> NDArray[np.float64]:
+        """Printed values in SI; they need not lie on the grid."""
+        known = self._on_grid
+        return np.array([known[value] if value in known else self._to_si(value) for value in printed])
+
+    @cached_property
+    def _on_grid(self) -> dict[Decimal, float]:
+        return dict(zip(self.printed, self.si.tolist(), strict=True))
+
+    def _to_si(self, value: Decimal) -> float:
+        return float(value) if self.unit is None else self.unit.to_si(value)
 
     @property
     def given(self) -> bool:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.mechanism.arithmetic import from_parts
+from variantgen.mechanism.arithmetic import Real, from_parts
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.rows import Placement
 
@@ -106,16 +106,16 @@ class Chain:
         if since is not None:
             turned = {body: turn - since.turned[body] for body, turn in at.turned.items()}
             counted = Placement(at.z, at.frame, turned)
-        parts: list[NDArray[np.generic]] = []
+        parts: list[Real] = []
         for (point, _), again in zip(self.hinges, np.moveaxis(self._carried(q, self._again), -1, 0), strict=True):
             gap = again - at.z[point]
             parts += [np.real(gap), np.imag(gap)]
         for constraint in self.motion.scene.constraints:
-            parts += [np.asarray(r) for r in constraint.residual(counted, start, time)]
-        stacked = np.stack([np.broadcast_to(part, time.shape) for part in parts], axis=-1)
-        scale = np.where(self.lengths, self.length[:, None], 1.0)
-        result: Vector = stacked / scale
-        return result
+            parts += constraint.residual(counted, start, time)
+        found = np.empty((*time.shape, len(parts)))
+        for row, part in enumerate(parts):
+            found[..., row] = part
+        return found / np.where(self.lengths, self.length[:, None], 1.0)
 
     def jacobian(self, q: Vector | None = None, since: Placement | None = None) -> Vector:
         """Derivative of the residuals at q (None: at the instant) by central differences.
