@@ -133,6 +133,17 @@ def test_a_tolerance_depends_on_the_variant_alone(tmp_path: Path) -> None:
         assert sheet.items == some[sheet.student.id].items
 
 
+@pytest.mark.parametrize("family", ["disc_on_arc_with_rod", "guided_plate"])
+def test_a_sheet_is_the_same_in_a_class_and_alone(tmp_path: Path, family: str) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(f'title = "T"\nlanguage = "en"\n[[problem]]\nfamily = "{family}"\n', "utf-8")
+    exam, students = read_exam(path), numbered(9)
+    for sheet in assemble(exam, students, "8").sheets:
+        alone = assemble(read_exam(path), [sheet.student], "8").sheets[0]
+        assert alone.items[0].variant.printed == sheet.items[0].variant.printed
+        assert alone.items[0].answers == sheet.items[0].answers
+
+
 @pytest.mark.parametrize(
     ("language", "words"),
     [("en", "Tolerance: ±1 %, where nothing else is said"), ("ru", "Допуск: ±1 %, если не указано иное")],
