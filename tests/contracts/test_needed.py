@@ -78,7 +78,7 @@ def loaded(arguments: list[str]) -> tuple[set[str], set[str]]:
 def test_solve_loads_no_more_than_it_needs() -> None:
     own, packages = loaded(["solve", "slider_crank", "--seed", "1"])
     assert own <= SOLVING
-    assert packages <= {"numpy", "scipy"}
+    assert packages <= {"numpy"}
 
 
 def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -> None:
@@ -89,7 +89,6 @@ def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -
     # Pillow and lxml belong to pikepdf, MarkupSafe to Jinja.
     assert packages <= {
         "numpy",
-        "scipy",
         "jinja2",
         "markupsafe",
         "typst",

@@ -91,7 +91,7 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
     assert np.any(needed > 0.01)
     right = np.array([quantity.value(motion) for quantity in asked])
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    named = tight.unnoticed(variants, asked, motion)
+    named = tight.unnoticed(variants, asked, motion, range(40))
     for name, values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).items():
         distance = distances(right, values, asked)
         for i in range(40):
@@ -131,6 +131,17 @@ def test_a_tolerance_depends_on_the_variant_alone(tmp_path: Path) -> None:
     more = [Student("new", "", ""), *students[::-1]]
     for sheet in assemble(exam, more, "5").sheets[1:]:
         assert sheet.items == some[sheet.student.id].items
+
+
+@pytest.mark.parametrize("family", ["disc_on_arc_with_rod", "guided_plate"])
+def test_a_sheet_is_the_same_in_a_class_and_alone(tmp_path: Path, family: str) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(f'title = "T"\nlanguage = "en"\n[[problem]]\nfamily = "{family}"\n', "utf-8")
+    exam, students = read_exam(path), numbered(9)
+    for sheet in assemble(exam, students, "8").sheets:
+        alone = assemble(read_exam(path), [sheet.student], "8").sheets[0]
+        assert alone.items[0].variant.printed == sheet.items[0].variant.printed
+        assert alone.items[0].answers == sheet.items[0].answers
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,9 @@ from tests.methods.forms import FORMS, tasks, variants
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
+from variantgen.methods.batch import number_of
 from variantgen.methods.compose import solution
-from variantgen.methods.expression import Constant, Ratio, Total, Value
+from variantgen.methods.expression import Constant, LinearSolution, Ratio, Total, Value
 from variantgen.methods.name import Name
 from variantgen.methods.rounding import HandCalculation, Worked
 from variantgen.methods.settle import settle
@@ -118,3 +119,13 @@ def test_steps_of_one_variant_lead_to_the_answers_of_others() -> None:
         exact = [q.unit("cm").from_si(float(q.value(motion)[i])) for q in asked]
         right += bool(np.allclose(np.abs(repeated[:, i]), np.abs(exact), rtol=1e-9))
     assert right >= 3
+
+
+def test_a_singular_system_of_one_variant_leaves_the_others_alone() -> None:
+    first, second, third = (Value(None, "number", 0.0) for _ in range(3))
+    numbers = {id(first): np.array([1.0, 2.0]), id(second): np.array([4.0, 4.0]), id(third): np.array([6.0, 6.0])}
+    # x + 2 y = 6, first x + 4 y = 4: y = -1 for first = 1, no solution for first = 2.
+    rows = ((Constant(1.0), Constant(2.0)), (first, second))
+    found = number_of(LinearSolution(rows, (third, second), 1), numbers)
+    assert found[0] == pytest.approx(-1.0)
+    assert np.isnan(found[1])

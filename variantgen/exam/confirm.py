@@ -8,6 +8,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.book import Book
 from variantgen.methods.evaluation import AGREES, deviations
+from variantgen.methods.group import Group
 from variantgen.methods.task import task_of
 from variantgen.methods.walk import velocities
 from variantgen.variants.attempts import VerificationError
@@ -30,13 +31,21 @@ def confirm(
         batches.setdefault(id(motion), []).append(i)
     for members in batches.values():
         motion, place = solved[members[0]]
-        every = list(dict.fromkeys(quantity for i in members for quantity in asked[i]))
-        book = Book(task_of(variants[members[0]], motion, place, every))
-        found = deviations(motion, velocities(book))
+        every = tuple(dict.fromkeys(quantity for i in members for quantity in asked[i]))
+        found = deviations(motion, _groups(variants[members[0]], motion, place, every))
         for name, worst in found.items():
             for i in members:
                 if not worst[solved[i][1]] <= AGREES:
                     raise _disagreement(variants[i], name, float(worst[solved[i][1]]), keys[i])
+
+
+def _groups(variant: Variant, motion: Motion, place: int, asked: tuple[Quantity, ...]) -> list[Group]:
+    """The groups of a solution. They follow from names alone, so the form remembers them."""
+    known = variant.form.remembered
+    if ("groups", asked) not in known:
+        known["groups", asked] = velocities(Book(task_of(variant, motion, place, asked)))
+    found: list[Group] = known["groups", asked]
+    return found
 
 
 def _disagreement(variant: Variant, method: str, deviation: float, key: tuple[object, ...]) -> VerificationError:

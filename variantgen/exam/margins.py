@@ -9,7 +9,7 @@ the others do not show it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -20,14 +20,16 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.family import Form, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.rows import Frame
 from variantgen.methods.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing, Tally, VerificationError
+from variantgen.variants.attempts import FormDrawing, Tally
 from variantgen.variants.mistakes import distances, wrong_answers
-from variantgen.variants.screening import sensitivity
+from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, columns
 
 Table = NDArray[np.float64]
+Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed in it
 
 # Where no method leads to an answer: three standard deviations of data rounded to three digits (0.13 % each), by the
 # sensitivity of the answers to the data.
@@ -39,41 +41,48 @@ _STEP = 0.001  # to which a tolerance above the floor is rounded up
 class Margins:
     """The tolerances of answers, and the screens that follow from them.
 
-    What is known of the solutions of a form, and what has been found for a variant, is kept.
+    What has been found for a variant is kept.
     """
 
     tolerance: Tolerance = Tolerance()
     _found: dict[tuple[object, ...], Table] = field(default_factory=dict)
-    _known: dict[tuple[int, tuple[Quantity, ...]], tuple[Form, HandCalculation]] = field(default_factory=dict)
+    _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
 
     def __call__(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
-    ) -> dict[str, NDArray[np.bool_]]:
-        """Flags by screen, shape (N,), for variants of one form and their motion (in the same order)."""
-        needed = np.full((len(asked), len(variants)), self.tolerance.floor)
-        wrong = _distances(variants, asked, motion) if self.tolerance.mistakes else {}
-        # What a mistake rules out at the floor already need not be worked out.
-        chosen = np.flatnonzero(_is_seen(wrong, needed)).tolist()
-        if chosen:
-            needed[:, chosen] = self.tolerances([variants[i] for i in chosen], asked, motion, chosen)
-        return {
-            "plausible mistakes outside the tolerance": _is_seen(wrong, needed),
-            "rounding by hand within the ceiling": np.all(needed <= self.tolerance.ceiling * (1 + 1e-9), axis=0),
-        }
+        self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
+    ) -> Screened:
+        """The screens of a batch of attempts at a form; see :class:`variantgen.variants.attempts.Judging`."""
+        wrong = _Wrong((), np.empty((0, len(asked), motion.size)))
+        if self.tolerance.mistakes:
+            wrong = _wrong(form, parameters, on_paper, asked, motion)
+        return Screened(self, asked, motion, wrong)
 
     def unnoticed(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion
-    ) -> list[list[tuple[str, ...]]]:
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
+    ) -> list[Marks]:
         """By variant and answer the mistakes that change the answer by less than its tolerance.
 
-        ``motion`` is that of the variants, in their order.
+        ``places`` are the indices of the variants, which share one form, in the batch ``motion``.
         """
-        needed = self.tolerances(variants, asked, motion, range(len(variants)))
-        found: list[list[list[str]]] = [[[] for _ in asked] for _ in variants]
-        for name, distance in _distances(variants, asked, motion).items():
-            for answer, place in np.argwhere(distance <= needed).tolist():
-                found[place][answer].append(name)
-        return [[tuple(names) for names in own] for own in found]
+        keys = [_key(variant, asked) for variant in variants]
+        new = [i for i, key in enumerate(keys) if key not in self._marks]
+        if new:
+            chosen, own = [variants[i] for i in new], motion.take(np.array([places[i] for i in new]))
+            on_paper = frame([v.sense for v in chosen], [v.turns for v in chosen])
+            wrong = _wrong(chosen[0].form, columns(chosen), on_paper, asked, own)
+            needed = self.tolerances(chosen, asked, own, range(len(new)))
+            self._marks.update(zip((keys[i] for i in new), wrong.within(needed), strict=True))
+        return [self._marks[key] for key in keys]
+
+    def needed(
+        self, variants: Sequence[Variant], asked: Sequence[Quantity], batch: Screened, places: list[int]
+    ) -> Table:
+        """The tolerances of variants at places of a batch of attempts; their marks are kept as well."""
+        needed = self.tolerances(variants, asked, batch.motion, places)
+        if batch.wrong.names:
+            marks = batch.wrong.at(places).within(needed)
+            self._marks.update(zip((_key(variant, asked) for variant in variants), marks, strict=True))
+        return needed
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -83,7 +92,7 @@ class Margins:
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``. An answer of zero or
         infinity has the floor.
         """
-        keys = [(variant.identity, variant.sense, variant.turns, tuple(asked)) for variant in variants]
+        keys = [_key(variant, asked) for variant in variants]
         new = [i for i, key in enumerate(keys) if key not in self._found]
         if new:
             table = self._new_tolerances([variants[i] for i in new], asked, motion, [places[i] for i in new])
@@ -93,11 +102,12 @@ class Margins:
     def forget(self) -> None:
         """Forget what was found for variants, once their answers are known; what is known of forms is kept."""
         self._found.clear()
+        self._marks.clear()
 
     def _new_tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> Table:
-        errors = self._calculation(variants[0], asked).errors(variants, motion, places)
+        errors = _calculation(variants[0], asked).errors(variants, motion, places)
         chosen = np.array(places, dtype=int)
         found = []
         for quantity, error in zip(asked, errors, strict=True):
@@ -105,7 +115,7 @@ class Margins:
                 relative = np.radians(error)
             else:
                 unit = quantity.unit(variants[0].family.length_unit)
-                value = np.abs(np.array([unit.from_si(float(x)) for x in quantity.value(motion)[chosen]]))
+                value = np.abs(unit.from_si(quantity.value(motion)[chosen]))
                 usual = (value > 0) & np.isfinite(value)
                 relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)
             found.append(relative)
@@ -115,33 +125,85 @@ class Margins:
         steps = np.ceil(table / _STEP - 1e-6) * _STEP
         return np.asarray(np.where(table > self.tolerance.floor, steps, self.tolerance.floor))
 
-    def _calculation(self, variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
-        key = (id(variant.form), tuple(asked))
-        if key not in self._known:
-            calculation = HandCalculation(variant.form, asked, _models(variant, asked))
-            self._known[key] = variant.form, calculation  # the form is kept, so that its id stays its own
-        return self._known[key][1]
-
     def _gain(self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
         on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
         return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
 
 
-def _is_seen(wrong: Mapping[str, Table], tolerances: Table) -> NDArray[np.bool_]:
-    """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
-    found = np.ones(tolerances.shape[1], dtype=bool)
-    for distance in wrong.values():
-        touched = np.isfinite(distance)
-        found &= ~np.any(touched, axis=0) | np.any(touched & (distance > tolerances), axis=0)
+_MISTAKES = "plausible mistakes outside the tolerance"
+
+
+@dataclass(frozen=True)
+class _Wrong:
+    """By mistake how far each answer is from the wrong one, shape (mistakes, answers, N)."""
+
+    names: tuple[str, ...]
+    distances: Table
+
+    def at(self, places: list[int]) -> _Wrong:
+        """Of some variants."""
+        return _Wrong(self.names, self.distances[..., places])
+
+    def seen(self, tolerances: Table | float) -> NDArray[np.bool_]:
+        """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
+        touched = np.isfinite(self.distances)
+        shown = touched & (self.distances > tolerances)
+        return np.asarray(np.all(~np.any(touched, axis=1) | np.any(shown, axis=1), axis=0))
+
+    def within(self, tolerances: Table) -> list[Marks]:
+        """By variant and answer the mistakes that change the answer by less than its tolerance."""
+        count, size = tolerances.shape
+        found: list[list[list[str]]] = [[[] for _ in range(count)] for _ in range(size)]
+        for mistake, answer, place in np.argwhere(self.distances <= tolerances).tolist():
+            found[place][answer].append(self.names[mistake])
+        return [tuple(tuple(names) for names in own) for own in found]
+
+
+@dataclass(frozen=True)
+class Screened:
+    """A batch of attempts with what mistakes make of their answers."""
+
+    margins: Margins
+    asked: Sequence[Quantity]
+    motion: Motion
+    wrong: _Wrong
+
+    def screens(self) -> dict[str, NDArray[np.bool_]]:
+        """What a mistake rules out at the floor already need not be worked out."""
+        return {_MISTAKES: self.wrong.seen(self.margins.tolerance.floor)}
+
+    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
+        """Whether tolerances are within the ceiling and tell the mistakes; the tolerances are kept."""
+        chosen = list(places)
+        needed = self.margins.needed(variants, self.asked, self, chosen)
+        ceiling = self.margins.tolerance.ceiling * (1 + 1e-9)
+        return {
+            _MISTAKES: self.wrong.at(chosen).seen(needed),
+            "rounding by hand within the ceiling": np.all(needed <= ceiling, axis=0),
+        }
+
+
+def _key(variant: Variant, asked: Sequence[Quantity]) -> tuple[object, ...]:
+    """What the tolerances of a variant depend on; the form stands for itself."""
+    values = (variant.printed[name] for name in variant.form.parameters)
+    return variant.form, *values, variant.sense, variant.turns, tuple(asked)
+
+
+def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
+    """Calculations by hand of variants of a form, which remembers what is known of their steps."""
+    key = ("by hand", variant.family.name, tuple(asked))
+    known = variant.form.remembered
+    if key not in known:
+        known[key] = HandCalculation(variant.form, asked, _models(variant, asked))
+    found: HandCalculation = known[key]
     return found
 
 
-def _distances(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> dict[str, Table]:
-    """By mistake the relative distance of each answer from the wrong one, shape (answers, N)."""
+def _wrong(form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion) -> _Wrong:
     right = np.array([quantity.value(motion) for quantity in asked], dtype=float)
-    form, on_paper = variants[0].form, frame([v.sense for v in variants], [v.turns for v in variants])
-    wrong = wrong_answers(form, columns(variants), on_paper, asked, motion)
-    return {name: distances(right, values, asked) for name, values in wrong.items()}
+    wrong = wrong_answers(form, parameters, on_paper, asked, motion)
+    answers = np.array(list(wrong.values())).reshape(len(wrong), *right.shape)
+    return _Wrong(tuple(wrong), distances(right, answers, asked))
 
 
 def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list[Variant]]:
@@ -153,8 +215,8 @@ def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list
         drawing = FormDrawing(variant.family, variant.form, asked, Tally(), variant.family.name)
         streams = [Stream("model", number, variant.family.name) for number in range(count)]
         try:
-            return drawing.run(streams, [0] * count)
-        except (InputError, VerificationError):  # the draw of the students' variants says it, with their keys
+            return drawing.first(streams, [0] * count)
+        except InputError:  # the draw of the students' variants says it, with their keys
             return []
 
     return drawn

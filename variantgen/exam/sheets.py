@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
 
-import numpy as np
-
 from variantgen.exam.blueprint import Task
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
@@ -16,6 +14,7 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
+from variantgen.mechanism.closed_form import square_fractions
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
@@ -146,10 +145,11 @@ def _with_mistakes(
     """The answers with the mistakes that go unnoticed in them."""
     found = list(answers)
     for (_, quantities), members in _groups(asked, solved).items():
-        motion = solved[members[0]][0].take(np.array([solved[i][1] for i in members]))
-        every = margins.unnoticed([variants[i] for i in members], quantities, motion)
+        motion, places = solved[members[0]][0], [solved[i][1] for i in members]
+        every = margins.unnoticed([variants[i] for i in members], quantities, motion, places)
         for i, own in zip(members, every, strict=True):
-            found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
+            if any(own):
+                found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
     return found
 
 
@@ -171,39 +171,33 @@ def answer_variants(
     return _answers(variants, asked, solve_all(variants, asked), Margins(tolerance))
 
 
-def _margins(
-    variants: Sequence[Variant],
-    asked: Sequence[Sequence[Quantity]],
-    solved: Sequence[tuple[Motion, int]],
-    margins: Margins,
-) -> list[list[float]]:
-    """Relative tolerances of all answers; variants that share a form and the questions go together."""
-    found: dict[int, list[float]] = {}
-    for (_, quantities), members in _groups(asked, solved).items():
-        motion, places = solved[members[0]][0], [solved[i][1] for i in members]
-        table = margins.tolerances([variants[i] for i in members], quantities, motion, places)
-        found.update((i, column.tolist()) for i, column in zip(members, table.T, strict=True))
-    return [found[i] for i in range(len(variants))]
-
-
 def _answers(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
     margins: Margins,
 ) -> list[tuple[Answer, ...]]:
-    relative = _margins(variants, asked, solved, margins)
-    values: dict[tuple[int, Quantity], Field] = {}
+    found: dict[int, tuple[Answer, ...]] = {}
+    for (_, quantities), members in _groups(asked, solved).items():
+        motion, places = solved[members[0]][0], [solved[i][1] for i in members]
+        needed = margins.tolerances([variants[i] for i in members], quantities, motion, places)
+        length = variants[members[0]].family.length_unit
+        table = [
+            _column(quantity, quantity.unit(length), quantity.value(motion)[places], own)
+            for quantity, own in zip(quantities, needed, strict=True)
+        ]
+        found.update(zip(members, zip(*table, strict=True), strict=True))
+    return [found[i] for i in range(len(variants))]
+
+
+def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> list[Answer]:
+    """The answers of several variants (in SI) to one question, each with its tolerance."""
+    computed = unit.from_si(numbers)
+    roots = square_fractions(computed)[0].tolist()  # zero where there is none
     found = []
-    for variant, quantities, (motion, place), own in zip(variants, asked, solved, relative, strict=True):
-        answers = []
-        for quantity, needed in zip(quantities, own, strict=True):
-            if (id(motion), quantity) not in values:
-                values[id(motion), quantity] = quantity.value(motion)
-            unit = quantity.unit(variant.family.length_unit)
-            computed = unit.from_si(float(values[id(motion), quantity][place]))
-            value = recorded(computed)
-            margin = 0.0 if quantity.component == "sense" else needed  # a sense is right or wrong
-            answers.append(Answer(quantity, unit, value, _tolerance(quantity, value, margin), margin, surd(computed)))
-        found.append(tuple(answers))
+    for number, root, margin in zip(computed.tolist(), roots, needed.tolist(), strict=True):
+        value = recorded(number)
+        own = 0.0 if quantity.component == "sense" else margin  # a sense is right or wrong
+        exact = surd(number) if root else None
+        found.append(Answer(quantity, unit, value, _tolerance(quantity, value, own), own, exact))
     return found

@@ -14,7 +14,15 @@ def read_ask(form: Form, ask: Sequence[str] | None = None, key: str = "ask") -> 
 
     Raises InputError with every unknown quantity, every one that is given, repetition, and an empty list.
     """
-    names = form.ask if ask is None else ask
+    names = tuple(form.ask if ask is None else ask)
+    known = form.remembered.get(("asked", names))
+    if known is None:
+        known = form.remembered["asked", names] = tuple(_read(form, names, key))
+    return list(known)
+
+
+def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
+    """The quantities of these names; raises InputError as :func:`read_ask` does."""
     problems: list[Problem] = []
     if not names:
         problems.append(Problem("expected at least one quantity", key=key, remedy='for example ["v_B"]'))

@@ -54,8 +54,11 @@ class Expression:
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
-        with np.errstate(all="ignore"):
+        if isinstance(self.tree, ast.Name | ast.Constant):
             result: Real = _value(self.tree, values)
+        else:
+            with np.errstate(all="ignore"):
+                result = _value(self.tree, values)
         return result
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fnmatch import fnmatchcase
@@ -44,9 +44,19 @@ class Parameter:
     @cached_property
     def si(self) -> NDArray[np.float64]:
         """The grid in SI, shape (G,): what is printed is what is solved."""
-        if self.unit is None:
-            return np.array([float(value) for value in self.printed])
-        return np.array([self.unit.to_si(value) for value in self.printed])
+        return np.array([self._to_si(value) for value in self.printed])
+
+    def in_si(self, printed: Iterable[Decimal]) -> NDArray[np.float64]:
+        """Printed values in SI; they need not lie on the grid."""
+        known = self._on_grid
+        return np.array([known[value] if value in known else self._to_si(value) for value in printed])
+
+    @cached_property
+    def _on_grid(self) -> dict[Decimal, float]:
+        return dict(zip(self.printed, self.si.tolist(), strict=True))
+
+    def _to_si(self, value: Decimal) -> float:
+        return float(value) if self.unit is None else self.unit.to_si(value)
 
     @property
     def given(self) -> bool:
@@ -222,6 +232,15 @@ class Form:
             on_paper or Frame(),
             tuple(template.build(values) for template in self.conditions),
         )
+
+    @cached_property
+    def remembered(self) -> dict[Hashable, Any]:
+        """What other parts of the program have worked out from this form alone, by keys of their own."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What is remembered stays in its process: it can be worked out again, and is larger than the form.
+        return {name: value for name, value in vars(self).items() if name != "remembered"}
 
     @cached_property
     def askable(self) -> list[str]:

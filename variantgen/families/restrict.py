@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
+from functools import lru_cache
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -23,10 +24,32 @@ def restrict(
 ) -> Family:
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
-    Fixed values need not lie on the grid. ``nice``: only hand-friendly variants, of the forms that have any. Raises
+    Fixed values need not lie on the grid. ``nice``: only hand-friendly variants, of the forms that have any. The same
+    wish gives the same family again, so that problems which are alike share what is known of their forms. Raises
     InputError naming the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
+    key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice))
+    return _restricted(_Wish(id(family), key, family, fixed, ranges, tuple(forms), nice))
+
+
+@dataclass(frozen=True)
+class _Wish:
+    """How a family is to be narrowed; two wishes are equal if they say the same of the same family."""
+
+    number: int
+    key: str
+    family: Family = field(compare=False)
+    fixed: Mapping[str, Any] = field(compare=False)
+    ranges: Mapping[str, Any] = field(compare=False)
+    forms: tuple[str, ...] = field(compare=False)
+    nice: bool = field(compare=False)
+
+
+@lru_cache(maxsize=64)
+def _restricted(wish: _Wish) -> Family:
+    """The narrowed family. A wish that is kept keeps its family, so that the number of that stays its own."""
+    family, fixed, ranges, forms = wish.family, wish.fixed, wish.ranges, wish.forms
     problems: list[Problem] = []
     for name in forms:
         if name not in family.forms:
@@ -45,7 +68,7 @@ def restrict(
         )
     if problems:
         raise InputError(problems)
-    if nice:
+    if wish.nice:
         chosen = _hand_friendly(family, chosen)
     narrowed: dict[str, Form] = {}
     for form_name, form in chosen.items():

@@ -6,8 +6,14 @@ import math
 import re
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, nearest
+
+Number = TypeVar("Number", float, NDArray[np.float64])
 
 
 @dataclass(frozen=True)
@@ -27,8 +33,8 @@ class Unit:
         """A printed value in SI, rounded once (twice for degrees and rpm)."""
         return float(value * self.factor) * self.turn
 
-    def from_si(self, value: float) -> float:
-        """An SI value in this unit."""
+    def from_si(self, value: Number) -> Number:
+        """An SI value in this unit, or an array of such."""
         return value / self.turn / float(self.factor)
 
 

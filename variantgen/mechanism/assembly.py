@@ -72,7 +72,10 @@ class _Assembly:
     def residual(self) -> Table:
         """What is left of the conditions, shape (N, conditions)."""
         at = self.at()
-        return np.stack([np.broadcast_to(c.value(at), self.shape) for c in self.conditions], axis=-1)
+        found = np.empty((*self.shape, len(self.conditions)))
+        for row, condition in enumerate(self.conditions):
+            found[..., row] = condition.value(at)
+        return found
 
     def jacobian(self) -> Table:
         """Derivative by x and y of each point, shape (N, conditions, 2 points)."""

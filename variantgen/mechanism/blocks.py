@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
+from collections import deque
+from collections.abc import Mapping, Sequence
 
 from variantgen.errors import Problem
 
@@ -19,32 +18,62 @@ def triangular_blocks(
     Dulmage-Mendelsohn decomposition of a square system). If the matching is not perfect, ``free`` holds the unknowns
     of the under-determined part and ``surplus`` the equations of the over-determined part, and there are no blocks.
     """
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
-
     count = len(depends)
     if not count:
         return [], set(range(unknown_count)), set()
-    pairs = [(e, u) for e, unknowns in enumerate(depends) for u in sorted(unknowns)]
-    rows, columns = (np.array(side, dtype=np.int32) for side in zip(*pairs, strict=True))
-    graph = csr_array((np.ones(len(pairs)), (rows, columns)), shape=(count, max(unknown_count, 1)))
-    partner = maximum_bipartite_matching(graph, perm_type="column")
-    owner = {int(u): e for e, u in enumerate(partner) if u >= 0}
+    owner = _matching(depends)
+    partner = {e: u for u, e in owner.items()}
     free = _free_part(depends, owner, set(range(unknown_count)) - set(owner))
-    surplus = _surplus_part(depends, owner, {e for e in range(count) if partner[e] < 0})
+    surplus = _surplus_part(depends, owner, set(range(count)) - set(partner))
     if free or surplus:
         return [], free, surplus
     needs = [{owner[u] for u in unknowns} - {e} for e, unknowns in enumerate(depends)]
-    edges = [(e, f) for e, others in enumerate(needs) for f in sorted(others)]
-    matrix = np.zeros((count, count))
-    for e, f in edges:
-        matrix[e, f] = 1.0
-    _, component = connected_components(csr_array(matrix), directed=True, connection="strong")
-    return _ordered(needs, [int(c) for c in component], [int(u) for u in partner]), set(), set()
+    return _ordered(needs, _components(needs), partner), set(), set()
+
+
+def _matching(depends: Sequence[set[int]]) -> dict[int, int]:
+    """A largest matching, as the equation of each matched unknown: one equation after the other takes an unknown.
+
+    Where all of its unknowns are taken, others give way along the shortest alternating path to a free one.
+    """
+    owner: dict[int, int] = {}
+    partner: dict[int, int] = {}
+    for equation in range(len(depends)):
+        reached: dict[int, int] = {}  # by unknown the equation from which the search came to it
+        waiting = deque([equation])
+        end: int | None = None
+        while waiting and end is None:
+            e = waiting.popleft()
+            for u in sorted(depends[e] - reached.keys()):
+                reached[u] = e
+                if u not in owner:
+                    end = u
+                    break
+                waiting.append(owner[u])
+        while end is not None:
+            e = reached[end]
+            owner[end], partner[e], end = e, end, partner.get(e)
+    return owner
+
+
+def _components(needs: Sequence[set[int]]) -> list[int]:
+    """The strongly connected components: by equation the first one that needs it and that it needs, however far."""
+    reach = [_reach(needs, e) for e in range(len(needs))]
+    return [min(f for f in own if e in reach[f]) for e, own in enumerate(reach)]
+
+
+def _reach(needs: Sequence[set[int]], start: int) -> set[int]:
+    """An equation and all that it needs."""
+    found, waiting = {start}, [start]
+    while waiting:
+        new = needs[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found
 
 
 def _ordered(
-    needs: Sequence[set[int]], component: Sequence[int], partner: Sequence[int]
+    needs: Sequence[set[int]], component: Sequence[int], partner: Mapping[int, int]
 ) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
     """Components in an order in which each needs only earlier ones; ties by the number of the equation."""
     members: dict[int, list[int]] = {}

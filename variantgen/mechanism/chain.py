@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.mechanism.arithmetic import Real, from_parts
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.rows import Placement
 
@@ -25,12 +26,12 @@ Vector = NDArray[np.float64]
 class _Carriage:
     """Points carried by bodies: places and arms from the bodies' first points at the instant (m, shape (N, points)).
 
-    ``column``: where the unknowns of the bodies begin, shape (points,).
+    ``body``: the numbers of the bodies, shape (points,).
     """
 
     start: ComplexField
     arm: ComplexField
-    column: NDArray[np.int64]
+    body: NDArray[np.int64]
 
 
 class Chain:
@@ -81,14 +82,16 @@ class Chain:
         table = np.zeros((self.motion.size, 0), dtype=complex)
         starts = np.stack([z[point] for point, _ in pairs], axis=-1) if pairs else table
         poles = np.stack([z[scene.bodies[body][0]] for _, body in pairs], axis=-1) if pairs else table
-        return _Carriage(starts, starts - poles, np.array([3 * bodies.index(body) for _, body in pairs], dtype=int))
+        return _Carriage(starts, starts - poles, np.array([bodies.index(body) for _, body in pairs], dtype=int))
 
     def _carried(self, q: Vector, by: _Carriage) -> ComplexField:
         """Points as carried by bodies: ``z0 + shift + (exp(i turn) - 1) (z0 - pole)``, shape (..., N, points)."""
-        turn = q[..., by.column + 2]
-        swing = 2j * np.sin(0.5 * turn) * np.exp(0.5j * turn)
-        shift = (q[..., by.column] + 1j * q[..., by.column + 1]) * self.length[:, None]
-        result: ComplexField = by.start + shift + swing * by.arm
+        bodies = 3 * len(self.motion.scene.bodies)
+        half = 0.5 * q[..., 2:bodies:3]
+        sine = np.sin(half)
+        swing = from_parts(-2.0 * sine * sine, 2.0 * sine * np.cos(half))
+        shift = from_parts(q[..., 0:bodies:3], q[..., 1:bodies:3]) * self.length[:, None]
+        result: ComplexField = by.start + shift[..., by.body] + swing[..., by.body] * by.arm
         return result
 
     def residual(self, q: Vector, time: Vector, since: Placement | None = None) -> Vector:
@@ -103,16 +106,16 @@ class Chain:
         if since is not None:
             turned = {body: turn - since.turned[body] for body, turn in at.turned.items()}
             counted = Placement(at.z, at.frame, turned)
-        parts: list[NDArray[np.generic]] = []
+        parts: list[Real] = []
         for (point, _), again in zip(self.hinges, np.moveaxis(self._carried(q, self._again), -1, 0), strict=True):
             gap = again - at.z[point]
             parts += [np.real(gap), np.imag(gap)]
         for constraint in self.motion.scene.constraints:
-            parts += [np.asarray(r) for r in constraint.residual(counted, start, time)]
-        stacked = np.stack([np.broadcast_to(part, time.shape) for part in parts], axis=-1)
-        scale = np.where(self.lengths, self.length[:, None], 1.0)
-        result: Vector = stacked / scale
-        return result
+            parts += constraint.residual(counted, start, time)
+        found = np.empty((*time.shape, len(parts)))
+        for row, part in enumerate(parts):
+            found[..., row] = part
+        return found / np.where(self.lengths, self.length[:, None], 1.0)
 
     def jacobian(self, q: Vector | None = None, since: Placement | None = None) -> Vector:
         """Derivative of the residuals at q (None: at the instant) by central differences.

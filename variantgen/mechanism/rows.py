@@ -13,7 +13,7 @@ from typing import Protocol, TypeAlias
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, from_parts, unit
 
 
 @dataclass(frozen=True)
@@ -32,24 +32,17 @@ class Frame:
         """Whether everything lies on paper as in the scene, for all variants."""
         return isinstance(self.turn, float) and isinstance(self.sense, float) and self.turn == self.sense == 1.0
 
-    @property
-    def is_plain(self) -> bool:
-        """Whether the paper is the scene's own frame, as in a scene that is not laid out."""
-        return isinstance(self.turn, float) and isinstance(self.sense, float) and self.turn == self.sense == 1.0
-
     def place(self, z: Complex) -> Complex:
         """A point or vector of the scene, on paper."""
-        if self.is_plain:
-            return z
         if self.plain:
             return z
-        result: Complex = self.turn * (self.sense * np.real(z) + 1j * np.imag(z))
+        result: Complex = self.turn * from_parts(self.sense * np.real(z), np.imag(z))
         return result
 
     def unplace(self, z: Complex) -> Complex:
         """The inverse of :meth:`place`: what is on paper, in the scene."""
         back = np.conj(self.turn) * z
-        result: Complex = self.sense * np.real(back) + 1j * np.imag(back)
+        result: Complex = from_parts(self.sense * np.real(back), np.imag(back))
         return result
 
     def direction(self, angle: Real) -> Complex:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -108,43 +108,53 @@ def _batch(scene: Scene, places: Mapping[str, Complex], outcome: Real) -> Motion
     )
 
 
-def add_speeds(motion: Motion, plan: Plan, order: int, taken: Callable[[Motion], Motion] | None = None) -> Motion:
-    """The motion with velocities (order 1) and accelerations (order 2) added to its positions.
+def add_speeds(motion: Motion, plan: Plan, order: int) -> Motion:
+    """The motion with velocities (order 1) and accelerations (order 2) added to its positions."""
+    equations = Equations(motion, plan)
+    moving = equations.motion
+    return equations.accelerated(Speeds(moving.v, moving.omega)) if order > 1 else moving
 
-    ``taken`` may change what the accelerations take the velocities to be: that shows the effect of a mistake in them.
-    """
-    scene, shape = motion.scene, motion.outcome.shape
-    at = Placement(motion.z, scene.frame)
-    rows = [constraint.rows(at) for constraint in scene.constraints]
-    velocities = Velocities(plan, rows, motion.z)
-    assembly = [velocities.equation(equation) for equation in plan.equations]
-    rates = _rates(scene, plan, 1)
-    values, sines = _solve_blocks(plan, assembly, [(rate, np.abs(rate)) for rate in rates])
-    regular: Flags = reduce(np.logical_and, (sine.regular for sine in sines), np.True_)
-    v = velocities.points(values)
-    omega = {body: _full(values[u], shape) for body, u in plan.omega.items()}
-    outcome = np.where((motion.outcome == 0) & ~regular, np.int8(Outcome.DEAD_POINT), motion.outcome)
-    motion = replace(
-        motion,
-        outcome=outcome.astype(np.int8),
-        transmission=_full(reduce(np.minimum, (sine.value for sine in sines), 1.0), shape),
-        v={name: _full(x, shape, np.complex128) for name, x in v.items()},
-        omega=omega,
-    )
-    if order < 2:
-        return motion
-    known = taken(motion) if taken else motion
-    speeds = Speeds(known.v, known.omega)
-    extra = [constraint.quadratic(at, speeds) for constraint in scene.constraints]
-    drifts = Drifts(velocities, rows, extra, known.omega)
-    right = [drifts.side(*item) for item in zip(plan.equations, _rates(scene, plan, 2), strict=True)]
-    values, _ = _solve_blocks(plan, assembly, right, sines)
-    a = velocities.points(values, drifts)
-    return replace(
-        motion,
-        a={name: _full(x, shape, np.complex128) for name, x in a.items()},
-        epsilon={body: _full(values[u], shape) for body, u in plan.omega.items()},
-    )
+
+class Equations:
+    """The equations of velocities and accelerations of a placed batch; ``motion`` has the velocities added."""
+
+    def __init__(self, motion: Motion, plan: Plan) -> None:
+        scene, shape = motion.scene, motion.outcome.shape
+        self._plan, self._at = plan, Placement(motion.z, scene.frame)
+        self._rows = [constraint.rows(self._at) for constraint in scene.constraints]
+        self._velocities = Velocities(plan, self._rows, motion.z)
+        self._assembly = [self._velocities.equation(equation) for equation in plan.equations]
+        rates = _rates(scene, plan, 1)
+        values, self._sines = _solve_blocks(plan, self._assembly, [(rate, np.abs(rate)) for rate in rates])
+        regular: Flags = reduce(np.logical_and, (sine.regular for sine in self._sines), np.True_)
+        outcome = np.where((motion.outcome == 0) & ~regular, np.int8(Outcome.DEAD_POINT), motion.outcome)
+        self.motion = replace(
+            motion,
+            outcome=outcome.astype(np.int8),
+            transmission=_full(reduce(np.minimum, (sine.value for sine in self._sines), 1.0), shape),
+            v={name: _full(x, shape, np.complex128) for name, x in self._velocities.points(values).items()},
+            omega={body: _full(values[u], shape) for body, u in plan.omega.items()},
+        )
+
+    def accelerated(self, known: Speeds) -> Motion:
+        """The motion with the accelerations that go with known velocities.
+
+        These may be other than its own: that shows the effect of mistakes in them. Of several such, in arrays of shape
+        (mistakes, N), the accelerations have the same shape.
+        """
+        motion, plan = self.motion, self._plan
+        shape = np.broadcast_shapes(
+            motion.outcome.shape, *(np.shape(x) for x in (*known.v.values(), *known.omega.values()))
+        )
+        extra = [constraint.quadratic(self._at, known) for constraint in motion.scene.constraints]
+        drifts = Drifts(self._velocities, self._rows, extra, known.omega)
+        right = [drifts.side(*item) for item in zip(plan.equations, _rates(motion.scene, plan, 2), strict=True)]
+        values, _ = _solve_blocks(plan, self._assembly, right, self._sines)
+        return replace(
+            motion,
+            a={name: _full(x, shape, np.complex128) for name, x in self._velocities.points(values, drifts).items()},
+            epsilon={body: _full(values[u], shape) for body, u in plan.omega.items()},
+        )
 
 
 def _full(x: Complex, shape: tuple[int, ...], least: type = np.float64) -> NDArray[Any]:

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,28 +25,18 @@ from numpy.typing import NDArray
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
+from variantgen.methods.batch import number_of
 from variantgen.methods.book import Book
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
-from variantgen.methods.expression import (
-    Applied,
-    Constant,
-    Expression,
-    LinearSolution,
-    Magnitude,
-    Pi,
-    Raised,
-    Ratio,
-    SquareRoot,
-    Times,
-    Total,
-    Value,
-)
+from variantgen.methods.expression import Total, Value
 from variantgen.methods.settle import in_order
 from variantgen.methods.task import Task, task_of
 from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]
+Numbers = dict[str, Table]  # printed, by parameter
+_Key = TypeVar("_Key", int, str)
 
 DIGITS = 3  # significant digits of a careful hand calculation
 _HALF_DEGREE_DIGIT = 0.05  # degrees: angles are written with one decimal
@@ -70,48 +61,73 @@ class Worked:
         self._leaves = {id(value): printed[id(value)] for value in self._values if id(value) in printed}
         self._rounded = [value for value in self._values if value.expression is not None and not _is_copy(value)]
 
-    def repeat(self, data: dict[str, Table]) -> Table:
+    def repeat(self, data: Numbers) -> Table:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
-        size = next(iter(data.values())).size if data else 1
-        numbers = self._evaluate(data, (size,))
-        return np.array([np.broadcast_to(numbers[id(answer)], (size,)) for answer in self.answers])
+        return np.array(list(self.in_turn(data, {})))
 
-    def errors(self, data: dict[str, Table]) -> Table:
-        """What rounding makes of the answers, in their units, shape (answers, N)."""
-        size = next(iter(data.values())).size if data else 1
-        parts = [
-            self._errors({name: column[start : start + _TOGETHER] for name, column in data.items()})
-            for start in range(0, size, _TOGETHER)
-        ]
-        return np.concatenate(parts, axis=1)
-
-    def _errors(self, data: dict[str, Table]) -> Table:
-        size = next(iter(data.values())).size if data else 1
-        shape = (len(self._rounded) + 1, size)
-        numbers = self._evaluate(data, shape, {id(value): row for row, value in enumerate(self._rounded, start=1)})
-        found = []
+    def in_turn(self, data: Numbers, numbers: dict[int, Table]) -> Iterator[Table]:
+        """One answer after the other for other data, shape (N,); ``numbers`` takes those of the values worked out."""
+        values, shape = iter(self._values), (_size(data),)
         for answer in self.answers:
-            table = np.broadcast_to(numbers[id(answer)], shape)
-            changes = np.abs(table[1:] - table[0])
-            found.append(np.minimum(np.sum(changes, axis=0), _DEVIATIONS * np.sqrt(np.sum(changes**2, axis=0) / 3.0)))
-        return np.array(found)
+            while id(answer) not in numbers:
+                value = next(values)
+                numbers[id(value)] = self._of(value, data, numbers)
+            yield np.broadcast_to(numbers[id(answer)], shape)
 
-    def _evaluate(
-        self, data: dict[str, Table], shape: tuple[int, ...], rows: dict[int, int] | None = None
-    ) -> dict[int, Table]:
-        """The numbers of all values; the value of each of ``rows`` is off by its rounding in that row."""
+    def errors(self, data: Numbers, exact: dict[int, Table] | None = None) -> Table:
+        """What rounding makes of the answers, in their units, shape (answers, N).
+
+        ``exact`` are the numbers of all values for these data, where they are known already.
+        """
+        if exact is None:
+            exact = {}
+            for value in self._values:
+                exact[id(value)] = self._of(value, data, exact)
+        size = _size(data)
+        parts = [slice(start, start + _TOGETHER) for start in range(0, size, _TOGETHER)]
+        if len(parts) == 1:
+            return self._errors(data, exact)
+        return np.concatenate([self._errors(_cut(data, part), _cut(exact, part)) for part in parts], axis=1)
+
+    def _errors(self, data: Numbers, exact: dict[int, Table]) -> Table:
+        rounded = np.empty((len(self._rounded), _size(data)))
+        rows = {id(value): row for row, value in enumerate(self._rounded)}
+        for key, row in rows.items():
+            rounded[row] = exact[key]
+        off = _half_units([value.measure for value in self._rounded], rounded)
+        # In row k of a table the k-th rounded value is off.
         numbers: dict[int, Table] = {}
         for value in self._values:
             key = id(value)
-            if value.expression is not None:
-                numbers[key] = _number(value.expression, numbers, shape)
-            else:
-                numbers[key] = data[self._leaves[key]] if key in self._leaves else np.array(value.exact)
-            if rows and key in rows:
-                table = np.array(np.broadcast_to(numbers[key], shape))
-                table[rows[key]] += _half_unit(value, table[0])
-                numbers[key] = table
-        return numbers
+            number = self._of(value, data, numbers)
+            if key in rows:
+                table = np.empty(off.shape)
+                table[:] = number
+                table[rows[key]] += off[rows[key]]
+                number = table
+            numbers[key] = number
+        found = np.empty((len(self.answers), _size(data)))
+        for answer, errors in zip(self.answers, found, strict=True):
+            changes = np.abs(np.broadcast_to(numbers[id(answer)] - exact[id(answer)], rounded.shape))
+            bound, deviation = np.sum(changes, axis=0), np.sqrt(np.sum(changes**2, axis=0) / 3.0)
+            np.minimum(bound, _DEVIATIONS * deviation, out=errors)
+        return found
+
+    def _of(self, value: Value, data: Numbers, numbers: dict[int, Table]) -> Table:
+        """The number of a value from those before it."""
+        if value.expression is not None:
+            return number_of(value.expression, numbers)
+        name = self._leaves.get(id(value))
+        return np.asarray(value.exact) if name is None else data[name]
+
+
+def _cut(numbers: dict[_Key, Table], chosen: Any) -> dict[_Key, Table]:
+    """Those of chosen variants; a number that is the same for all of them stays."""
+    return {key: table[chosen] if table.ndim else table for key, table in numbers.items()}
+
+
+def _size(data: Numbers) -> int:
+    return next(iter(data.values())).size if data else 1
 
 
 def _is_copy(value: Value) -> bool:
@@ -122,64 +138,15 @@ def _is_copy(value: Value) -> bool:
     return isinstance(item, Value)
 
 
-def _half_unit(value: Value, numbers: Table) -> Table:
-    """Half a unit of the last digit that is kept; nothing for a number that has no more digits."""
+def _half_units(measures: Sequence[str], numbers: Table) -> Table:
+    """Half units of the last digits that are kept, by rows; nothing for a number that has no more digits."""
     size = np.abs(numbers)
     present = (size > 0) & np.isfinite(size)
     safe = np.where(present, size, 1.0)
-    if value.measure == "angle":
-        unit = np.full_like(safe, 2.0 * _HALF_DEGREE_DIGIT)
-    else:
-        unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
+    unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
+    unit[[row for row, measure in enumerate(measures) if measure == "angle"]] = 2.0 * _HALF_DEGREE_DIGIT
     short = np.abs(np.round(safe / unit) * unit - safe) <= 1e-9 * safe
     return np.where(present & ~short, 0.5 * unit, 0.0)
-
-
-_FUNCTIONS: dict[str, Callable[[Table], Table]] = {
-    "cos": lambda x: np.cos(np.radians(x)),
-    "sin": lambda x: np.sin(np.radians(x)),
-    "tan": lambda x: np.tan(np.radians(x)),
-    "arctan": lambda x: np.degrees(np.arctan(x)),
-    "arcsin": lambda x: np.degrees(np.arcsin(np.clip(x, -1.0, 1.0))),
-    "arccos": lambda x: np.degrees(np.arccos(np.clip(x, -1.0, 1.0))),
-}
-
-
-def _number(item: Expression, numbers: dict[int, Table], shape: tuple[int, ...]) -> Table:
-    """An expression on arrays (the like of :meth:`Expression.number`)."""
-    match item:
-        case Value():
-            return numbers[id(item)]
-        case Constant(value):
-            return np.array(value)
-        case Pi():
-            return np.array(np.pi)
-        case Total(terms):
-            return np.asarray(sum(sign * _number(term, numbers, shape) for sign, term in terms))
-        case Times(factors):
-            product = np.array(1.0)
-            for factor in factors:
-                product = product * _number(factor, numbers, shape)
-            return product
-        case Ratio(above, below):
-            return np.asarray(_number(above, numbers, shape) / _number(below, numbers, shape))
-        case Raised(base, exponent):
-            return np.asarray(_number(base, numbers, shape) ** exponent)
-        case SquareRoot(inner):
-            return np.sqrt(np.maximum(_number(inner, numbers, shape), 0.0))
-        case Magnitude(inner):
-            return np.abs(_number(inner, numbers, shape))
-        case Applied(function, argument):
-            return _FUNCTIONS[function](_number(argument, numbers, shape))
-        case LinearSolution(rows, right, index):
-            table = [[np.broadcast_to(_number(c, numbers, shape), shape) for c in row] for row in rows]
-            sides = [np.broadcast_to(_number(c, numbers, shape), shape) for c in right]
-            matrix = np.moveaxis(np.array(table), (0, 1), (-2, -1))
-            try:
-                return np.asarray(np.linalg.solve(matrix, np.stack(sides, axis=-1)[..., None])[..., index, 0])
-            except np.linalg.LinAlgError:
-                return np.full(shape, np.nan)
-    raise TypeError(f"no number of {item!r}")
 
 
 class HandCalculation:
@@ -200,35 +167,30 @@ class HandCalculation:
         ``places`` are the indices of the variants in the batch ``motion``. Infinite where no method leads to an answer.
         """
         found = np.full((len(self._asked), len(variants)), np.inf)
-        units = [quantity.unit(variants[0].family.length_unit) for quantity in self._asked]
-        chosen = list(places)
-        exact = np.array(
-            [
-                [u.from_si(float(value)) for value in q.value(motion)[chosen]]
-                for q, u in zip(self._asked, units, strict=True)
-            ]
-        )
+        length, chosen = variants[0].family.length_unit, list(places)
+        exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
+        data = self._data(variants)
         left = np.arange(len(variants))
         with np.errstate(all="ignore"):
             for worked in self._models():
-                data = self._data([variants[i] for i in left.tolist()])
-                fits = self._leads_to(worked.repeat(data), exact[:, left])
+                own, numbers = _cut(data, left), dict[int, Table]()
+                fits = self._leads_to(worked.in_turn(own, numbers), exact[:, left])
                 if np.any(fits):
-                    found[:, left[fits]] = worked.errors({name: column[fits] for name, column in data.items()})
-                left = left[~fits]
-                if not left.size:
-                    return found
-            for i in map(int, left):
-                found[:, i] = self._alone(variants[i], motion, places[i])
+                    found[:, left[fits]] = worked.errors(_cut(own, fits), _cut(numbers, fits))
+                    left = left[~fits]
+                    if not left.size:
+                        return found
+            for i in left.tolist():
+                found[:, i] = self._alone(variants[i], motion, places[i], _cut(data, slice(i, i + 1)))
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int) -> Table:
+    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers) -> Table:
         """The errors of a variant by its own steps."""
         try:
             worked = Worked(task_of(variant, motion, place, self._asked))
         except LookupError:
             return np.full(len(self._asked), np.inf)
-        return worked.errors(self._data([variant]))[:, 0]
+        return worked.errors(data)[:, 0]
 
     def _models(self) -> Iterator[Worked]:
         """The steps of the model variants, worked out one after the other as they are needed."""
@@ -256,7 +218,7 @@ class HandCalculation:
         except LookupError:
             return None
 
-    def _data(self, variants: Sequence[Variant]) -> dict[str, Table]:
+    def _data(self, variants: Sequence[Variant]) -> Numbers:
         """The printed numbers by parameter, magnitudes of rates as a solution has them."""
         found = {}
         for name, parameter in self._form.parameters.items():
@@ -265,15 +227,19 @@ class HandCalculation:
                 found[name] = np.abs(column) if parameter.is_rate else column
         return found
 
-    def _leads_to(self, answers: Table, exact: Table) -> NDArray[np.bool_]:
-        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,)."""
+    def _leads_to(self, answers: Iterator[Table], exact: Table) -> NDArray[np.bool_]:
+        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,).
+
+        Further answers are not worked out where none is right.
+        """
         good = np.ones(exact.shape[1], dtype=bool)
         for quantity, repeated, number in zip(self._asked, answers, exact, strict=True):
-            if quantity.component == "sense":
-                continue
             if quantity.is_angle:
                 turn = np.abs((repeated - number + 180.0) % 360.0 - 180.0)
                 good &= turn <= np.degrees(_SAME)
-            else:
-                good &= np.abs(np.abs(repeated) - np.abs(number)) <= _SAME * np.abs(number)
+            elif quantity.component != "sense":
+                size = np.abs(number)
+                good &= np.abs(np.abs(repeated) - size) <= _SAME * size
+            if not good.any():
+                break
         return good

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
+    Values,
     motion_screens,
     parameter_screens,
     position_screens,
@@ -25,7 +26,7 @@ from variantgen.variants.screening import (
     verification,
 )
 from variantgen.variants.seeding import Stream, index_below
-from variantgen.variants.variant import Variant
+from variantgen.variants.variant import Variant, solve_variants
 
 MAX_ATTEMPTS = 20_000  # of one student
 MAX_FRIENDLY_ATTEMPTS = 60_000  # where the answers, too, are chosen
@@ -38,8 +39,23 @@ class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
 
 
-# More screens for variants of one form and their motion: flags by name, shape (N,).
-Judge: TypeAlias = Callable[[Sequence[Variant], Sequence[Quantity], Motion], Mapping[str, NDArray[np.bool_]]]
+Flags: TypeAlias = Mapping[str, NDArray[np.bool_]]  # by screen, shape (N,)
+
+
+class Judging(Protocol):
+    """More screens for a batch of attempts at one form, the cheap ones apart from the dear ones."""
+
+    def screens(self) -> Flags:
+        """Of all attempts."""
+        ...
+
+    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> Flags:
+        """Of some of them: the variants at these places of the batch."""
+        ...
+
+
+# Judging of attempts at a form: SI values of their parameters, how they lie on paper, what is asked, their motion.
+Judge: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Judging]
 
 
 @dataclass
@@ -76,13 +92,9 @@ class Attempts:
         )
 
 
-def _rank(owner: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Which attempt of its owner each one is, from 0 on."""
-    order = np.argsort(owner, kind="stable")
-    _, starts, counts = np.unique(owner[order], return_index=True, return_counts=True)
-    rank = np.empty_like(owner)
-    rank[order] = np.arange(owner.size) - np.repeat(starts, counts)
-    return rank
+def _starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where the attempts of each owner begin; attempts are in the order of their owners."""
+    return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))
 
 
 class FormDrawing:
@@ -104,12 +116,22 @@ class FormDrawing:
         self.poses = form.pose.frames()
         self.order = max(q.order for q in self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
-        self._streams: Sequence[Stream] = ()
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
-        """The first valid attempt of each stream after the attempts already used."""
+        """The first valid attempt of each stream after the attempts already used.
+
+        Raises VerificationError if the two computations disagree on one of them.
+        """
+        found = self.first(streams, done)
+        agrees = verification(solve_variants(found, self.order), self.order)
+        if not np.all(agrees):
+            wrong = int(np.flatnonzero(~agrees)[0])
+            raise self._disagreement(found[wrong], streams[wrong])
+        return found
+
+    def first(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
+        """The first attempt of each stream that passes all screens, not yet verified."""
         width = len(self.names) + 1
-        self._streams = streams
         for stream, skipped in zip(streams, done, strict=True):
             stream.words(skipped * width)
         used = np.array(done)
@@ -154,13 +176,16 @@ class FormDrawing:
         """
         promising = self._promising(attempts)
         while promising.owner.size:
-            owners = np.unique(promising.owner).size
-            chosen = np.flatnonzero(_rank(promising.owner) < max(1, min(_AHEAD, _AT_LEAST // owners)))
+            size, starts = promising.owner.size, _starts(promising.owner)
+            rank = np.arange(size) - np.repeat(starts, np.diff(starts, append=size))
+            chosen = np.flatnonzero(rank < max(1, min(_AHEAD, _AT_LEAST // starts.size)))
             heads = promising.take(chosen)
-            good = np.flatnonzero(self._sound(heads))
-            settled, firsts = np.unique(heads.owner[good], return_index=True)
-            for i in good[firsts]:
-                yield self._variant(heads, int(i)), int(heads.owner[i])
+            good = np.flatnonzero(self._conditioned(heads))
+            accepted = self._judged(heads.take(good)) if self.judge else self._firsts(heads.take(good))
+            settled = []
+            for variant, owner in accepted:
+                settled.append(owner)
+                yield variant, owner
             left = ~np.isin(promising.owner, settled)
             left[chosen] = False
             promising = promising.take(np.flatnonzero(left))
@@ -168,7 +193,7 @@ class FormDrawing:
     def valid(self, attempts: Attempts) -> NDArray[np.int64]:
         """Owners of the attempts that pass all screens."""
         promising = self._promising(attempts)
-        return promising.owner[self._sound(promising)] if promising.owner.size else promising.owner
+        return promising.owner[self._conditioned(promising)] if promising.owner.size else promising.owner
 
     def _promising(self, attempts: Attempts) -> Attempts:
         """Attempts that pass the cheap screens, in order."""
@@ -194,40 +219,47 @@ class FormDrawing:
         nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
         return attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
 
-    def _sound(self, attempts: Attempts) -> NDArray[np.bool_]:
-        """Whether the answers are well conditioned. Raises VerificationError if the two computations disagree."""
-        parameters, on_paper = self._si(attempts), self._frame(attempts)
+    def _conditioned(self, attempts: Attempts) -> NDArray[np.bool_]:
+        """Whether the answers are well conditioned."""
         motion = attempts.motion
         assert motion is not None, "only promising attempts come here, and these are solved"
-        gain = sensitivity(self.form, parameters, on_paper, self.asked, motion)
+        gain = sensitivity(self.form, self._si(attempts), self._frame(attempts), self.asked, motion)
         good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
-        self.tally.rejected["answers well conditioned"] += int(np.sum(~good))
-        if self.judge and np.any(good):
-            good &= self._judged(attempts, good)
-        if np.any(good):
-            checked = np.flatnonzero(good)
-            agrees = verification(motion.take(checked), self.order)
-            if not np.all(agrees):
-                raise self._disagreement(attempts, int(checked[np.flatnonzero(~agrees)[0]]))
+        self.tally.rejected["answers well conditioned"] += int(np.count_nonzero(~good))
         return good
 
-    def _judged(self, attempts: Attempts, good: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """What the judge says of the good attempts."""
+    def _firsts(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
+        """The first attempt of each owner."""
+        for place in _starts(attempts.owner).tolist() if attempts.owner.size else []:
+            yield self._variant(attempts, place), int(attempts.owner[place])
+
+    def _judged(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
+        """The first attempt of each owner that passes the judge.
+
+        What is dear to judge is judged one attempt of each owner at a time.
+        """
         assert self.judge is not None
         assert attempts.motion is not None
-        places = np.flatnonzero(good)
-        variants = [self._variant(attempts, int(i)) for i in places]
-        screens = self.judge(variants, self.asked, attempts.motion.take(places))
-        kept = places[self._keep(screens, places.size)]
-        found = np.zeros(good.size, dtype=bool)
-        found[kept] = True
-        return found
+        if not attempts.owner.size:
+            return
+        judging = self.judge(self.form, self._si(attempts), self._frame(attempts), self.asked, attempts.motion)
+        left = self._keep(judging.screens(), attempts.owner.size)
+        while left.size:
+            owner = attempts.owner[left]
+            firsts = _starts(owner)
+            places = left[firsts].tolist()
+            variants = [self._variant(attempts, place) for place in places]
+            passed = self._keep(judging.judge(variants, places), len(places))
+            for i in passed.tolist():
+                yield variants[i], int(owner[firsts[i]])
+            later = ~np.isin(owner, owner[firsts[passed]])
+            later[firsts] = False
+            left = left[later]
 
-    def _disagreement(self, attempts: Attempts, i: int) -> VerificationError:
+    def _disagreement(self, variant: Variant, stream: Stream) -> VerificationError:
         """What to say of a variant on which the two computations disagree: its key and its data."""
-        data = ", ".join(f"{name}={value}" for name, value in self._variant(attempts, i).printed.items())
-        owner = int(attempts.owner[i])
-        key = ", ".join(str(part) for part in self._streams[owner].parts[:-1]) if self._streams else "counted"
+        data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
+        key = ", ".join(str(part) for part in stream.parts[:-1])
         return VerificationError(
             f"{self.family.name}: the solver and the independent computation disagree"
             f" (seed, student, problem: {key}) for {data}"
@@ -236,7 +268,7 @@ class FormDrawing:
     def _keep(self, screens: Mapping[str, NDArray[np.bool_]], size: int) -> NDArray[np.int64]:
         alive = np.ones(size, dtype=bool)
         for name, passed in screens.items():
-            self.tally.rejected[name] += int(np.sum(alive & ~passed))
+            self.tally.rejected[name] += int(np.count_nonzero(alive & ~passed))
             alive &= passed
         return np.flatnonzero(alive)
 

@@ -12,7 +12,7 @@ A key must tell each of these from the right answer.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -25,8 +25,9 @@ from variantgen.mechanism.constructions.circle_circle import CircleCircle
 from variantgen.mechanism.constructions.line_circle import LineCircle
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
-from variantgen.mechanism.rows import Frame
-from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.mechanism.rows import Frame, Speeds
+from variantgen.mechanism.solve import Equations, solve
+from variantgen.variants.screening import repeated
 
 Table = NDArray[np.float64]
 
@@ -39,110 +40,103 @@ def wrong_answers(
 ) -> dict[str, Table]:
     """The answers (SI) by each mistake, shape (answers, N); not a number where it leads to no mechanism."""
     order = max(quantity.order for quantity in asked)
-    found: dict[str, Table] = {}
-    for name, wrong in _mistakes(form, parameters, on_paper, order, motion):
-        values = np.array([quantity.value(wrong) for quantity in asked], dtype=float)
-        found[name] = np.where(wrong.solved, values, np.nan)
-    return found
+    found = _by_accelerations(form, asked, motion) if order == 2 else {}
+    with np.errstate(all="ignore"):
+        return found | _by_positions(form, parameters, on_paper, asked, motion.size)
 
 
 def distances(right: Table, wrong: Table, asked: Sequence[Quantity]) -> Table:
-    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (answers, N).
+    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (..., answers, N).
 
     Infinite where the mistake does not touch an answer, or leads to no mechanism.
     """
-    found = np.full(right.shape, np.inf)
+    found = np.full(wrong.shape, np.inf)
     for i, quantity in enumerate(asked):
         if quantity.component == "sense":
             continue
-        change, size = np.abs(wrong[i] - right[i]), np.abs(right[i])
+        change, size = wrong[..., i, :] - right[i], np.abs(right[i])
         if quantity.is_angle:
-            change, size = np.abs(np.angle(np.exp(1j * (wrong[i] - right[i])))), np.ones_like(size)
+            change, size = np.angle(np.exp(1j * change)), np.ones_like(size)
+        change = np.abs(change)
         safe = np.where(size > 0, size, 1.0)
         with np.errstate(invalid="ignore"):
-            found[i] = np.where(change > _UNCHANGED * size, change / safe, np.inf)
+            found[..., i, :] = np.where(change > _UNCHANGED * size, change / safe, np.inf)
     return found
 
 
-def _mistakes(
-    form: Form, parameters: Mapping[str, Any], on_paper: Frame, order: int, motion: Motion
-) -> Iterator[tuple[str, Motion]]:
-    if order == 2:
-        yield from _mistaken_accelerations(form, motion)
-    yield from _degrees_for_radians(form, parameters, on_paper, order)
-    yield from _other_branches(form, parameters, on_paper, order)
+def _by_accelerations(form: Form, asked: Sequence[Quantity], motion: Motion) -> dict[str, Table]:
+    """Forgotten and reversed terms of accelerations; these are linear in each such term.
 
+    ``without`` has in its rows the accelerations without one term after the other, in the last those that the given
+    ones make alone.
+    """
+    turning = [body for body, omega in motion.omega.items() if np.any(omega != 0)]
+    sliding = sliding_points(motion.scene)
+    terms = [f"normal acceleration of {body}" for body in turning]
+    terms += [f"Coriolis acceleration of {point}" for point in sliding]
+    count = len(terms) + 1
+    v = {name: np.repeat(x[None], count, axis=0) for name, x in motion.v.items()}
+    omega = {body: np.repeat(x[None], count, axis=0) for body, x in motion.omega.items()}
+    for row, body in enumerate(turning):
+        omega[body][row] = 0.0
+    for row, (point, body) in enumerate(sliding.items(), start=len(turning)):
+        # As if it did not slide: its transport velocity.
+        v[point][row] -= relative_motion(motion, point, body).velocity
+    for table in (*v.values(), *omega.values()):
+        table[-1] = 0.0
+    without = Equations(motion, form.plan).accelerated(Speeds(v, omega))
+    # By mistake: the row of ``without``, its share in the sum, and that of the right accelerations.
+    sums = [(row, *shares) for row in range(len(terms)) for shares in ((1.0, 0.0), (2.0, -1.0))]
+    rows, shares, own = map(np.array, zip(*sums, (count - 1, -1.0, 1.0), (count - 1, -2.0, 1.0), strict=True))
 
-def _mistaken_accelerations(form: Form, motion: Motion) -> Iterator[tuple[str, Motion]]:
-    """Forgotten and reversed terms of accelerations; these are linear in each such term."""
+    def mixed(right: Mapping[str, Any], wrong: Mapping[str, Any]) -> dict[str, Any]:
+        return {name: own[:, None] * x + shares[:, None] * wrong[name][rows] for name, x in right.items()}
 
-    def taken(change: Callable[[Motion], Motion]) -> Motion:
-        return add_speeds(motion, form.plan, 2, change)
-
-    for body, omega in motion.omega.items():
-        if np.any(omega != 0):
-            without = taken(lambda m, body=body: replace(m, omega={**m.omega, body: np.zeros(m.size)}))  # type: ignore[misc]
-            yield f"normal acceleration of {body} forgotten", without
-            yield f"normal acceleration of {body} reversed", _combined(motion, without, -1.0, 2.0)
-    for point, body in sliding_points(motion.scene).items():
-        without = taken(lambda m, point=point, body=body: _without_slip(m, point, body))  # type: ignore[misc]
-        yield f"Coriolis acceleration of {point} forgotten", without
-        yield f"Coriolis acceleration of {point} reversed", _combined(motion, without, -1.0, 2.0)
-    driven = taken(_at_rest)
-    yield "given accelerations forgotten", _combined(motion, driven, 1.0, -1.0)
-    yield "given accelerations reversed", _combined(motion, driven, 1.0, -2.0)
-
-
-def _without_slip(motion: Motion, point: str, body: str) -> Motion:
-    """The velocity of a sliding point as if it did not slide: its transport velocity."""
-    relative = relative_motion(motion, point, body)
-    return replace(motion, v={**motion.v, point: motion.v[point] - relative.velocity})
-
-
-def _at_rest(motion: Motion) -> Motion:
-    """No velocities: what is left of accelerations comes from the given ones."""
-    return replace(
-        motion,
-        v={name: np.zeros_like(v) for name, v in motion.v.items()},
-        omega={body: np.zeros_like(omega) for body, omega in motion.omega.items()},
+    wrong = replace(
+        motion, a=mixed(motion.a, without.a), epsilon=mixed(motion.epsilon, without.epsilon), outcome=without.outcome
     )
+    names = [f"{term} {how}" for term in (*terms, "given accelerations") for how in ("forgotten", "reversed")]
+    shape = (len(names), motion.size)
+    answers = np.array([np.broadcast_to(quantity.value(wrong), shape) for quantity in asked], dtype=float)
+    return _told(names, answers, wrong.solved)
 
 
-def _combined(first: Motion, second: Motion, share: float, other: float) -> Motion:
-    """Accelerations as a sum of those of two motions."""
-    return replace(
-        first,
-        a={name: share * a + other * second.a[name] for name, a in first.a.items()},
-        epsilon={body: share * e + other * second.epsilon[body] for body, e in first.epsilon.items()},
-    )
+def _by_positions(
+    form: Form, parameters: Mapping[str, Any], on_paper: Frame, asked: Sequence[Quantity], size: int
+) -> dict[str, Table]:
+    """Degrees for radians, and the other branches, all of them solved as one batch."""
+    degrees = [name for name, p in form.parameters.items() if p.given and p.unit is not None and p.unit.name == "deg"]
+    branches = [name for name, template in form.points.items() if template.component in _BRANCHES]
+    count = len(degrees) + len(branches)
+    if not count:
+        return {}
+    blocks = [slice(k * size, (k + 1) * size) for k in range(count)]
+    numbers, tiled = repeated(parameters, on_paper, size, count)
+    for block, name in zip(blocks, degrees, strict=False):
+        numbers[name][block] *= 180.0 / math.pi
+    values = form.values(numbers)
+    scene = form.scene(values, tiled)
+    points = dict(scene.points)
+    for block, name in zip(blocks[len(degrees) :], branches, strict=True):
+        other, side = np.ones(count * size), _BRANCHES[form.points[name].component]
+        other[block] = -1.0
+        points[name] = replace(points[name], **{side: getattr(points[name], side) * other})  # type: ignore[type-var]
+    wrong = solve(replace(scene, points=points), max(quantity.order for quantity in asked), form.plan)
+    good = wrong.solved
+    for demand in form.demands:
+        good = good & demand.met(values)
+    names = [f"{name} in degrees for radians" for name in degrees] + [
+        f"{name} on the other branch" for name in branches
+    ]
+    answers = np.array([quantity.value(wrong) for quantity in asked], dtype=float)
+    return _told(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
 
 
-def _degrees_for_radians(
-    form: Form, parameters: Mapping[str, Any], on_paper: Frame, order: int
-) -> Iterator[tuple[str, Motion]]:
-    for name, parameter in form.parameters.items():
-        if parameter.given and parameter.unit is not None and parameter.unit.name == "deg":
-            wrong = {**parameters, name: parameters[name] * (180.0 / math.pi)}
-            with np.errstate(all="ignore"):
-                values = form.values(wrong)
-                if not all(np.all(demand.met(values)) for demand in form.demands):
-                    continue
-                yield f"{name} in degrees for radians", solve(form.scene(values, on_paper), order, form.plan)
+# Constructions with two results, and which of their numbers chooses between them.
+_BRANCHES: dict[type, str] = {CircleCircle: "side", LineCircle: "branch"}
 
 
-def _other_branches(
-    form: Form, parameters: Mapping[str, Any], on_paper: Frame, order: int
-) -> Iterator[tuple[str, Motion]]:
-    scene = form.scene(form.values(parameters), on_paper)
-    for name, construction in scene.points.items():
-        match construction:
-            case CircleCircle():
-                other: Any = replace(construction, side=-construction.side)
-            case LineCircle():
-                other = replace(construction, branch=-construction.branch)
-            case _:
-                continue
-        yield (
-            f"{name} on the other branch",
-            solve(replace(scene, points={**scene.points, name: other}), order, form.plan),
-        )
+def _told(names: Sequence[str], answers: Table, good: NDArray[np.bool_]) -> dict[str, Table]:
+    """The answers, shape (answers, mistakes, N), by the names of the mistakes."""
+    told = np.where(good, answers, np.nan)
+    return {name: told[:, k] for k, name in enumerate(names)}

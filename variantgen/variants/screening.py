@@ -63,12 +63,12 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
     low, high = _box(form, motion, values, z)
     size = np.maximum(np.real(high - low), np.imag(high - low))
     safe = np.where(size > 0, size, 1.0)
-    gaps = np.abs(z[:, None] - z[None, :]) / safe
     first, second = np.triu_indices(len(shown), 1)
+    gaps = np.abs(z[first] - z[second]) / safe
     spacing = form.screens.spacing
     found = {
         "assembles": motion.solved,
-        "hinges apart": _at_least(np.min(gaps[first, second], axis=0, initial=np.inf), spacing),
+        "hinges apart": _at_least(np.min(gaps, axis=0, initial=np.inf), spacing),
         "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, spacing),
         "aspect": _at_least(np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect, size),
     }
@@ -149,17 +149,15 @@ def sensitivity(
     """
     moving = [name for name, parameter in form.parameters.items() if parameter.unit is not None]
     moved = _moved_motion(form, parameters, moving, on_paper, asked, motion)
-    total = [np.zeros(motion.size) for _ in asked]
-    for i, quantity in enumerate(asked):
+    silent = np.array([form.parameters[name].silent for name in moving])
+    total = []
+    for quantity in asked:
         base = quantity.value(motion)
-        values = quantity.value(moved).reshape(len(moving), motion.size)
+        change = _change(quantity, quantity.value(moved).reshape(len(moving), motion.size), base)
+        for name in np.array(moving)[silent].tolist():
+            _refuse_silent_influence(name, quantity, change[moving.index(name)], base, motion)
         size = 1.0 if quantity.is_angle else np.where(base == 0, np.inf, np.abs(base))
-        for name, value in zip(moving, values, strict=True):
-            change = _change(quantity, value, base)
-            if form.parameters[name].silent:
-                _refuse_silent_influence(name, quantity, change, base, motion)
-            else:
-                total[i] += (change / size / _STEP) ** 2
+        total.append(np.sum((change[~silent] / size / _STEP) ** 2, axis=0))
     return np.asarray(np.sqrt(np.max(total, axis=0)))
 
 
@@ -173,15 +171,25 @@ def _moved_motion(
 ) -> Motion:
     """The motion with each parameter in turn slightly changed, as one batch: shape (parameters * N,)."""
     count, size = len(moving), motion.size
-    values = {name: np.tile(np.broadcast_to(value, (size,)), count) for name, value in parameters.items()}
+    values, tiled = repeated(parameters, on_paper, size, count)
     for k, name in enumerate(moving):
         unit = form.parameters[name].unit
         pure = unit is not None and unit.dimension == (0, 0)
         values[name][k * size : (k + 1) * size] += _STEP * (1.0 if pure else parameters[name])
-    tiled = Frame(*(np.tile(np.broadcast_to(x, (size,)), count) for x in (on_paper.turn, on_paper.sense)))
     solved = {name: np.tile(motion.frame.unplace(z), count) for name, z in motion.z.items()}
     scene = from_picture(form.scene(form.values(values), tiled), solved)
     return solve(scene, max(q.order for q in asked), form.plan)
+
+
+def repeated(
+    parameters: Values, on_paper: Frame, size: int, count: int
+) -> tuple[dict[str, NDArray[np.float64]], Frame]:
+    """The parameters and poses of N variants so many times over, shape (count * N,)."""
+
+    def over(value: Any) -> NDArray[Any]:
+        return np.tile(np.broadcast_to(value, (size,)), count)
+
+    return {name: over(value) for name, value in parameters.items()}, Frame(over(on_paper.turn), over(on_paper.sense))
 
 
 def _refuse_silent_influence(

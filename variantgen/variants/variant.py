@@ -80,7 +80,8 @@ class Variant:
 
 def columns(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
     """SI values of the parameters of variants of one form, shape (N,) each."""
-    return {name: np.array([v.si(name) for v in variants]) for name in variants[0].form.parameters}
+    parameters = variants[0].form.parameters
+    return {name: p.in_si(v.printed[name] for v in variants) for name, p in parameters.items()}
 
 
 def solve_variants(variants: Sequence[Variant], order: int) -> Motion:
