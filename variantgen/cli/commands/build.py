@@ -17,6 +17,7 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.builder import Built
 
+_SHORT = 1.0  # seconds
 HELP = "build an exam"
 DESCRIPTION = (
     "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
@@ -127,6 +128,7 @@ class _Progress:
     def __init__(self) -> None:
         self._stage = ""
         self._bar: Any = None
+        self._start = time.perf_counter()
 
     def __enter__(self) -> _Progress:
         return self
@@ -136,6 +138,8 @@ class _Progress:
 
     def show(self, stage: str, done: int, total: int) -> None:
         """Show how far a stage is."""
+        if time.perf_counter() - self._start < _SHORT:
+            return  # short work needs no bar, nor the time to load its library
         if stage != self._stage:
             self._end()
             self._stage, self._bar = stage, _bar(stage, done, total)
@@ -157,7 +161,6 @@ def _bar(stage: str, done: int, total: int) -> Any:
         unit=" students",
         file=sys.stderr if live else _Lines(),
         mininterval=0.2 if live else 5.0,
-        delay=0.5 if live else 5.0,
         bar_format="{desc}: {n_fmt} of {total_fmt} |{bar}| {rate_fmt}, {remaining} left"
         if live
         else "{desc}: {n_fmt} of {total_fmt}, {rate_fmt}, {remaining} left",
