@@ -142,7 +142,7 @@ def test_sheets_carry_the_text_of_every_figure(sample: str) -> None:
     data = sheets_data(Content(exam, assemble(exam, numbered(2), exam.seed).sheets))
     with typesetter() as engine:
         made = engine.compile("sheets.typ", data)[0]
-    wanted = [problem["figure"]["alt"] for student in data["students"] for problem in student["problems"]]
+    wanted = [problem["figure"]["alt"].alt for student in data["students"] for problem in student["problems"]]
     assert all(wanted)
     with pikepdf.open(io.BytesIO(made)) as pdf:
         assert figures_of(pdf) == wanted

@@ -6,7 +6,7 @@ import importlib
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem
@@ -46,7 +46,7 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), alt=describe(board, _has_axes(asked)), language=language.name)
+    return replace(finished(board), tell=partial(describe, board, _has_axes(asked)), language=language.name)
 
 
 def finished(board: Board) -> Drawing:

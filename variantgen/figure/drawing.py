@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import cached_property
 from typing import TypeAlias
 
 from variantgen.wording.formula import Formula, Symbol
@@ -105,7 +107,7 @@ class Label:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen.
+    """A finished figure: width and height in u, lines back to front, labels; ``tell`` makes its alternative text.
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper.
@@ -115,8 +117,16 @@ class Drawing:
     height: float
     lines: tuple[Line, ...]
     labels: tuple[Label, ...]
-    alt: str = ""
+    tell: Callable[[], str] = field(default=str, compare=False)
     scale: float = 1.0
     origin: complex = 0j
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
+
+    @cached_property
+    def alt(self) -> str:
+        """What is seen, in words; empty where nothing tells it.
+
+        It is made when it is first asked for: most documents on paper show it to nobody.
+        """
+        return self.tell()

@@ -56,8 +56,9 @@ class Typesetter:
         """
         import typst
 
-        inputs = {"data": _json(data)}
-        if tagged and form == "pdf":
+        told = tagged and form == "pdf"
+        inputs = {"data": _json(data, told)}
+        if told:
             inputs["alternatives"] = _json(alternatives(data))
         try:
             made = typst.compile(
@@ -77,8 +78,13 @@ class Typesetter:
         return [made] if isinstance(made, bytes) else list(made)
 
 
-def _json(data: Any) -> str:
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+def _json(data: Any, told: bool = True) -> str:
+    """The data as text; drawings in it stand for their words, which only documents with tags hold."""
+
+    def words(drawing: Drawing) -> str:
+        return drawing.alt if told else ""
+
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=words)
 
 
 @contextmanager
@@ -100,7 +106,8 @@ def typesetter() -> Iterator[Typesetter]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
 
-    A curve has the kinds of its steps in one string, and the places of all of them one after the other.
+    A curve has the kinds of its steps in one string, and the places of all of them one after the other. The drawing
+    itself stands for its words, which are made when they are needed.
     """
     drawn = curves(drawing.lines)
     points = [point for curve in drawn for _, points in curve.steps for point in points]
@@ -109,7 +116,7 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
-        "alt": drawing.alt,
+        "alt": drawing,
         "curves": [
             [
                 *(c.weight, c.fill, DASHES[c.dash], "".join(kind for kind, _ in c.steps).lower()),

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
@@ -39,7 +41,7 @@ def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
     symbols = variant.form.symbols
     return Statement(
-        _fill(variant, asked, language),
+        _text(_case(variant, asked, language)),
         tuple(given(variant, asked, language)),
         tuple(language.quantity(q, symbols) for q in asked),
     )
@@ -80,7 +82,40 @@ def _given(variant: Variant, name: str, language: Language) -> Equation:
     )
 
 
-def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
+@dataclass(frozen=True)
+class _Case:
+    """All that a text depends on; ``variant`` is one of those that have the same text.
+
+    ``zero`` are the parameters that are zero, ``words`` those of choices, ``speeds`` whether what each driver gives
+    gets faster.
+    """
+
+    form: Form
+    asked: tuple[Quantity, ...]
+    language: Language
+    zero: tuple[str, ...]
+    words: tuple[tuple[str, str], ...]
+    speeds: tuple[bool, ...]
+    variant: Variant = field(compare=False)
+
+
+def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _Case:
+    form = variant.form
+    return _Case(
+        form,
+        tuple(asked),
+        language,
+        tuple(name for name, value in variant.printed.items() if value == 0),
+        tuple((name, variant.word(name)) for name, p in form.parameters.items() if p.words),
+        _speeds(variant),
+        variant,
+    )
+
+
+@lru_cache(maxsize=1000)
+def _text(case: _Case) -> Text:
+    """The filled template: few texts differ, as data are printed beside them."""
+    variant, asked, language = case.variant, case.asked, case.language
     path = template_path(variant, language)
     template = load_template(path)
     formulas: list[Formula] = []
@@ -89,7 +124,7 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
         formulas.append(formula)
         return f"{_OPEN}{len(formulas) - 1}{_CLOSE}"
 
-    context = _context(variant, asked, language)
+    context = _context(case)
     for name in template.variables - context.keys():
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
@@ -133,25 +168,25 @@ def template_path(variant: Variant, language: Language) -> Path:
     return path
 
 
-def _context(variant: Variant, asked: Sequence[Quantity], language: Language) -> dict[str, Any]:
-    form = variant.form
-    context: dict[str, Any] = {name: language.symbol(name, form.symbols) for name in variant.family.names}
+def _context(case: _Case) -> dict[str, Any]:
+    variant, form, asked = case.variant, case.form, case.asked
+    context: dict[str, Any] = {name: case.language.symbol(name, form.symbols) for name in variant.family.names}
     context["form"] = form.name
     context["accelerations"] = any(q.order == 2 for q in asked)
     context["relative"] = any("_" in q.kind for q in asked)
     context["shown"] = shown_points(variant, asked)
-    context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if p.words}
-    context["speeding"] = bool(form.drivers) and _is_speeding(variant, 0)
-    context["speeds"] = [_is_speeding(variant, number) for number in range(len(form.drivers))]
+    context["choice"] = dict(case.words)
+    context["speeding"] = any(case.speeds[:1])
+    context["speeds"] = list(case.speeds)
     context["zero"] = lambda name: variant.printed[name] == 0
     return context
 
 
-def _is_speeding(variant: Variant, number: int) -> bool:
-    """Whether the motion that a driver gives gets faster: its velocity and acceleration have the same sense."""
+def _speeds(variant: Variant) -> tuple[bool, ...]:
+    """Whether the motion that each driver gives gets faster: its velocity and acceleration have the same sense."""
     values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
-    driver = variant.form.drivers[number].build(values)
-    return float(driver.rates(1)[0]) * float(driver.rates(2)[0]) > 0
+    drivers = [template.build(values) for template in variant.form.drivers]
+    return tuple(float(driver.rates(1)[0]) * float(driver.rates(2)[0]) > 0 for driver in drivers)
 
 
 def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:
