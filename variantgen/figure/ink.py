@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -24,8 +25,22 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
         return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    directions = line.start + line.sweep / count * np.arange(count + 1)
-    return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
+    return list(pairwise((line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()))
+
+
+def _directions(start: float, sweep: float, count: int) -> NDArray[np.complex128]:
+    """Unit vectors along an arc, at the ends of its parts."""
+    if start == 0 and sweep == math.tau:
+        return _around(count)
+    result: NDArray[np.complex128] = np.exp(1j * (start + sweep / count * np.arange(count + 1)))
+    return result
+
+
+@cache
+def _around(count: int) -> NDArray[np.complex128]:
+    """Unit vectors around a circle."""
+    result: NDArray[np.complex128] = np.exp(1j * (math.tau / count * np.arange(count + 1)))
+    return result
 
 
 def boxes_crossed(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,10 +90,16 @@ def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
 
 def around(formula: Formula, point: complex, clear: float) -> Request:
     """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
+    return Request(formula, point, point + _offsets(formula, clear), _AROUND_COSTS, clear=clear)
+
+
+@lru_cache(maxsize=1000)
+def _offsets(formula: Formula, clear: float) -> Places:
+    """From a point to the candidates around it."""
     width, height = label_size(formula)
     support = _support((0.5 * width, 0.5 * height), _WAYS)
-    places = point + _WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])
-    return Request(formula, point, places.ravel(), _AROUND_COSTS, clear=clear)
+    found: Places = (_WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])).ravel()
+    return found
 
 
 def far_from(request: Request) -> tuple[Places, Costs]:

@@ -21,7 +21,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure.curves import DASHES, curves
+from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.markup import alternatives, markup
 from variantgen.resources import templates_dir
@@ -109,20 +109,24 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
     A curve has the kinds of its steps in one string, and the places of all of them one after the other. The drawing
     itself stands for its words, which are made when they are needed.
     """
-    drawn = curves(drawing.lines)
-    points = [point for curve in drawn for _, points in curve.steps for point in points]
-    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
+    drawn: list[tuple[Curve, str, int]] = []
+    points: list[complex] = []
+    for curve in curves(drawing.lines):
+        before = len(points)
+        for _, ends in curve.steps:
+            points += ends
+        kinds = "".join([kind for kind, _ in curve.steps]).lower()
+        drawn.append((curve, kinds, 2 * (len(points) - before)))
+    points += [label.at for label in drawing.labels]
+    places = iter(_hundredths(points, drawing.height))
     return {
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing,
         "curves": [
-            [
-                *(c.weight, c.fill, DASHES[c.dash], "".join(kind for kind, _ in c.steps).lower()),
-                list(islice(places, 2 * sum(len(points) for _, points in c.steps))),
-            ]
-            for c in drawn
+            [curve.weight, curve.fill, DASHES[curve.dash], kinds, list(islice(places, count))]
+            for curve, kinds, count in drawn
         ],
         "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }

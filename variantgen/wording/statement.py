@@ -18,7 +18,7 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters
+from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.language import Language
 from variantgen.wording.template import load_template
 
@@ -39,12 +39,8 @@ class Statement:
 
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
-    symbols = variant.form.symbols
-    return Statement(
-        _text(_case(variant, asked, language)),
-        tuple(given(variant, asked, language)),
-        tuple(language.quantity(q, symbols) for q in asked),
-    )
+    case = _case(variant, asked, language)
+    return Statement(_text(case), tuple(_given(case, variant)), _asked(case))
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -68,18 +64,16 @@ def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> li
     The figure shows the sense of rates, so their magnitudes are printed. Accelerations are left out when only
     velocities are asked, angles and lengths of points that are not shown too.
     """
-    return [_given(variant, name, language) for name in given_names(variant, asked)]
+    return _given(_case(variant, asked, language), variant)
 
 
-def _given(variant: Variant, name: str, language: Language) -> Equation:
-    parameter = variant.form.parameters[name]
-    value = variant.printed[name]
-    unit = parameter.unit
-    assert unit is not None
-    shown = abs(value) if parameter.is_rate else value
-    return Equation(
-        language.symbol(parameter.symbol, variant.form.symbols), Measured(language.decimal(shown), language.unit(unit))
-    )
+def _given(case: _Case, variant: Variant) -> list[Equation]:
+    """The data of one of the variants of a case."""
+    return [
+        Equation(symbol, Measured(case.language.decimal(abs(value) if unsigned else value), unit))
+        for name, symbol, unit, unsigned in _data(case)
+        for value in (variant.printed[name],)
+    ]
 
 
 @dataclass(frozen=True)
@@ -110,6 +104,24 @@ def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _C
         _speeds(variant),
         variant,
     )
+
+
+@lru_cache(maxsize=1000)
+def _asked(case: _Case) -> tuple[Formula, ...]:
+    """The symbols of what is asked."""
+    return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
+
+
+@lru_cache(maxsize=1000)
+def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
+    """The parameters that are printed: name, symbol, unit, and whether the figure shows the sign."""
+    found = []
+    for name in given_names(case.variant, case.asked):
+        parameter, language = case.form.parameters[name], case.language
+        assert parameter.unit is not None
+        symbol = language.symbol(parameter.symbol, case.form.symbols)
+        found.append((name, symbol, language.unit(parameter.unit), parameter.is_rate))
+    return tuple(found)
 
 
 @lru_cache(maxsize=1000)
