@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
+from collections import deque
+from collections.abc import Mapping, Sequence
 
 from variantgen.errors import Problem
 
@@ -19,32 +18,61 @@ def triangular_blocks(
     Dulmage-Mendelsohn decomposition of a square system). If the matching is not perfect, ``free`` holds the unknowns
     of the under-determined part and ``surplus`` the equations of the over-determined part, and there are no blocks.
     """
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
-
-    count = len(depends)
-    if not count:
-        return [], set(range(unknown_count)), set()
-    pairs = [(e, u) for e, unknowns in enumerate(depends) for u in sorted(unknowns)]
-    rows, columns = (np.array(side, dtype=np.int32) for side in zip(*pairs, strict=True))
-    graph = csr_array((np.ones(len(pairs)), (rows, columns)), shape=(count, max(unknown_count, 1)))
-    partner = maximum_bipartite_matching(graph, perm_type="column")
-    owner = {int(u): e for e, u in enumerate(partner) if u >= 0}
+    partner = _matching(depends)
+    owner = {u: e for e, u in partner.items()}
     free = _free_part(depends, owner, set(range(unknown_count)) - set(owner))
-    surplus = _surplus_part(depends, owner, {e for e in range(count) if partner[e] < 0})
+    surplus = _surplus_part(depends, owner, set(range(len(depends))) - set(partner))
     if free or surplus:
         return [], free, surplus
     needs = [{owner[u] for u in unknowns} - {e} for e, unknowns in enumerate(depends)]
-    edges = [(e, f) for e, others in enumerate(needs) for f in sorted(others)]
-    matrix = np.zeros((count, count))
-    for e, f in edges:
-        matrix[e, f] = 1.0
-    _, component = connected_components(csr_array(matrix), directed=True, connection="strong")
-    return _ordered(needs, [int(c) for c in component], [int(u) for u in partner]), set(), set()
+    return _ordered(needs, _components(needs), partner), set(), set()
+
+
+# Systems have some tens of equations: to load a library for this would take longer than anything else at the start of
+# the program.
+
+
+def _matching(depends: Sequence[set[int]]) -> dict[int, int]:
+    """As many pairs of an equation and an unknown of it as there can be, by alternating paths; unknowns by equation."""
+    partner: dict[int, int] = {}
+    owner: dict[int, int] = {}
+    for first in range(len(depends)):
+        found: dict[int, int] = {}  # the equation from which a path reaches each unknown
+        front = deque([first])
+        end = None
+        while front and end is None:
+            e = front.popleft()
+            for u in sorted(depends[e] - found.keys()):
+                found[u] = e
+                if u not in owner:
+                    end = u
+                    break
+                front.append(owner[u])
+        while end is not None:
+            e = found[end]
+            before = partner.get(e)
+            partner[e], owner[end] = end, e
+            end = before
+    return partner
+
+
+def _components(needs: Sequence[set[int]]) -> list[int]:
+    """The strongly connected component of each equation, by its first equation."""
+    reached = [_reached(needs, e) for e in range(len(needs))]
+    return [min(f for f in found if e in reached[f]) for e, found in enumerate(reached)]
+
+
+def _reached(needs: Sequence[set[int]], start: int) -> set[int]:
+    """The equations that one needs, directly or through others, and itself."""
+    found, front = {start}, {start}
+    while front:
+        front = set().union(*(needs[e] for e in front)) - found
+        found |= front
+    return found
 
 
 def _ordered(
-    needs: Sequence[set[int]], component: Sequence[int], partner: Sequence[int]
+    needs: Sequence[set[int]], component: Sequence[int], partner: Mapping[int, int]
 ) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
     """Components in an order in which each needs only earlier ones; ties by the number of the equation."""
     members: dict[int, list[int]] = {}
