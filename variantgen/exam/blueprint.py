@@ -147,9 +147,7 @@ def parse_exam(
     return exam
 
 
-def _options(
-    top: Table, formats: Sequence[str], readers: Mapping[str, Callable[[Table], Any]]
-) -> dict[str, Any]:
+def _options(top: Table, formats: Sequence[str], readers: Mapping[str, Callable[[Table], Any]]) -> dict[str, Any]:
     """The options of the wanted formats and of those that have a table."""
     top.expect(*readers)
     return {name: read(top.table(name)) for name, read in readers.items() if name in formats or name in top.data}

@@ -20,7 +20,6 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
-from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.variants.needed import given_names, shown_points
@@ -46,7 +45,15 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), tell=partial(describe, board, _has_axes(asked)), language=language.name)
+    return replace(finished(board), tell=partial(_told, board, _has_axes(asked)), language=language.name)
+
+
+def _told(board: Board, axes: bool) -> str:
+    """What a statement figure shows, in words."""
+    # Here, because most programs draw figures and tell of none.
+    from variantgen.figure.telling.description import describe
+
+    return describe(board, axes)
 
 
 def finished(board: Board) -> Drawing:
