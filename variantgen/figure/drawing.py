@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from variantgen.wording.formula import Formula, Symbol
 
@@ -33,8 +33,11 @@ class Layer(IntEnum):
     LABEL = 8
 
 
-@dataclass(frozen=True)
-class Path:
+# Lines and labels are named tuples, because every figure makes many of them, twice: where they are drawn and where they
+# are on the paper.
+
+
+class Path(NamedTuple):
     """A polyline; ``fill`` is '' (none), 'paper', 'ink' or 'shade', ``dash`` '' or 'dashed' or 'dashdot'."""
 
     points: tuple[complex, ...]
@@ -45,8 +48,7 @@ class Path:
     dash: str = ""
 
 
-@dataclass(frozen=True)
-class Strokes:
+class Strokes(NamedTuple):
     """Many separate straight strokes of one pen (hatching)."""
 
     segments: tuple[tuple[complex, complex], ...]
@@ -54,8 +56,7 @@ class Strokes:
     weight: float = THIN
 
 
-@dataclass(frozen=True)
-class Arc:
+class Arc(NamedTuple):
     """An arc of a circle, counter-clockwise from ``start`` over ``sweep`` (rad); a full turn is a circle."""
 
     centre: complex
@@ -81,19 +82,16 @@ class Arc:
         count = max(1, math.ceil(abs(self.sweep) / (math.pi / 2) - 1e-9))
         step = self.sweep / count
         handle = 4 / 3 * math.tan(step / 4) * self.radius
-        pieces = []
-        for i in range(count):
-            a, b = self.start + i * step, self.start + (i + 1) * step
-            p, q = self.centre + cmath.rect(self.radius, a), self.centre + cmath.rect(self.radius, b)
-            pieces.append((p + handle * 1j * cmath.exp(1j * a), q - handle * 1j * cmath.exp(1j * b), q))
-        return pieces
+        angles = [self.start + i * step for i in range(count + 1)]
+        ends = [self.centre + cmath.rect(self.radius, angle) for angle in angles]
+        ways = [handle * 1j * cmath.exp(1j * angle) for angle in angles]
+        return [(ends[i] + ways[i], ends[i + 1] - ways[i + 1], ends[i + 1]) for i in range(count)]
 
 
 Line: TypeAlias = Path | Strokes | Arc
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(NamedTuple):
     """A formula with its centre at a point; ``size`` (width, height) is what placement counted with.
 
     ``paper`` is what lies behind it: 'paper', or 'shade' on a shaded plate.

@@ -25,7 +25,7 @@ def label_size(formula: Formula) -> tuple[float, float]:
     return LETTER * found.width, LETTER * (found.top - found.bottom)
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Request:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
@@ -47,8 +47,8 @@ class Request:
 
     def __post_init__(self) -> None:
         width, height = label_size(self.formula)
-        object.__setattr__(self, "box", (0.5 * width, 0.5 * height))
-        object.__setattr__(self, "own", (self.anchor, *self.extent))
+        self.box = (0.5 * width, 0.5 * height)
+        self.own = (self.anchor, *self.extent)
 
 
 # Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.

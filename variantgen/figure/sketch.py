@@ -123,6 +123,12 @@ class Sketch:
         """Note that something leaves a point in a direction."""
         self.busy.setdefault(point, []).append(cmath.phase(direction))
 
+    def is_taken(self, point: str, direction: complex, within: float) -> bool:
+        """Whether something leaves a point within an angle (rad) of a direction."""
+        angle = cmath.phase(direction)
+        gaps = ((angle - taken + math.pi) % math.tau - math.pi for taken in self.busy.get(point, ()))
+        return any(abs(gap) <= within for gap in gaps)
+
     def freedom(self, point: str, angles: NDArray[np.float64]) -> NDArray[np.float64]:
         """Angle from each direction to the nearest taken one at a point (rad), shape (A,)."""
         taken = np.array(self.busy.get(point, ()))
@@ -232,7 +238,7 @@ def _extent(line: Line) -> list[complex]:
         return [point for segment in line.segments for point in segment]
     if line.full:
         return [line.centre - line.radius * (1 + 1j), line.centre + line.radius * (1 + 1j)]
-    return [line.at(i / 8) for i in range(9)]
+    return [line.centre + cmath.rect(line.radius, line.start + i / 8 * line.sweep) for i in range(9)]
 
 
 def moved(line: Line, by: complex) -> Line:
