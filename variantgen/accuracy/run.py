@@ -17,6 +17,7 @@ from variantgen.accuracy.measure import Errors, discovered, measure, truths
 from variantgen.accuracy.overtime.compare import Followed, follow
 from variantgen.accuracy.overtime.passage import Passage, passing, turning
 from variantgen.accuracy.precise import DIGITS, mpmath
+from variantgen.errors import ToolMissingError
 from variantgen.version import VERSION
 
 SEED = 20260
@@ -77,8 +78,8 @@ class Measured:
 
 
 def run(extent: Extent, progress: Progress = lambda _: None) -> Measured:
-    """Measure everything. Raises ToolMissingError without mpmath."""
-    mpmath()
+    """Measure everything. Raises ToolMissingError without mpmath and scipy."""
+    measured_on = machine()
     classes = []
     for module in case_modules():
         progress(module.TITLE)
@@ -89,7 +90,7 @@ def run(extent: Extent, progress: Progress = lambda _: None) -> Measured:
     for passage in passages:
         progress(passage.title)
         trips.append(_followed(passage, extent))
-    return Measured(tuple(classes), tuple(trips), machine())
+    return Measured(tuple(classes), tuple(trips), measured_on)
 
 
 def case_modules() -> list[ModuleType]:
@@ -100,9 +101,13 @@ def case_modules() -> list[ModuleType]:
 
 
 def machine() -> dict[str, str]:
-    """Versions and machine."""
-    import scipy
-
+    """Versions and machine. Raises ToolMissingError without mpmath and scipy."""
+    try:
+        import scipy
+    except ImportError:
+        raise ToolMissingError(
+            "the methods to compare with need the package scipy: install it with  pip install 'variantgen[accuracy]'"
+        ) from None
     processor = platform.processor() or platform.machine()
     return {
         "variantgen": VERSION,
