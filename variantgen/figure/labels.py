@@ -128,8 +128,8 @@ def _add_misleading(
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
     """Cost of the lines under or close to the box about each place."""
-    under = occupancy.taken(places, boxes[:, 0] + _TIGHT, boxes[:, 1] + _TIGHT)
-    close = occupancy.taken(places, boxes[:, 0] + GAP, boxes[:, 1] + GAP)
+    both = np.concatenate((boxes + _TIGHT, boxes + GAP))
+    under, close = occupancy.taken(np.concatenate((places, places)), both[:, 0], both[:, 1]).reshape(2, -1)
     result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
     return result
 

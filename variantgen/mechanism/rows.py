@@ -28,11 +28,6 @@ class Frame:
     sense: Real = 1.0
 
     @property
-    def plain(self) -> bool:
-        """Whether everything lies on paper as in the scene, for all variants."""
-        return isinstance(self.turn, float) and isinstance(self.sense, float) and self.turn == self.sense == 1.0
-
-    @property
     def is_plain(self) -> bool:
         """Whether the paper is the scene's own frame, as in a scene that is not laid out."""
         return isinstance(self.turn, float) and isinstance(self.sense, float) and self.turn == self.sense == 1.0
@@ -40,8 +35,6 @@ class Frame:
     def place(self, z: Complex) -> Complex:
         """A point or vector of the scene, on paper."""
         if self.is_plain:
-            return z
-        if self.plain:
             return z
         result: Complex = self.turn * (self.sense * np.real(z) + 1j * np.imag(z))
         return result
