@@ -3,13 +3,12 @@
     python -m benchmarks.floor record FOLDER build EXAM.toml ...     # a build that hands over its input
     python -m benchmarks.floor replay FOLDER RESULT.json             # the engine alone on that input
 
-Every call of ``Typesetter.compile`` is kept with its arguments and played again in the same order with the same parts
-and options. What counts is the CPU of these calls but for writing the data as JSON, which is not the engine's work.
+Every call of the engine is kept with its arguments and played again in the same order, with the same parts and options.
+What counts is the CPU of these calls.
 """
 
 from __future__ import annotations
 
-import gc
 import json
 import os
 import pickle
@@ -23,46 +22,41 @@ from typing import Any
 from benchmarks import processes
 from benchmarks.measure import Clock
 
-JSON = "JSON"
-
 
 def record(folder: Path, arguments: Sequence[str]) -> None:
     """Run a command of the program in this process and keep the arguments of each call of the engine."""
+    import typst
+
     from variantgen.cli import main
-    from variantgen.outputs.typesetter import Typesetter
 
-    compile_ = Typesetter.compile
+    compile_ = typst.compile
 
-    def kept(self: Typesetter, *values: Any, **named: Any) -> Any:
+    def kept(template: Path, root: Path, **named: Any) -> Any:
         # Names in the order of the calls, whichever process makes them.
         with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
-            pickle.dump((values, named), file, pickle.HIGHEST_PROTOCOL)
-        return compile_(self, *values, **named)
+            pickle.dump((Path(template).relative_to(root), named), file, pickle.HIGHEST_PROTOCOL)
+        return compile_(template, root=root, **named)
 
-    Typesetter.compile = kept  # type: ignore[method-assign]
+    typst.compile = kept
     if main(list(arguments)):
         raise SystemExit("the build failed")
     if not any(folder.iterdir()):
-        raise SystemExit(
-            "the build has not called variantgen.outputs.typesetter:Typesetter.compile: see benchmarks/floor.py"
-        )
+        raise SystemExit("the build has not called typst.compile: see benchmarks/floor.py")
 
 
 def replay(folder: Path) -> Clock:
-    """CPU milliseconds of the engine by template, and of writing its data as JSON."""
+    """CPU milliseconds of the engine by template."""
+    import typst
+
     from variantgen.outputs.typesetter import typesetter
 
     clock = Clock()
-    gc.disable()
     with typesetter() as engine:
         for path in sorted(folder.iterdir()):
             with path.open("rb") as file:
-                values, named = pickle.load(file)
-            template, data = [*values, *(named[name] for name in ("template", "data") if name in named)][:2]
-            with clock.measuring(Path(template).stem):
-                engine.compile(*values, **named)
-            with clock.measuring(JSON):
-                json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+                template, named = pickle.load(file)
+            with clock.measuring(template.stem):
+                typst.compile(engine.root / template, root=engine.root, **named)
     return clock
 
 
@@ -79,8 +73,7 @@ class Floor:
             result = Path(name) / "clock.json"
             processes.run([sys.executable, "-m", "benchmarks.floor", "replay", self._folder.name, str(result)])
             clock = json.loads(result.read_text("utf-8"))
-        # The data are written as JSON inside the calls, too.
-        return float(sum(clock.values()) - 2 * clock[JSON]) / 1e3
+        return float(sum(clock.values())) / 1e3
 
     def close(self) -> None:
         """Forget the input."""

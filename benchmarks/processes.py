@@ -56,14 +56,8 @@ def run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> Ra
         if process.returncode:
             said.seek(0)
             raise RuntimeError(f"{' '.join(command)}:\n{said.read().decode(errors='replace')}")
-    main, worker = watch.main or 0.0, watch.worker
-    # The system knows the larger of the two exactly; looking from time to time may miss the last growth.
-    largest = usage.ru_maxrss * 1024 / _MB
-    if worker is None or main >= worker:
-        main = largest
-    else:
-        worker = largest
-    return Ran(wall, usage.ru_utime + usage.ru_stime, main, worker, written)
+    # The largest memory that the system tells with the CPU would count that of this process, which was copied first.
+    return Ran(wall, usage.ru_utime + usage.ru_stime, watch.main or 0.0, watch.worker, written)
 
 
 def least(runs: Sequence[Ran]) -> Ran:

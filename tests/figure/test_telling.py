@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import io
 import math
+import pickle
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -20,6 +21,7 @@ from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
 from variantgen.figure.build import statement_figure
 from variantgen.figure.telling.directions import compass, is_parallel, line, side
+from variantgen.outputs.picture import picture
 from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.typesetter import typesetter
 from variantgen.single import asked_quantities, one_variant
@@ -142,7 +144,7 @@ def test_sheets_carry_the_text_of_every_figure(sample: str) -> None:
     data = sheets_data(Content(exam, assemble(exam, numbered(2), exam.seed).sheets))
     with typesetter() as engine:
         made = engine.compile("sheets.typ", data)[0]
-    wanted = [problem["figure"]["alt"] for student in data["students"] for problem in student["problems"]]
+    wanted = [problem["figure"]["alt"].alt for student in data["students"] for problem in student["problems"]]
     assert all(wanted)
     with pikepdf.open(io.BytesIO(made)) as pdf:
         assert figures_of(pdf) == wanted
@@ -154,3 +156,21 @@ def test_a_single_page_carries_the_text_of_its_figure(tmp_path: Path) -> None:
         [text] = figures_of(pdf)
     assert text.startswith("Состав: ")
     assert text.endswith(".")
+
+
+def test_figures_are_told_in_words_only_where_these_are_shown() -> None:
+    exam = read_exam(exam_path(Path("sample_en")))
+    content = Content(exam, assemble(exam, numbered(1), exam.seed).sheets)
+    data = sheets_data(content)
+    figures = [posed.figure for own in content.posed for posed in own]
+    with typesetter() as engine:
+        engine.compile("sheets.typ", data, tagged=False)
+        assert not any("alt" in vars(figure) for figure in figures)
+        engine.compile("sheets.typ", data)
+    assert all(vars(figure)["alt"] for figure in figures)
+
+
+def test_a_figure_can_be_told_by_another_process() -> None:
+    variant = one_variant("four_bar", seed="1")
+    figure = picture(variant).drawing
+    assert pickle.loads(pickle.dumps(figure)).alt == figure.alt != ""

@@ -7,6 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.errors import InputError
@@ -48,6 +52,33 @@ def test_blocks_of_a_mixed_system() -> None:
     assert blocks == [((0,), (2,)), ((1, 2), (0, 1)), ((3,), (3,))]
     assert not free
     assert not surplus
+
+
+@given(st.integers(1, 9), st.integers(1, 9), st.booleans(), st.integers(0, 2**32 - 1))
+def test_blocks_are_those_of_a_library(equations: int, unknowns: int, sound: bool, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    if sound:
+        unknowns = equations
+    matrix = rng.random((equations, unknowns)) < rng.uniform(0.1, 0.5)
+    if sound:
+        matrix[np.arange(equations), rng.permutation(equations)] = True
+    depends = [set(np.flatnonzero(row).tolist()) for row in matrix]
+    blocks, free, surplus = triangular_blocks(depends, unknowns)
+    partner = maximum_bipartite_matching(csr_array(matrix), perm_type="column")
+    pairs = int(np.sum(partner >= 0))
+    assert bool(free) == (pairs < unknowns)
+    assert bool(surplus) == (pairs < equations)
+    if free or surplus:
+        assert not blocks
+        return
+    order = matrix[:, partner]
+    count, label = connected_components(csr_array(order), directed=True, connection="strong")
+    wanted = [np.flatnonzero(label == number) for number in range(count)]
+    assert {(tuple(group), tuple(sorted(partner[group]))) for group in wanted} == set(blocks)
+    known: set[int] = set()
+    for rows, columns in blocks:
+        known |= set(columns)
+        assert all(depends[row] <= known for row in rows)
 
 
 def test_a_scene_without_sleeve_has_no_relative_unknowns() -> None:

@@ -116,6 +116,8 @@ def _failures(variant: Variant, asked: Sequence[Quantity], language: Language, m
         return [f"{where}: {error}"]
     drawing = statement_figure(variant, motion, place, asked, language)
     found = [f"figure, form {variant.form.name!r}, seed {place}: {fault}" for fault in figure_faults(drawing)]
+    if not drawing.alt:
+        found.append(f"{where}: the figure is not told in words")
     drawn: set[Formula] = {label.formula for label in drawing.labels}
     found += [f"{where}: {fault}" for fault in _false_marks(variant, motion, place)]
     found += [f"{where}: the figure does not show {name}" for name in _unshown(variant, asked, language, drawn)]

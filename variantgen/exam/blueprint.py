@@ -137,7 +137,7 @@ def parse_exam(
         solutions=read_solutions(top.table("solutions"), language),
         notation=_notation(top.table("notation")),
         formats=formats,
-        options={name: reader(top.table(name)) for name, reader in readers.items()},
+        options=_options(top, formats, readers),
         tasks=_tasks(top, folders),
     )
     page.finish()
@@ -145,6 +145,12 @@ def parse_exam(
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
     return exam
+
+
+def _options(top: Table, formats: Sequence[str], readers: Mapping[str, Callable[[Table], Any]]) -> dict[str, Any]:
+    """The options of the wanted formats and of those that have a table."""
+    top.expect(*readers)
+    return {name: read(top.table(name)) for name, read in readers.items() if name in formats or name in top.data}
 
 
 def _check_schema(top: Table) -> None:

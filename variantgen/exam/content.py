@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
-from variantgen.exam.shown import Figures, Shown, view_order
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
@@ -20,9 +20,12 @@ from variantgen.mechanism.motion import Motion
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
-from variantgen.wording.solution.document import SolutionText
-from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
 from variantgen.wording.statement import Statement, statement
+
+# What writes solutions is loaded by the functions that need it: sheets alone do without.
+if TYPE_CHECKING:
+    from variantgen.exam.shown import Shown
+    from variantgen.wording.solution.document import SolutionText
 
 
 @dataclass(frozen=True)
@@ -87,6 +90,8 @@ class Content:
 
     def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: Posed | None) -> Solved:
         """One solution; ``known`` is the problem as it was posed in the same language."""
+        from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
+
         language, explained = self.exam.explained, True
         try:
             text = explain(item.variant, *place, item.asked, language, self.exam.wish(item.task))
@@ -116,6 +121,8 @@ def with_figures(
     ``place`` is the motion of the variant and its index in that batch, ``known`` the problem as it was posed in the
     same language.
     """
+    from variantgen.exam.shown import Figures, view_order
+
     said = known.said if known else statement(variant, asked, language)
     figures = Figures(variant, asked, language, place, known.figure if known else None, text.centres)
     figures.draw(view_order(text))

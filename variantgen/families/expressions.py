@@ -9,6 +9,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -34,7 +36,15 @@ _PURE_FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "acos": lambda x: np.arccos(np.clip(x, -1.0, 1.0)),
     "atan": np.arctan,
 }
-FUNCTIONS = (*_PURE_FUNCTIONS, "sqrt", "abs", "min", "max", "atan2")
+_CALLED: dict[str, Callable[..., Any]] = {
+    **_PURE_FUNCTIONS,
+    "sqrt": lambda x: np.sqrt(np.where(x < 0, 0.0, x)),
+    "abs": np.abs,
+    "min": np.minimum,
+    "max": np.maximum,
+    "atan2": np.arctan2,
+}
+FUNCTIONS = tuple(_CALLED)
 _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: np.add,
     ast.Sub: np.subtract,
@@ -54,11 +64,12 @@ class Expression:
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
+        compute = _compiled(self.tree)
         if isinstance(self.tree, ast.Name | ast.Constant):
-            result: Real = _value(self.tree, values)
-        else:
-            with np.errstate(all="ignore"):
-                result = _value(self.tree, values)
+            plain: Real = compute(values)
+            return plain
+        with np.errstate(all="ignore"):
+            result: Real = compute(values)
         return result
 
     @property
@@ -139,29 +150,30 @@ def _check(node: ast.expr, text: str, names: set[str]) -> None:
             raise _refuse(text, type(node).__name__.lower())
 
 
-def _value(node: ast.expr, values: Mapping[str, Real]) -> Any:
+@lru_cache(maxsize=10_000)
+def _compiled(node: ast.expr) -> Callable[[Mapping[str, Real]], Any]:
+    """A function from SI values to the value of a node; the tree is walked once, not at every value."""
     match node:
         case ast.Constant(value=value):
-            return np.float64(value)  # type: ignore[arg-type]
+            constant: Any = np.float64(value)  # type: ignore[arg-type]
+            return lambda values: constant
+        case ast.Name(id=name) if name in CONSTANTS:
+            constant = CONSTANTS[name][0]
+            return lambda values: constant
         case ast.Name(id=name):
-            return CONSTANTS[name][0] if name in CONSTANTS else values[name]
+            return itemgetter(name)
         case ast.UnaryOp(op=op, operand=operand):
-            inner = _value(operand, values)
-            return -inner if isinstance(op, ast.USub) else inner
+            inner = _compiled(operand)
+            return (lambda values: -inner(values)) if isinstance(op, ast.USub) else inner
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)):
-            return _value(left, values) ** power
+            base = _compiled(left)
+            return lambda values: base(values) ** power
         case ast.BinOp(left=left, op=op, right=right):
-            return _OPERATORS[type(op)](_value(left, values), _value(right, values))
+            join, first, second = _OPERATORS[type(op)], _compiled(left), _compiled(right)
+            return lambda values: join(first(values), second(values))
         case ast.Call(func=ast.Name(id=name), args=args):
-            inputs = [_value(arg, values) for arg in args]
-            if name in _PURE_FUNCTIONS:
-                return _PURE_FUNCTIONS[name](inputs[0])
-            if name == "sqrt":
-                return np.sqrt(np.where(inputs[0] < 0, 0.0, inputs[0]))
-            if name == "abs":
-                return np.abs(inputs[0])
-            joint = {"min": np.minimum, "max": np.maximum, "atan2": np.arctan2}[name]
-            return joint(*inputs)
+            apply, inputs = _CALLED[name], [_compiled(arg) for arg in args]
+            return lambda values: apply(*[value(values) for value in inputs])
     raise TypeError(f"unchecked expression node {node!r}")
 
 
@@ -174,11 +186,11 @@ def _defined(node: ast.expr, values: Mapping[str, Real]) -> Any:
         good = good & _defined(part, values)
     match node:
         case ast.BinOp(op=ast.Div(), right=right):
-            return good & np.not_equal(_value(right, values), 0)
+            return good & np.not_equal(_compiled(right)(values), 0)
         case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
-            return good & np.greater_equal(_value(arg, values), 0)
+            return good & np.greater_equal(_compiled(arg)(values), 0)
         case ast.Call(func=ast.Name(id="asin" | "acos"), args=[arg]):
-            return good & np.less_equal(np.abs(_value(arg, values)), 1 + 1e-12)
+            return good & np.less_equal(np.abs(_compiled(arg)(values)), 1 + 1e-12)
     return good
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from variantgen.families.family import Form
 from variantgen.figure.sketch import Sketch
@@ -36,6 +37,11 @@ class Board:
     def frame(self) -> Frame:
         """How the scene lies on paper."""
         return self.scene.frame
+
+    @cached_property
+    def fixed(self) -> set[str]:
+        """Points that a joint holds in place."""
+        return fixed_points(self.scene)
 
     @property
     def loads(self) -> set[str]:
@@ -107,7 +113,7 @@ class Board:
         That is the pivot, or the middle of a plate that has no fixed point.
         """
         members = self.scene.bodies[body]
-        if body not in self.form.figure.plates or fixed_points(self.scene) & set(members):
+        if body not in self.form.figure.plates or self.fixed & set(members):
             return self.pivot_of(body)
         key = f"middle of {body}"
         self.sketch.at[key] = sum(self.sketch.at[name] for name in members) / len(members)
@@ -115,6 +121,6 @@ class Board:
 
     def pivot_of(self, body: str) -> str:
         """The fixed point of a body, or one whose motion is given, or its first point."""
-        members, fixed = self.scene.bodies[body], fixed_points(self.scene)
+        members = self.scene.bodies[body]
         given = {name for driver in self.scene.drivers for shape in driver.shapes() for name in shape.points}
-        return next((name for known in (fixed, given) for name in members if name in known), members[0])
+        return next((name for known in (self.fixed, given) for name in members if name in known), members[0])

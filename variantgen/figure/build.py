@@ -6,10 +6,11 @@ import importlib
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache, partial
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.family import Form
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
 from variantgen.figure.axes import draw_axes
@@ -19,10 +20,8 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
-from variantgen.figure.telling.description import describe
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
-from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
@@ -46,7 +45,15 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), alt=describe(board, _has_axes(asked)), language=language.name)
+    return replace(finished(board), tell=partial(_told, board, _has_axes(asked)), language=language.name)
+
+
+def _told(board: Board, axes: bool) -> str:
+    """What a statement figure shows, in words."""
+    # Here, because most programs draw figures and tell of none.
+    from variantgen.figure.telling.description import describe
+
+    return describe(board, axes)
 
 
 def finished(board: Board) -> Drawing:
@@ -102,7 +109,8 @@ def _fitted(
     radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
     circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
     scale = kept or size * _scale([z[name] for name in shown], circles)
-    scene = take_scene(motion.scene, index, motion.size)
+    # A figure needs no constructions: where points are is known.
+    scene = take_scene(replace(motion.scene, points={}, conditions=()), index, motion.size)
     given = frozenset(given_names(variant, asked)) if marks else frozenset()
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
@@ -195,27 +203,34 @@ def _draw_points(board: Board, shown: Sequence[str]) -> None:
     """Hinges between links, dots on bodies, and the names."""
     sketch = board.sketch
     for point in shown:
-        owners = [body for body, members in board.form.bodies.items() if point in members]
-        on_disc = all(any(d.body == body for d in board.form.figure.discs) for body in owners)
         if point not in board.clear:
-            if len(owners) > 1 or (on_disc and _is_axle(board, point, owners)):
+            if _joins_links(board.form, point) or _is_axle(board, point):
                 sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
                 board.sized(point, HINGE)
-            elif not _is_free_end(board, point):
+            elif point not in _free_ends(board.form):
                 sketch.circle(sketch.at[point], DOT, Layer.HINGE, fill="ink")
                 board.sized(point, DOT)
         sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
 
 
-def _is_axle(board: Board, point: str, owners: Sequence[str]) -> bool:
+@lru_cache(maxsize=1000)
+def _joins_links(form: Form, point: str) -> bool:
+    """Whether a point belongs to several bodies."""
+    return sum(point in members for members in form.bodies.values()) > 1
+
+
+def _is_axle(board: Board, point: str) -> bool:
     """Whether a disc turns about the point: its centre, unless another point of the disc is its fixed axis."""
-    fixed = fixed_points(board.scene)
-    held = any(name in fixed and name != point for body in owners for name in board.form.bodies[body])
-    return bool(owners) and not held and board.is_disc(point)
+    if not board.is_disc(point):
+        return False
+    owners = board.owners(point)
+    discs = {disc.body for disc in board.form.figure.discs}
+    held = any(name in board.fixed and name != point for body in owners for name in board.form.bodies[body])
+    return bool(owners) and discs.issuperset(owners) and not held
 
 
-def _is_free_end(board: Board, point: str) -> bool:
-    """Whether a point is the end of a bar or the corner of a plate, which needs no dot."""
-    ends = {point for _, *both in board.form.bars for point in both}
-    corners = {point for body in board.form.figure.plates for point in board.form.bodies[body]}
-    return point in ends | corners
+@lru_cache(maxsize=1000)
+def _free_ends(form: Form) -> frozenset[str]:
+    """The points that are ends of bars or corners of plates, which need no dots."""
+    corners = (point for body in form.figure.plates for point in form.bodies[body])
+    return frozenset((*(point for _, *both in form.bars for point in both), *corners))

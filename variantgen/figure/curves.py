@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from variantgen.figure.drawing import Layer, Line, Path, Strokes
 
@@ -14,8 +14,7 @@ DASHES: dict[str, tuple[float, ...]] = {"": (), "dashed": (3.0, 1.8), "dashdot":
 AROUND = 0.15  # of the paper behind a label beyond its box, u
 
 
-@dataclass(frozen=True)
-class Curve:
+class Curve(NamedTuple):
     """Steps M, L, C, Z (places in u) of one pen; see :class:`~variantgen.figure.drawing.Path` for fill and dash."""
 
     layer: Layer

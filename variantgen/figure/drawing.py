@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import TypeAlias
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
 
 from variantgen.wording.formula import Formula, Symbol
 
@@ -31,8 +33,11 @@ class Layer(IntEnum):
     LABEL = 8
 
 
-@dataclass(frozen=True)
-class Path:
+# Lines and labels are named tuples, because every figure makes many of them, twice: where they are drawn and where they
+# are on the paper.
+
+
+class Path(NamedTuple):
     """A polyline; ``fill`` is '' (none), 'paper', 'ink' or 'shade', ``dash`` '' or 'dashed' or 'dashdot'."""
 
     points: tuple[complex, ...]
@@ -43,8 +48,7 @@ class Path:
     dash: str = ""
 
 
-@dataclass(frozen=True)
-class Strokes:
+class Strokes(NamedTuple):
     """Many separate straight strokes of one pen (hatching)."""
 
     segments: tuple[tuple[complex, complex], ...]
@@ -52,8 +56,7 @@ class Strokes:
     weight: float = THIN
 
 
-@dataclass(frozen=True)
-class Arc:
+class Arc(NamedTuple):
     """An arc of a circle, counter-clockwise from ``start`` over ``sweep`` (rad); a full turn is a circle."""
 
     centre: complex
@@ -79,19 +82,16 @@ class Arc:
         count = max(1, math.ceil(abs(self.sweep) / (math.pi / 2) - 1e-9))
         step = self.sweep / count
         handle = 4 / 3 * math.tan(step / 4) * self.radius
-        pieces = []
-        for i in range(count):
-            a, b = self.start + i * step, self.start + (i + 1) * step
-            p, q = self.centre + cmath.rect(self.radius, a), self.centre + cmath.rect(self.radius, b)
-            pieces.append((p + handle * 1j * cmath.exp(1j * a), q - handle * 1j * cmath.exp(1j * b), q))
-        return pieces
+        angles = [self.start + i * step for i in range(count + 1)]
+        ends = [self.centre + cmath.rect(self.radius, angle) for angle in angles]
+        ways = [handle * 1j * cmath.exp(1j * angle) for angle in angles]
+        return [(ends[i] + ways[i], ends[i + 1] - ways[i + 1], ends[i + 1]) for i in range(count)]
 
 
 Line: TypeAlias = Path | Strokes | Arc
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(NamedTuple):
     """A formula with its centre at a point; ``size`` (width, height) is what placement counted with.
 
     ``paper`` is what lies behind it: 'paper', or 'shade' on a shaded plate.
@@ -105,7 +105,7 @@ class Label:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A finished figure: width and height in u, lines back to front, labels; ``alt`` says in words what is seen.
+    """A finished figure: width and height in u, lines back to front, labels; ``tell`` makes its alternative text.
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper.
@@ -115,8 +115,16 @@ class Drawing:
     height: float
     lines: tuple[Line, ...]
     labels: tuple[Label, ...]
-    alt: str = ""
+    tell: Callable[[], str] = field(default=str, compare=False)
     scale: float = 1.0
     origin: complex = 0j
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
+
+    @cached_property
+    def alt(self) -> str:
+        """What is seen, in words; empty where nothing tells it.
+
+        It is made when it is first asked for: most documents on paper show it to nobody.
+        """
+        return self.tell()

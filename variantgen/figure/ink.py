@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import Line, Path, Strokes
 
 Segments = NDArray[np.complex128]
+Spans = NDArray[np.float64]
 Sides = float | NDArray[np.float64]
 _SAGITTA = 0.04  # how far the chords of an arc may stay inside it, u
 
@@ -23,8 +25,22 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
         return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    directions = line.start + line.sweep / count * np.arange(count + 1)
-    return list(pairwise((line.centre + line.radius * np.exp(1j * directions)).tolist()))
+    return list(pairwise((line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()))
+
+
+def _directions(start: float, sweep: float, count: int) -> NDArray[np.complex128]:
+    """Unit vectors along an arc, at the ends of its parts."""
+    if start == 0 and sweep == math.tau:
+        return _around(count)
+    result: NDArray[np.complex128] = np.exp(1j * (start + sweep / count * np.arange(count + 1)))
+    return result
+
+
+@cache
+def _around(count: int) -> NDArray[np.complex128]:
+    """Unit vectors around a circle."""
+    result: NDArray[np.complex128] = np.exp(1j * (math.tau / count * np.arange(count + 1)))
+    return result
 
 
 def boxes_crossed(
@@ -34,8 +50,25 @@ def boxes_crossed(
 
     The half sides are the same for all boxes or arrays of shape (P, 1).
     """
-    middle = 0.5 * (segments[:, 0] + segments[:, 1])[None, :] - places[:, None]
-    result: NDArray[np.int64] = np.sum(crosses(middle, 0.5 * (segments[:, 1] - segments[:, 0]), half_sides), axis=1)
+    return boxes_crossed_by(spans_of(segments), places, half_sides)
+
+
+def spans_of(segments: Segments) -> Spans:
+    """What of segments is compared with boxes: x and y of the middles and of the halves, sizes of these; (6, S)."""
+    middle, half = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
+    return np.array([middle.real, middle.imag, half.real, half.imag, np.abs(half.real), np.abs(half.imag)])
+
+
+def boxes_crossed_by(
+    spans: Spans, places: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
+) -> NDArray[np.int64]:
+    """The same as :func:`boxes_crossed` for segments that are asked again and again."""
+    hx, hy = half_sides
+    x, y, way_x, way_y, dx, dy = spans
+    x, y = x - places.real[:, None], y - places.imag[:, None]
+    crossing = (np.abs(x) <= hx + dx) & (np.abs(y) <= hy + dy)
+    crossing &= np.abs(way_x * y - way_y * x) <= hx * dy + hy * dx
+    result: NDArray[np.int64] = np.add.reduce(crossing, axis=1, dtype=np.int64)
     return result
 
 

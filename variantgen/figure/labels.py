@@ -72,9 +72,10 @@ def place_labels(
     choices = _near_choices(requests, occupancy, strangers)
     for choice in choices:
         choice.taken = int(np.argmin(choice.costs))
-    _settle(choices, _conflicting(choices))
+    first = _conflicting(choices)
+    _settle(choices, first)
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
-    crowded = sorted(worst | set(_conflicting(choices)))
+    crowded = sorted(worst | set(_conflicting(choices) if first else ()))
     if crowded:
         for i in crowded:
             choices[i] = _with_leaders(choices[i], occupancy)
@@ -127,8 +128,8 @@ def _add_misleading(
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
     """Cost of the lines under or close to the box about each place."""
-    under = occupancy.taken(places, boxes[:, 0] + _TIGHT, boxes[:, 1] + _TIGHT)
-    close = occupancy.taken(places, boxes[:, 0] + GAP, boxes[:, 1] + GAP)
+    both = np.concatenate((boxes + _TIGHT, boxes + GAP))
+    under, close = occupancy.taken(np.concatenate((places, places)), both[:, 0], both[:, 1]).reshape(2, -1)
     result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
     return result
 
@@ -145,28 +146,28 @@ def _misleading(
     It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
     """
     points = np.array([p for r in requests for p in r.own] + list(strangers), dtype=complex)
-    belongs = np.repeat(np.arange(len(requests)), [len(r.own) for r in requests])
-    belongs = np.concatenate((belongs, np.full(len(strangers), -1)))
-    arrow = np.array([bool(r.extent) for r in requests])
-    dx, dy = places.real[:, None] - points.real[None, :], places.imag[:, None] - points.imag[None, :]
+    count = [len(r.own) for r in requests]
+    dx, dy = places.real[:, None] - points.real, places.imag[:, None] - points.imag
     squares = dx * dx + dy * dy
     # A stranger at the very place that a label names is no stranger.
-    same = np.abs(points[:, None] - points[None, :]) < 1e-6
-    mine = ((np.arange(len(requests))[:, None] == belongs).astype(float) @ same.astype(float) > 0)[owner]
+    same = np.abs(points[: sum(count), None] - points) < 1e-6
+    mine = np.logical_or.reduceat(same, np.cumsum([0, *count[:-1]]), axis=0)[owner]
     own = np.where(mine, squares, np.inf)
-    own_at = np.argmin(own, axis=1)
+    own_at = own.argmin(axis=1)
     nearest = own[np.arange(len(own)), own_at]
     way = points[own_at] - places
     clear = np.array([r.clear for r in requests])[owner]
     way *= np.maximum(0.0, 1.0 - (clear + _OWN) / np.sqrt(nearest))
     between = places[:, None] + _BETWEEN * way[:, None]
-    thin = np.full(between.size, 0.05)
-    barred = (occupancy.taken(between.ravel(), thin, thin).reshape(between.shape) > 0).any(axis=1)
-    foreign = np.min(squares, axis=1, initial=np.inf, where=~mine)
-    on_arrow = np.concatenate((arrow[belongs[belongs >= 0]], np.zeros(len(strangers), dtype=bool)))
-    foreign_arrow = np.min(squares, axis=1, initial=np.inf, where=~mine & on_arrow[None, :])
-    result: Costs = _STRANGER * (foreign < nearest) + _MISREAD * (arrow[owner] & (foreign_arrow < nearest))
-    return result + _BARRIER * barred
+    barred = np.logical_or.reduce(occupancy.taken(between.ravel(), 0.05, 0.05).reshape(between.shape) > 0, axis=1)
+    foreign = np.where(mine, np.inf, squares)
+    nearer = np.minimum.reduce(foreign, axis=1) < nearest
+    result: Costs = _STRANGER * nearer + _BARRIER * barred
+    arrow = np.array([bool(r.extent) for r in requests])
+    if arrow.any():
+        on_arrow = np.repeat([*arrow, False], [*count, len(strangers)])
+        result += _MISREAD * (arrow[owner] & (np.minimum.reduce(foreign[:, on_arrow], axis=1) < nearest))
+    return result
 
 
 def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
@@ -179,8 +180,7 @@ def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
     steps = places - request.anchor
     start = request.anchor + (request.clear + 0.8) * steps / np.abs(steps)
     samples = start[:, None] + parts[None, :] * (places - start)[:, None]
-    thin = np.full(samples.size, 0.05)
-    cut = occupancy.taken(samples.ravel(), thin, thin).reshape(samples.shape) > 0
+    cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
     crossings = cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1)
     costs = costs + _LEADER + _CUT * crossings + _ink_costs(occupancy, places, boxes)
     return _Choice(
@@ -211,13 +211,12 @@ def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
     """Labels that cover another one or read together with it."""
     centres = np.array([c.place for c in choices])
-    boxes = np.array([c.request.box for c in choices])
-    gap = centres[:, None] - centres[None, :]
-    reach = boxes[:, None, :] + boxes[None, :, :]
-    covers = (np.abs(gap.real) < reach[..., 0] + _TIGHT) & (np.abs(gap.imag) < reach[..., 1] + _TIGHT)
-    covers |= (np.abs(gap.real) < reach[..., 0] + _BESIDE) & (np.abs(gap.imag) < 0.35 * reach[..., 1])
-    np.fill_diagonal(covers, val=False)
-    return [int(i) for i in np.flatnonzero(covers.any(axis=1))]
+    half_width, half_height = np.array([c.request.box for c in choices]).T
+    dx, width = np.abs(centres.real[:, None] - centres.real), half_width[:, None] + half_width
+    dy, height = np.abs(centres.imag[:, None] - centres.imag), half_height[:, None] + half_height
+    covers = (dx < width + _TIGHT) & (dy < height + _TIGHT) | (dx < width + _BESIDE) & (dy < 0.35 * height)
+    found: list[int] = np.flatnonzero(np.add.reduce(covers, axis=1, dtype=np.intp) > 1).tolist()  # each covers itself
+    return found
 
 
 def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:

@@ -38,7 +38,7 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     corner = sketch.at[mark.at]
     rays = [_ray(board, mark.at, name) for name in (mark.start, mark.end)]
     for name, ray in zip((mark.start, mark.end), rays, strict=True):
-        if sketch.freedom(mark.at, np.angle([ray]))[0] > math.radians(2):
+        if not sketch.is_taken(mark.at, ray, math.radians(2)):
             far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
             sketch.path((corner, far), Layer.GROUND, THIN)
             if name in sketch.at:

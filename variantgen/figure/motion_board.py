@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import fields
 from functools import partial
 
 import numpy as np
@@ -19,7 +20,6 @@ from variantgen.figure.symbols import rotation
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Constraint
-from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
@@ -58,7 +58,7 @@ class MotionBoard(Board):
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
         members = self.scene.bodies[body]
-        if fixed_points(self.scene) & set(members) or not any(body == bar for bar, *_ in self.form.bars):
+        if self.fixed & set(members) or not any(body == bar for bar, *_ in self.form.bars):
             return super().centre_of_rotation(body)
         key, (start, end) = f"middle of {body}", (self.sketch.at[name] for name in members[:2])
         self.sketch.at[key] = 0.5 * (start + end)
@@ -134,7 +134,8 @@ def _fitted(
 ) -> Drawing:
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
-        board = MotionBoard(**vars(base(size)))
+        plain = base(size)
+        board = MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
         annotate(board, stretch)
         low, high = board.sketch.corners()
         excess = max((high - low).real, (high - low).imag) / _MOST

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.ink import Segments
+from variantgen.figure.ink import Segments, Sides
 
 CELL = 0.5  # side of a cell, u: below the free space that a label keeps
 _STEP = 0.75  # of samples along a segment, cells: no cell that a segment crosses in the middle is missed
 _EDGE = 2.0  # empty border, u
+_BEYOND = np.array([[0], [1], [0], [1]])  # from the cells of the bounds of a box to those that its sums end with
 
 Places = NDArray[np.complex128]
 Counts = NDArray[np.int64]
@@ -33,22 +34,21 @@ class Occupancy:
         cells = np.zeros((rows, columns), dtype=np.int32)
         points = (_samples(segments) - self._low) / CELL
         cells[points.imag.astype(np.intp) + 1, points.real.astype(np.intp) + 1] = 1
-        np.cumsum(cells, axis=0, out=cells)
-        np.cumsum(cells, axis=1, out=cells)
+        np.add.accumulate(cells, axis=0, out=cells)
+        np.add.accumulate(cells, axis=1, out=cells)
         self._taken = cells
 
-    def taken(self, places: Places, half_width: NDArray[np.float64], half_height: NDArray[np.float64]) -> Counts:
-        """Number of inked cells that the box about each place touches; half sides per place, shape (P,)."""
+    def taken(self, places: Places, half_width: Sides, half_height: Sides) -> Counts:
+        """Number of inked cells that the box about each place touches; half sides for all or per place, shape (P,)."""
         x, y = places.real - self._low.real, places.imag - self._low.imag
-        left, right = self._cell(x - half_width, 1), self._cell(x + half_width, 1, 1)
-        low, high = self._cell(y - half_height, 0), self._cell(y + half_height, 0, 1)
-        sums = self._taken
-        result: Counts = sums[high, right] - sums[low, right] - sums[high, left] + sums[low, left]
+        bounds = np.array([x - half_width, x + half_width, y - half_height, y + half_height])
+        cells = np.floor(bounds * (1 / CELL)).astype(np.intp) + _BEYOND
+        rows, columns = self._taken.shape
+        np.minimum(np.maximum(cells, 0, out=cells), [[columns - 1], [columns - 1], [rows - 1], [rows - 1]], out=cells)
+        left_and_right, low_and_high = cells[:2], cells[2:]
+        sums = self._taken.ravel()[low_and_high[:, None] * columns + left_and_right]
+        result: Counts = sums[1, 1] - sums[0, 1] - sums[1, 0] + sums[0, 0]
         return result
-
-    def _cell(self, x: NDArray[np.float64], axis: int, more: int = 0) -> NDArray[np.intp]:
-        cell = np.floor(x * (1 / CELL)).astype(np.intp) + more
-        return np.minimum(np.maximum(cell, 0), self._taken.shape[axis] - 1)
 
 
 def _samples(segments: Segments) -> Places:

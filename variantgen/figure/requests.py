@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ def label_size(formula: Formula) -> tuple[float, float]:
     return LETTER * found.width, LETTER * (found.top - found.bottom)
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Request:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
@@ -46,8 +47,8 @@ class Request:
 
     def __post_init__(self) -> None:
         width, height = label_size(self.formula)
-        object.__setattr__(self, "box", (0.5 * width, 0.5 * height))
-        object.__setattr__(self, "own", (self.anchor, *self.extent))
+        self.box = (0.5 * width, 0.5 * height)
+        self.own = (self.anchor, *self.extent)
 
 
 # Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.
@@ -89,10 +90,16 @@ def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
 
 def around(formula: Formula, point: complex, clear: float) -> Request:
     """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
+    return Request(formula, point, point + _offsets(formula, clear), _AROUND_COSTS, clear=clear)
+
+
+@lru_cache(maxsize=1000)
+def _offsets(formula: Formula, clear: float) -> Places:
+    """From a point to the candidates around it."""
     width, height = label_size(formula)
     support = _support((0.5 * width, 0.5 * height), _WAYS)
-    places = point + _WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])
-    return Request(formula, point, places.ravel(), _AROUND_COSTS, clear=clear)
+    found: Places = (_WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])).ravel()
+    return found
 
 
 def far_from(request: Request) -> tuple[Places, Costs]:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
-from variantgen.figure.ink import Sides, boxes_crossed, segments_of
+from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
 from variantgen.figure.labels import place_labels
 from variantgen.figure.requests import Request
 from variantgen.wording.formula import Symbol
@@ -40,8 +41,9 @@ class Sketch:
     reach: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
     _corners: list[complex] = field(default_factory=list)
-    _obstacles: list[tuple[complex, complex]] = field(default_factory=list)
+    _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
+    _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
@@ -65,8 +67,9 @@ class Sketch:
             lean = (normal + way) / math.sqrt(2)
         lean *= math.copysign(1.0, (lean * normal.conjugate()).real)
         stroke = lean * _HATCH_DEPTH / (lean * normal.conjugate()).real
-        count = min(_MOST_STROKES, max(2, round((abs(end - start) - 0.6) / _HATCH_STEP)))
-        feet = [start + way * (0.3 + (abs(end - start) - 0.6) * i / count) for i in range(count + 1)]
+        length = abs(end - start) - 0.6
+        count = min(_MOST_STROKES, max(2, round(length / _HATCH_STEP)))
+        feet = [start + way * (0.3 + length * i / count) for i in range(count + 1)]
         first, last = feet[0], feet[-1]
         outline = [
             (first + stroke, last + stroke),
@@ -74,7 +77,7 @@ class Sketch:
             (last, last + stroke),
             (first + stroke / 2, last + stroke / 2),
         ]
-        self._add(Strokes(tuple((foot, foot + stroke) for foot in feet), Layer.GROUND), outline)
+        self._add(Strokes(tuple([(foot, foot + stroke) for foot in feet]), Layer.GROUND), outline)
 
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
         """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
@@ -114,22 +117,31 @@ class Sketch:
         """Draw a line that stands in the way of labels as the ``obstacles`` say."""
         self.lines.append(line)
         self._corners += _extent(line)
-        self._obstacles += obstacles
+        self._obstacles += chain.from_iterable(obstacles)
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
         self.busy.setdefault(point, []).append(cmath.phase(direction))
 
+    def is_taken(self, point: str, direction: complex, within: float) -> bool:
+        """Whether something leaves a point within an angle (rad) of a direction."""
+        angle = cmath.phase(direction)
+        gaps = ((angle - taken + math.pi) % math.tau - math.pi for taken in self.busy.get(point, ()))
+        return any(abs(gap) <= within for gap in gaps)
+
     def freedom(self, point: str, angles: NDArray[np.float64]) -> NDArray[np.float64]:
         """Angle from each direction to the nearest taken one at a point (rad), shape (A,)."""
-        taken = np.array(self.busy.get(point, []))
-        gaps = np.abs(np.remainder(angles[:, None] - taken[None, :] + math.pi, math.tau) - math.pi)
-        result: NDArray[np.float64] = np.min(gaps, axis=1, initial=math.pi)
+        taken = np.array(self.busy.get(point, ()))
+        gaps = np.abs(np.remainder(angles[:, None] - taken + math.pi, math.tau) - math.pi)
+        result: NDArray[np.float64] = np.minimum.reduce(gaps, axis=1, initial=math.pi)
         return result
 
     def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
         """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
-        return boxes_crossed(np.asarray(places), half_sides, self._segments())
+        segments = self._segments()
+        if self._spans.shape[1] != len(segments):
+            self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
+        return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
 
     def circle_crossings(self, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
         """Directions (rad) from a centre in which the lines drawn so far cross circles about it."""
@@ -163,8 +175,8 @@ class Sketch:
         return result
 
     def _segments(self) -> NDArray[np.complex128]:
-        if len(self._known) != len(self._obstacles):
-            new = np.array(self._obstacles[len(self._known) :], dtype=complex).reshape(-1, 2)
+        if self._known.size != len(self._obstacles):
+            new = np.array(self._obstacles[self._known.size :], dtype=complex).reshape(-1, 2)
             self._known = np.concatenate((self._known, new))
         return self._known
 
@@ -186,20 +198,21 @@ class Sketch:
         low, high = _box(corners)
         low, high = low - complex(MARGIN, MARGIN), high + complex(MARGIN, MARGIN)
         ordered = sorted([*self.lines, *leaders], key=lambda line: line.layer)
+        plates = [line.points for line in self.lines if isinstance(line, Path) and line.fill == "shade"]
         return Drawing(
             high.real - low.real,
             high.imag - low.imag,
             tuple(moved(line, -low) for line in ordered),
-            tuple(replace(label, at=label.at - low, paper=self._behind(label)) for label in labels),
+            tuple(Label(x.formula, x.at - low, x.size, _behind(x, plates)) for x in labels),
             scale=self.scale,
             origin=-low,
             beyond=tuple(self.beyond),
         )
 
-    def _behind(self, label: Label) -> str:
-        """What lies behind a label, which stands clear of the outline of a plate: its shade or paper."""
-        plates = (line.points for line in self.lines if isinstance(line, Path) and line.fill == "shade")
-        return "shade" if any(_surrounds(points, label.at) for points in plates) else "paper"
+
+def _behind(label: Label, plates: Sequence[Sequence[complex]]) -> str:
+    """What lies behind a label, which stands clear of the outlines of plates: their shade or paper."""
+    return "shade" if any(_surrounds(corners, label.at) for corners in plates) else "paper"
 
 
 def _surrounds(corners: Sequence[complex], place: complex) -> bool:
@@ -225,13 +238,13 @@ def _extent(line: Line) -> list[complex]:
         return [point for segment in line.segments for point in segment]
     if line.full:
         return [line.centre - line.radius * (1 + 1j), line.centre + line.radius * (1 + 1j)]
-    return [line.at(i / 8) for i in range(9)]
+    return [line.centre + cmath.rect(line.radius, line.start + i / 8 * line.sweep) for i in range(9)]
 
 
 def moved(line: Line, by: complex) -> Line:
     """A line at another place."""
     if isinstance(line, Path):
-        return Path(tuple(p + by for p in line.points), line.layer, line.weight, line.closed, line.fill, line.dash)
+        return Path(tuple([p + by for p in line.points]), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):
-        return Strokes(tuple((p + by, q + by) for p, q in line.segments), line.layer, line.weight)
+        return Strokes(tuple([(p + by, q + by) for p, q in line.segments]), line.layer, line.weight)
     return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)

@@ -22,7 +22,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure.curves import DASHES, curves
+from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.markup import alternatives, markup
 from variantgen.resources import templates_dir
@@ -57,8 +57,9 @@ class Typesetter:
         """
         import typst
 
-        inputs = {"data": _json(data)}
-        if tagged and form == "pdf":
+        told = tagged and form == "pdf"
+        inputs = {"data": _json(data, told)}
+        if told:
             inputs["alternatives"] = _json(alternatives(data))
         try:
             made = typst.compile(
@@ -78,8 +79,13 @@ class Typesetter:
         return [made] if isinstance(made, bytes) else list(made)
 
 
-def _json(data: Any) -> str:
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+def _json(data: Any, told: bool = True) -> str:
+    """The data as text; drawings in it stand for their words, which only documents with tags hold."""
+
+    def words(drawing: Drawing) -> str:
+        return drawing.alt if told else ""
+
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=words)
 
 
 @contextmanager
@@ -100,22 +106,27 @@ def typesetter() -> Iterator[Typesetter]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
 
-    A curve has the kinds of its steps in one string, and the places of all of them one after the other.
+    A curve has the kinds of its steps in one string, and the places of all of them one after the other. The drawing
+    itself stands for its words, which are made when they are needed.
     """
-    drawn = curves(drawing.lines)
-    points = [point for curve in drawn for _, points in curve.steps for point in points]
-    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
+    drawn: list[tuple[Curve, str, int]] = []
+    points: list[complex] = []
+    for curve in curves(drawing.lines):
+        before = len(points)
+        for _, ends in curve.steps:
+            points += ends
+        kinds = "".join([kind for kind, _ in curve.steps]).lower()
+        drawn.append((curve, kinds, 2 * (len(points) - before)))
+    points += [label.at for label in drawing.labels]
+    places = iter(_hundredths(points, drawing.height))
     return {
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
-        "alt": drawing.alt,
+        "alt": drawing,
         "curves": [
-            [
-                *(c.weight, c.fill, DASHES[c.dash], "".join(kind for kind, _ in c.steps).lower()),
-                list(islice(places, 2 * sum(len(points) for _, points in c.steps))),
-            ]
-            for c in drawn
+            [curve.weight, curve.fill, DASHES[curve.dash], kinds, list(islice(places, count))]
+            for curve, kinds, count in drawn
         ],
         "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }

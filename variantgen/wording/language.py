@@ -24,9 +24,9 @@ ANSWER_DIGITS = 4  # significant digits of a printed answer
 _SURE = 12  # digits of a computed value that no order of operations changes
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Language:
-    """Words by table and key; numbers and units in the habits of the language."""
+    """Words by table and key; numbers and units in the habits of the language. There is one of each."""
 
     name: str
     decimal_mark: str

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters
+from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.language import Language
 from variantgen.wording.template import load_template
 
@@ -37,12 +39,8 @@ class Statement:
 
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
-    symbols = variant.form.symbols
-    return Statement(
-        _fill(variant, asked, language),
-        tuple(given(variant, asked, language)),
-        tuple(language.quantity(q, symbols) for q in asked),
-    )
+    case = _case(variant, asked, language)
+    return Statement(_text(case), tuple(_given(case, variant)), _asked(case))
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -66,21 +64,70 @@ def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> li
     The figure shows the sense of rates, so their magnitudes are printed. Accelerations are left out when only
     velocities are asked, angles and lengths of points that are not shown too.
     """
-    return [_given(variant, name, language) for name in given_names(variant, asked)]
+    return _given(_case(variant, asked, language), variant)
 
 
-def _given(variant: Variant, name: str, language: Language) -> Equation:
-    parameter = variant.form.parameters[name]
-    value = variant.printed[name]
-    unit = parameter.unit
-    assert unit is not None
-    shown = abs(value) if parameter.is_rate else value
-    return Equation(
-        language.symbol(parameter.symbol, variant.form.symbols), Measured(language.decimal(shown), language.unit(unit))
+def _given(case: _Case, variant: Variant) -> list[Equation]:
+    """The data of one of the variants of a case."""
+    return [
+        Equation(symbol, Measured(case.language.decimal(abs(value) if unsigned else value), unit))
+        for name, symbol, unit, unsigned in _data(case)
+        for value in (variant.printed[name],)
+    ]
+
+
+@dataclass(frozen=True)
+class _Case:
+    """All that a text depends on; ``variant`` is one of those that have the same text.
+
+    ``zero`` are the parameters that are zero, ``words`` those of choices, ``speeds`` whether what each driver gives
+    gets faster.
+    """
+
+    form: Form
+    asked: tuple[Quantity, ...]
+    language: Language
+    zero: tuple[str, ...]
+    words: tuple[tuple[str, str], ...]
+    speeds: tuple[bool, ...]
+    variant: Variant = field(compare=False)
+
+
+def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _Case:
+    form = variant.form
+    return _Case(
+        form,
+        tuple(asked),
+        language,
+        tuple(name for name, value in variant.printed.items() if value == 0),
+        tuple((name, variant.word(name)) for name, p in form.parameters.items() if p.words),
+        _speeds(variant),
+        variant,
     )
 
 
-def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
+@lru_cache(maxsize=1000)
+def _asked(case: _Case) -> tuple[Formula, ...]:
+    """The symbols of what is asked."""
+    return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
+
+
+@lru_cache(maxsize=1000)
+def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
+    """The parameters that are printed: name, symbol, unit, and whether the figure shows the sign."""
+    found = []
+    for name in given_names(case.variant, case.asked):
+        parameter, language = case.form.parameters[name], case.language
+        assert parameter.unit is not None
+        symbol = language.symbol(parameter.symbol, case.form.symbols)
+        found.append((name, symbol, language.unit(parameter.unit), parameter.is_rate))
+    return tuple(found)
+
+
+@lru_cache(maxsize=1000)
+def _text(case: _Case) -> Text:
+    """The filled template: few texts differ, as data are printed beside them."""
+    variant, asked, language = case.variant, case.asked, case.language
     path = template_path(variant, language)
     template = load_template(path)
     formulas: list[Formula] = []
@@ -89,7 +136,7 @@ def _fill(variant: Variant, asked: Sequence[Quantity], language: Language) -> Te
         formulas.append(formula)
         return f"{_OPEN}{len(formulas) - 1}{_CLOSE}"
 
-    context = _context(variant, asked, language)
+    context = _context(case)
     for name in template.variables - context.keys():
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
@@ -133,25 +180,25 @@ def template_path(variant: Variant, language: Language) -> Path:
     return path
 
 
-def _context(variant: Variant, asked: Sequence[Quantity], language: Language) -> dict[str, Any]:
-    form = variant.form
-    context: dict[str, Any] = {name: language.symbol(name, form.symbols) for name in variant.family.names}
+def _context(case: _Case) -> dict[str, Any]:
+    variant, form, asked = case.variant, case.form, case.asked
+    context: dict[str, Any] = {name: case.language.symbol(name, form.symbols) for name in variant.family.names}
     context["form"] = form.name
     context["accelerations"] = any(q.order == 2 for q in asked)
     context["relative"] = any("_" in q.kind for q in asked)
     context["shown"] = shown_points(variant, asked)
-    context["choice"] = {name: variant.word(name) for name, p in form.parameters.items() if p.words}
-    context["speeding"] = bool(form.drivers) and _is_speeding(variant, 0)
-    context["speeds"] = [_is_speeding(variant, number) for number in range(len(form.drivers))]
+    context["choice"] = dict(case.words)
+    context["speeding"] = any(case.speeds[:1])
+    context["speeds"] = list(case.speeds)
     context["zero"] = lambda name: variant.printed[name] == 0
     return context
 
 
-def _is_speeding(variant: Variant, number: int) -> bool:
-    """Whether the motion that a driver gives gets faster: its velocity and acceleration have the same sense."""
+def _speeds(variant: Variant) -> tuple[bool, ...]:
+    """Whether the motion that each driver gives gets faster: its velocity and acceleration have the same sense."""
     values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
-    driver = variant.form.drivers[number].build(values)
-    return float(driver.rates(1)[0]) * float(driver.rates(2)[0]) > 0
+    drivers = [template.build(values) for template in variant.form.drivers]
+    return tuple(float(driver.rates(1)[0]) * float(driver.rates(2)[0]) > 0 for driver in drivers)
 
 
 def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:

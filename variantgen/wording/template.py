@@ -74,7 +74,7 @@ def load_template(path: Path) -> StatementTemplate:
         if problems:
             raise InputError(problems)
         return StatementTemplate(
-            path, environment.from_string(source), frozenset(jinja2.meta.find_undeclared_variables(tree))
+            path, environment.from_string(tree), frozenset(jinja2.meta.find_undeclared_variables(tree))
         )
     except jinja2.TemplateSyntaxError as error:
         raise InputError(

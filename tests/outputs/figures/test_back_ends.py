@@ -74,16 +74,16 @@ def test_svg_has_every_line_and_letter_in_its_place(drawn: Picture) -> None:
 
 def test_figures_of_one_page_do_not_clash() -> None:
     figures = [picture(one_variant("four_bar", seed=seed)).drawing for seed in ("1", "2", "3")]
-    texts = [svg(Drawing(f.width, f.height, f.lines, f.labels, alt="same words"), "Title") for f in figures]
+    texts = [svg(Drawing(f.width, f.height, f.lines, f.labels, tell=lambda: "words"), "Title") for f in figures]
     names = [name for text in texts for name in re.findall(r'id="([^"]*)"', text)]
     assert len(names) == len(set(names)) == 6
     again = figures[0]
-    assert texts[0] == svg(Drawing(again.width, again.height, again.lines, again.labels, alt="same words"), "Title")
+    assert texts[0] == svg(Drawing(again.width, again.height, again.lines, again.labels, tell=lambda: "words"), "Title")
 
 
 def test_words_of_an_svg_are_text() -> None:
     drawing = picture(one_variant("four_bar")).drawing
-    text = svg(Drawing(drawing.width, drawing.height, drawing.lines, drawing.labels, alt='<script> & "words"'))
+    text = svg(Drawing(drawing.width, drawing.height, drawing.lines, drawing.labels, tell=lambda: '<script> & "words"'))
     description = ET.fromstring(text).find("{http://www.w3.org/2000/svg}desc")
     assert description is not None
     assert description.text == '<script> & "words"'
@@ -174,7 +174,7 @@ def test_a_tex_file_is_one_page_of_the_size_of_the_figure(
 
 
 def test_every_ending_writes_its_format(tmp_path: Path) -> None:
-    drawing = replace(picture(one_variant("slider_crank")).drawing, alt="A figure.")
+    drawing = replace(picture(one_variant("slider_crank")).drawing, tell=lambda: "A figure.")
     heads = {
         ".svg": b"<?xml",
         ".png": b"\x89PNG",

@@ -15,7 +15,12 @@ from variantgen.mechanism.joints.pivot import Pivot
 SEEKS_ROOM = True
 _HEIGHT, _HALF_LEGS, _HALF_BASE = 4.0, 2.4, 3.7
 # Down first: that is where a base is expected.
-_SIDES = (-math.pi / 2, math.pi / 2, math.pi, 0.0)
+_SIDES = np.array([-math.pi / 2, math.pi / 2, math.pi, 0.0])
+_DOWN = np.exp(1j * _SIDES)
+# Half sides of the box about the base on each side.
+_DEPTH, _HALF = _HEIGHT + 1.7, _HALF_BASE + 1.0
+_UPRIGHT = (np.abs(_DOWN.imag) > 0.5)[:, None]
+_BOXES = (np.where(_UPRIGHT, _HALF, 0.5 * _DEPTH), np.where(_UPRIGHT, 0.5 * _DEPTH, _HALF))
 
 
 def draw(board: Board, joint: Pivot) -> None:
@@ -41,10 +46,6 @@ def draw(board: Board, joint: Pivot) -> None:
 def _roomiest_side(board: Board, point: str) -> float:
     """The side on which the base covers least of what is drawn already and is far from the links at the hinge."""
     sketch = board.sketch
-    depth, half = _HEIGHT + 1.7, _HALF_BASE + 1.0
-    down = np.exp(1j * np.array(_SIDES))
-    upright = (np.abs(down.imag) > 0.5)[:, None]
-    sides = (np.where(upright, half, 0.5 * depth), np.where(upright, 0.5 * depth, half))
-    covered = sketch.crossings(sketch.at[point] + (HINGE + 0.5 * depth) * down, sides)
-    close = np.maximum(0.0, math.radians(58) - sketch.freedom(point, np.array(_SIDES)))
-    return _SIDES[int(np.argmin(2.0 * covered + 6.0 * close))]
+    covered = sketch.crossings(sketch.at[point] + (HINGE + 0.5 * _DEPTH) * _DOWN, _BOXES)
+    close = np.maximum(0.0, math.radians(58) - sketch.freedom(point, _SIDES))
+    return float(_SIDES[(2.0 * covered + 6.0 * close).argmin()])

@@ -30,6 +30,7 @@ _MOST_RADII = 4
 _ROOM = math.radians(40)  # from an arc to the nearest link at its pivot
 _ANGLES = np.radians(np.arange(0, 360, 15))
 _WAYS = np.exp(1j * _ANGLES)
+_ACROSS, _ALONG = np.abs(_WAYS.real), np.abs(_WAYS.imag)
 # Above first: ties go to the place where a reader expects the arc.
 _ANGLE_COSTS = 0.6 * (1 - np.sin(_ANGLES)) + 0.05 * np.abs(np.cos(_ANGLES)) + 0.001 * np.arange(_ANGLES.size)
 # Costs of a line that crosses an arc, of one under its letters, of a link close by, of the other arc or one of another
@@ -106,7 +107,7 @@ def _roomiest_direction(
     sketch = board.sketch
     centre = sketch.at[pivot]
     half_width, half_height = (0.5 * side for side in label_size(formula))
-    places = centre + _WAYS * (radius + 1.0 + half_width * np.abs(_WAYS.real) + half_height * np.abs(_WAYS.imag))
+    places = centre + _WAYS * (radius + 1.0 + half_width * _ACROSS + half_height * _ALONG)
     middles = centre + _WAYS * radius
     costs = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
     for other in taken:
@@ -127,29 +128,29 @@ def _crossed(board: Board, centre: complex, radius: float) -> NDArray[np.float64
     circles = np.array([radius - _MARGIN, radius + _MARGIN])
     # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
     along = board.sketch.corners_near_circle(centre, radius, _MARGIN)
-    direction = np.append(board.sketch.circle_crossings(centre, circles), along)
+    direction = np.concatenate((board.sketch.circle_crossings(centre, circles), along))
     gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    met = np.sum(gaps < 0.5 * _sweep(radius) + _MARGIN / radius, axis=1)
+    met = np.add.reduce(gaps < 0.5 * _sweep(radius) + _MARGIN / radius, axis=1, dtype=np.int64)
     result: NDArray[np.float64] = np.minimum(met, 5).astype(float)
     return result
 
 
-def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_]:
+def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_] | bool:
     """Which places lie on discs about other points, or close to them."""
-    found = np.zeros(len(places), dtype=bool)
+    found: NDArray[np.bool_] | bool = False
     for disc in board.form.figure.discs:
         other = board.sketch.at[disc.centre]
         radius = max(board.discs.get(disc.body, [0.0])) + _OFF_RIM[0]
         if abs(other - centre) > radius:
-            found |= np.abs(places - other) < radius
+            found = found | (np.abs(places - other) < radius)
     return found
 
 
-def _near_other_arcs(board: Board, places: NDArray[Any], middles: NDArray[Any]) -> NDArray[np.float64]:
+def _near_other_arcs(board: Board, places: NDArray[Any], middles: NDArray[Any]) -> NDArray[np.float64] | float:
     """How close letters (and, half as bad, arcs) are to arcs of rotation drawn before: 1 on such an arc, 0 far away."""
     arcs = [line for line in board.sketch.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
     if not arcs:
-        return np.zeros(len(places))
+        return 0.0
     seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.5, 1.0)])
     near = [
         np.maximum(0.0, 1.0 - np.min(np.abs(every[:, None] - seen), axis=1) / _STRANGE) for every in (places, middles)

@@ -16,9 +16,9 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import Any, Protocol, cast
 
@@ -104,11 +104,31 @@ class Format(Protocol):
         """The files in the output folder."""
 
 
+class _Formats(Mapping[str, Format]):
+    """Modules by name, each loaded when it is asked for: a build needs few of them."""
+
+    def __init__(self) -> None:
+        self._names = sorted(info.name for info in pkgutil.iter_modules(__path__))
+
+    def __getitem__(self, name: str) -> Format:
+        if name not in self._names:
+            raise KeyError(name)
+        return cast(Format, importlib.import_module(f"{__name__}.{name}"))
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
 @cache
-def formats() -> dict[str, Format]:
+def formats() -> Mapping[str, Format]:
     """All formats by name."""
-    names = sorted(info.name for info in pkgutil.iter_modules(__path__))
-    return {name: cast(Format, importlib.import_module(f"{__name__}.{name}")) for name in names}
+    return _Formats()
 
 
 def chosen(names: Sequence[str], key: str = "formats") -> tuple[str, ...]:
@@ -121,23 +141,47 @@ def chosen(names: Sequence[str], key: str = "formats") -> tuple[str, ...]:
     return tuple(sorted(set(names)))
 
 
-def known_files() -> tuple[str, ...]:
+class _KnownFiles(Collection[str]):
+    """Names of files that are found out when they are asked for: only an output that is replaced is looked into."""
+
+    @cached_property
+    def _names(self) -> tuple[str, ...]:
+        return (*COMMON, *(name for module in formats().values() for name in module.FILES))
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
+def known_files() -> Collection[str]:
     """Names and patterns of all files that a build may have made."""
-    return (*COMMON, *(name for module in formats().values() for name in module.FILES))
+    return _KnownFiles()
 
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     """Read and check an exam file with the options of all formats. Raises InputError with every problem found."""
-    return blueprint.read_exam(path, folders, chosen, {name: module.read_options for name, module in formats().items()})
+    return blueprint.read_exam(path, folders, chosen, _readers())
 
 
 def parse_exam(text: str, path: Path, folders: tuple[Path, ...]) -> Exam:
     """The exam of the text of a file, as :func:`read_exam`; ``path`` is named in messages."""
-    readers = {name: module.read_options for name, module in formats().items()}
-    return blueprint.parse_exam(text, path, folders, chosen, readers)
+    return blueprint.parse_exam(text, path, folders, chosen, _readers())
+
+
+def _readers() -> dict[str, Callable[[Table], Any]]:
+    return {name: partial(_read_options, name) for name in formats()}
+
+
+def _read_options(name: str, table: Table) -> Any:
+    return formats()[name].read_options(table)
 
 
 def options(exam: Exam, name: str) -> Any:
     """The options of a format; those of an exam file without a table for it if none were read."""
     found = exam.options.get(name)
-    return formats()[name].read_options(Table({}, name, [])) if found is None else found
+    return _read_options(name, Table({}, name, [])) if found is None else found

@@ -16,7 +16,6 @@ from variantgen.outputs.formats import Part, Piece, Whole, options
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
 from variantgen.outputs.sheet_data import group_text, sheets_data
-from variantgen.outputs.solution_data import solutions_data
 
 __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
 
@@ -42,6 +41,8 @@ def make(part: Part) -> Iterator[Piece]:
         yield _piece(part, "sheets", document, chosen.for_students)
     if not part.exam.solutions.wanted:
         return
+    from variantgen.outputs.solution_data import solutions_data
+
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.
     for number in range(len(part.sheets)):

@@ -114,7 +114,7 @@ def _drawn(shown: Shown, style: Style) -> str:
     width = shown.drawing.width * shown.unit
     if style.captioned is None:
         drawing = shown.drawing
-        return style.figure(drawing if drawing.alt else replace(drawing, alt=plain_text(shown.caption)), width)
+        return style.figure(drawing if drawing.alt else replace(drawing, tell=lambda: plain_text(shown.caption)), width)
     return style.captioned(shown.drawing, width, plain_text(shown.caption))
 
 
