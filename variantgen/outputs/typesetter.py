@@ -14,19 +14,25 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import islice
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure.curves import DASHES, curves
+from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.markup import alternatives, markup
+from variantgen.outputs.set_formulas import set_formulas
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, Surd
 
+if TYPE_CHECKING:
+    import typst
+
+_STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -54,19 +60,15 @@ class Typesetter:
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
         those of PDF that it conforms to.
         """
-        import typst
-
-        inputs = {"data": _json(data)}
-        if tagged and form == "pdf":
-            inputs["alternatives"] = _json(alternatives(data))
+        inputs = {"data": _json(data), "form": form}
+        if form == "pdf":
+            known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
+            inputs.update((name, _json(found)) for name, found in known.items())
         try:
-            made = typst.compile(
+            made = _compiler(self.root).compile(
                 self.root / template,
-                root=self.root,
                 format=form,
                 ppi=ppi,
-                font_paths=[],
-                ignore_system_fonts=True,
                 sys_inputs=inputs,
                 timestamp=_EPOCH,
                 pdf_standards=cast(Any, list(standards)),
@@ -74,7 +76,15 @@ class Typesetter:
             )
         except RuntimeError as error:
             raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
-        return [made] if isinstance(made, bytes) else list(made)
+        return [made] if isinstance(made, bytes) else list(made or ())
+
+
+@lru_cache(maxsize=1)
+def _compiler(root: Path) -> typst.Compiler:
+    """The engine for a folder; it reads its fonts when it is made."""
+    import typst
+
+    return typst.Compiler(root=root, font_paths=[], ignore_system_fonts=True)
 
 
 def _json(data: Any) -> str:
@@ -100,7 +110,7 @@ def typesetter() -> Iterator[Typesetter]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
 
-    A curve has the kinds of its steps in one string, and the places of all of them one after the other.
+    A curve is weight, fill, dashes and the path, as SVG writes it.
     """
     drawn = curves(drawing.lines)
     points = [point for curve in drawn for _, points in curve.steps for point in points]
@@ -110,15 +120,15 @@ def figure_data(drawing: Drawing) -> dict[str, Any]:
         "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing.alt,
-        "curves": [
-            [
-                *(c.weight, c.fill, DASHES[c.dash], "".join(kind for kind, _ in c.steps).lower()),
-                list(islice(places, 2 * sum(len(points) for _, points in c.steps))),
-            ]
-            for c in drawn
-        ],
+        "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
         "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }
+
+
+def _path(curve: Curve, places: Iterator[int]) -> str:
+    """The steps of a curve with the next places."""
+    form = "".join([_STEPS[kind] for kind, _ in curve.steps])
+    return form % tuple(islice(places, form.count("%")))
 
 
 def _hundredths(points: Sequence[complex], height: float) -> list[int]:
