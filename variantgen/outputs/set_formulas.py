@@ -15,8 +15,9 @@ from variantgen.figure.glyphs import kerning
 from variantgen.figure.lettering import Lettering, Placed, typeset
 from variantgen.outputs.markup import marked
 from variantgen.wording.formula import About, Formula, Listing, Symbol, UnitText, to_plain
+from variantgen.wording.formula.tree import ANGLE
 
-# Others are left to the engine: some of them may be broken into lines, for some the table has no letters.
+# Others are left to the engine: some of them may be broken into lines, for some figures have no letters.
 _SET = (Symbol, UnitText, About)
 
 _DIGITS = 4
@@ -34,7 +35,7 @@ def set_formulas(data: Any) -> dict[str, Any]:
 
 @lru_cache(maxsize=10_000)
 def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Piece, ...]] | None:
-    if not all(isinstance(formula, _SET) for formula in formulas):
+    if not all(map(_is_set, formulas)):
         return None
     whole = formulas[0] if len(formulas) == 1 else Listing(formulas)
     found = typeset(whole)
@@ -42,6 +43,10 @@ def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Piec
     if "".join(piece[-1] for piece in pieces).count(_UNKNOWN) != to_plain(whole).count(_UNKNOWN):
         return None
     return round(found.width, _DIGITS), round(found.bottom, _DIGITS), round(found.top, _DIGITS), pieces
+
+
+def _is_set(formula: Formula) -> bool:
+    return isinstance(formula, _SET) and not (isinstance(formula, Symbol) and formula.base.startswith(ANGLE))
 
 
 def _pieces(lettering: Lettering) -> tuple[Piece, ...]:
