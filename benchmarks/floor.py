@@ -29,19 +29,26 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
 
     from variantgen.cli import main
 
-    compile_ = typst.compile
+    engine = typst.Compiler
 
-    def kept(template: Path, root: Path, **named: Any) -> Any:
-        # Names in the order of the calls, whichever process makes them.
-        with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
-            pickle.dump((Path(template).relative_to(root), named), file, pickle.HIGHEST_PROTOCOL)
-        return compile_(template, root=root, **named)
+    class Recorded:
+        """The engine, which notes what it is given."""
 
-    typst.compile = kept
+        def __init__(self, root: Path, **made: Any) -> None:
+            self._root, self._made, self._engine = root, made, engine(root=root, **made)
+
+        def compile(self, template: Path, **named: Any) -> Any:
+            # Names in the order of the calls, whichever process makes them.
+            with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
+                call = (Path(template).relative_to(self._root), self._made, named)
+                pickle.dump(call, file, pickle.HIGHEST_PROTOCOL)
+            return self._engine.compile(template, **named)
+
+    typst.Compiler = Recorded
     if main(list(arguments)):
         raise SystemExit("the build failed")
     if not any(folder.iterdir()):
-        raise SystemExit("the build has not called typst.compile: see benchmarks/floor.py")
+        raise SystemExit("the build has not called typst.Compiler.compile: see benchmarks/floor.py")
 
 
 def replay(folder: Path) -> Clock:
@@ -51,12 +58,14 @@ def replay(folder: Path) -> Clock:
     from variantgen.outputs.typesetter import typesetter
 
     clock = Clock()
+    made: Any = None
     with typesetter() as engine:
         for path in sorted(folder.iterdir()):
             with path.open("rb") as file:
-                template, named = pickle.load(file)
+                template, options, named = pickle.load(file)
             with clock.measuring(template.stem):
-                typst.compile(engine.root / template, root=engine.root, **named)
+                made = made or typst.Compiler(root=engine.root, **options)
+                made.compile(engine.root / template, **named)
     return clock
 
 

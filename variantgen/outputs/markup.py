@@ -5,7 +5,6 @@ Tagged documents have the plain text beside the markup, for programs that read a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -45,14 +44,19 @@ def heading(symbol: Formula, unit: UnitText) -> Markup:
 
 def alternatives(data: Any) -> dict[str, str]:
     """All markup in the data of a document, with the plain text of each."""
-    return {str(found): found.plain for found in _marked(data)}
+    return {str(found): found.plain for found in marked(data)}
 
 
-def _marked(data: Any) -> Iterator[Markup]:
-    if isinstance(data, Markup):
-        yield data
-    elif isinstance(data, Mapping):
-        yield from _marked(data.values())
-    elif isinstance(data, Iterable) and not isinstance(data, str):
-        for item in data:
-            yield from _marked(item)
+def marked(data: Any) -> list[Markup]:
+    """All markup in the data of a document, each once."""
+    found: dict[Markup, None] = {}
+    waiting: list[Any] = [data]
+    while waiting:
+        item = waiting.pop()
+        if isinstance(item, Markup):
+            found[item] = None
+        elif isinstance(item, dict):
+            waiting.extend(item.values())
+        elif isinstance(item, list | tuple):
+            waiting.extend(item)
+    return list(found)

@@ -15,9 +15,10 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import islice
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
@@ -25,9 +26,14 @@ from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.markup import alternatives, markup
+from variantgen.outputs.set_formulas import set_formulas
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, Surd
 
+if TYPE_CHECKING:
+    import typst
+
+_STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -55,20 +61,16 @@ class Typesetter:
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
         those of PDF that it conforms to.
         """
-        import typst
-
         told = tagged and form == "pdf"
-        inputs = {"data": _json(data, told)}
-        if told:
-            inputs["alternatives"] = _json(alternatives(data))
+        inputs = {"data": _json(data, told), "form": form}
+        if form == "pdf":
+            known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
+            inputs.update((name, _json(found)) for name, found in known.items())
         try:
-            made = typst.compile(
+            made = _compiler(self.root).compile(
                 self.root / template,
-                root=self.root,
                 format=form,
                 ppi=ppi,
-                font_paths=[],
-                ignore_system_fonts=True,
                 sys_inputs=inputs,
                 timestamp=_EPOCH,
                 pdf_standards=cast(Any, list(standards)),
@@ -76,7 +78,15 @@ class Typesetter:
             )
         except RuntimeError as error:
             raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
-        return [made] if isinstance(made, bytes) else list(made)
+        return [made] if isinstance(made, bytes) else list(made or ())
+
+
+@lru_cache(maxsize=1)
+def _compiler(root: Path) -> typst.Compiler:
+    """The engine for a folder; it reads its fonts when it is made."""
+    import typst
+
+    return typst.Compiler(root=root, font_paths=[], ignore_system_fonts=True)
 
 
 def _json(data: Any, told: bool = True) -> str:
@@ -106,30 +116,26 @@ def typesetter() -> Iterator[Typesetter]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
 
-    A curve has the kinds of its steps in one string, and the places of all of them one after the other. The drawing
-    itself stands for its words, which are made when they are needed.
+    A curve is weight, fill, dashes and the path, as SVG writes it. The drawing itself stands for its words, which are
+    made when they are needed.
     """
-    drawn: list[tuple[Curve, str, int]] = []
-    points: list[complex] = []
-    for curve in curves(drawing.lines):
-        before = len(points)
-        for _, ends in curve.steps:
-            points += ends
-        kinds = "".join([kind for kind, _ in curve.steps]).lower()
-        drawn.append((curve, kinds, 2 * (len(points) - before)))
-    points += [label.at for label in drawing.labels]
-    places = iter(_hundredths(points, drawing.height))
+    drawn = curves(drawing.lines)
+    points = [point for curve in drawn for _, ends in curve.steps for point in ends]
+    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
     return {
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing,
-        "curves": [
-            [curve.weight, curve.fill, DASHES[curve.dash], kinds, list(islice(places, count))]
-            for curve, kinds, count in drawn
-        ],
+        "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
         "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
     }
+
+
+def _path(curve: Curve, places: Iterator[int]) -> str:
+    """The steps of a curve with the next places."""
+    form = "".join([_STEPS[kind] for kind, _ in curve.steps])
+    return form % tuple(islice(places, form.count("%")))
 
 
 def _hundredths(points: Sequence[complex], height: float) -> list[int]:

@@ -70,7 +70,7 @@ def direction(folder: Path) -> Iterator[tuple[Part, Callable[[float], Question]]
     read = read_exam(folder / "exam.toml")
     sheets = assemble(read, numbered(1), "1").sheets
     with typesetter() as engine:
-        part = Part(Content(read, sheets), "1", True, folder, engine)
+        part = Part(Content(read, sheets), "1", True, engine)
         asked = next(questions(part))
         (number,) = asked.parts
 

@@ -36,7 +36,7 @@ COMMON = ("key.csv", "manifest.json")  # files of every build
 # The engine keeps the layouts of its last ten documents or so, about 4 MB per sheet: parts of 8 sheets hold a process
 # below 400 MB at any number of students (50 sheets: 1 GB and more), and cost 3 % more time than parts of 50. The size
 # does not depend on the number of processes: the same parts give the same bytes.
-STUDENTS_PER_PART = 8
+STUDENTS_PER_PART = 16
 
 
 @dataclass(frozen=True)
