@@ -37,11 +37,11 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
         def __init__(self, root: Path, **made: Any) -> None:
             self._root, self._made, self._engine = root, made, engine(root=root, **made)
 
-        def compile(self, template: Path, **named: Any) -> Any:
-            # Names in the order of the calls, whichever process makes them.
-            with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
-                call = (Path(template).relative_to(self._root), self._made, named)
-                pickle.dump(call, file, pickle.HIGHEST_PROTOCOL)
+        def compile(self, template: Path | bytes, **named: Any) -> Any:
+            if isinstance(template, Path):  # an empty document, given as text, is no part of the input
+                # Names in the order of the calls, whichever process makes them.
+                with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
+                    pickle.dump((template.relative_to(self._root), self._made, named), file, pickle.HIGHEST_PROTOCOL)
             return self._engine.compile(template, **named)
 
     typst.Compiler = Recorded

@@ -34,6 +34,7 @@ from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.task import task_of
+from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.sheet_data import sheets_data
 from variantgen.outputs.solution_data import problem_data, solutions_data
@@ -97,8 +98,8 @@ def typesetting_cost(exam: Path, students: int) -> Clock:
 
 def _documents(plan: Exam, sheets: Sequence[Sheet]) -> Iterator[tuple[str, str, dict[str, Any]]]:
     """What a build gives to the engine: target, template and data."""
-    for i in range(0, len(sheets), 8):
-        content = Content(plan, sheets[i : i + 8])
+    for i in range(0, len(sheets), STUDENTS_PER_PART):
+        content = Content(plan, sheets[i : i + STUDENTS_PER_PART])
         yield SHEETS, "sheets.typ", sheets_data(content)
         yield from ((SOLUTIONS, "solutions.typ", solutions_data(content, n)) for n in range(len(content.sheets)))
     for data in (key_by_student, key_by_problem):

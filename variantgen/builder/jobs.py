@@ -22,7 +22,7 @@ from variantgen.variants.likeness import Traits
 
 # Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
 # not depend, in their last bit, on how the work was split.
-STUDENTS_PER_DRAW = 25 * STUDENTS_PER_PART
+STUDENTS_PER_DRAW = 12 * STUDENTS_PER_PART
 
 
 class Job(Protocol):
