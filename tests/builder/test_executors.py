@@ -24,7 +24,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import numbered
 from variantgen.skeletons import new_family
 
-STUDENTS = 50  # a job of drawing for each problem, seven parts, four overviews
+STUDENTS = 50  # a job of drawing for each problem, four parts, four overviews
 
 
 @pytest.fixture(scope="module")

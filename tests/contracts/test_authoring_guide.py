@@ -86,7 +86,7 @@ def test_every_quantity_and_every_name_of_a_statement_is_explained() -> None:
     section = GUIDE[GUIDE.index("## Quantities") :]
     assert all(re.search(rf"\b{kind}_[A-Z]", section) for kind in kinds), kinds
     variant = one_variant("spool")
-    context = statement_module._context(variant, [], load_language("en"))
+    context = statement_module._context(statement_module._case(variant, [], load_language("en")))
     names = set(context) - set(variant.family.names)
     text = GUIDE[GUIDE.index("In a statement:") : GUIDE.index("In cases.toml")]
     assert all(re.search(rf"`{name}\b", text) for name in names), names

@@ -50,17 +50,22 @@ def partial(folder: Path) -> list[Path]:
     return list(folder.glob(".out.partial-*"))
 
 
+def kept(folder: Path) -> list[Path]:
+    return list(folder.glob(".out.unfinished"))
+
+
 def moments(folder: Path, process: subprocess.Popen[str], moment: str) -> None:
     """Wait until the build has come to the moment, or has ended."""
     if moment.endswith("s"):
         time.sleep(float(moment[:-1]))
         return
     pattern = {
-        "folder": ".out.partial-*",
-        "part": ".out.partial-*/.parts/*/*.pdf",
-        "second": "*/.parts/0000030-*/*.pdf",
+        "folder": ".out.unfinished",
+        "part": ".out.unfinished/made/*.pdf",
+        "second": ".out.unfinished/made/0000025-*.pdf",
+        "joined": ".out.partial-*/sheets.pdf",
+        "key": ".out.partial-*/key.csv",
     }
-    pattern |= {"joined": "*/sheets.pdf", "key": "*/key.csv"}
     end = time.monotonic() + 20
     while process.poll() is None and time.monotonic() < end and not seen(folder, pattern[moment]):
         time.sleep(0.002)
@@ -103,6 +108,9 @@ def test_interrupt_leaves_nothing_half_done(number: signal.Signals, moment: str,
         assert "Traceback" not in message
         if not done:
             assert process.returncode in {128 + number, -number}
+            assert bool(kept(folder)) == ("--resume" in message)
+        if moment in {"part", "second", "joined", "key"}:
+            assert done != bool(kept(folder)), "what is done is kept until the output is there"
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
@@ -134,12 +142,14 @@ def test_the_run_after_a_kill_cleans_up(moment: str, folder: Path) -> None:
     process.kill()
     process.communicate(timeout=30)
     if not complete_or_absent(folder):
-        assert len(partial(folder)) == 1
+        assert len(partial(folder)) == (1 if moment in {"joined", "key"} else 0)
+        assert len(kept(folder)) == 1
     again = start(folder, 2, "--force")
     finish(again)
     assert again.returncode == 0
     assert complete_or_absent(folder)
     assert partial(folder) == []
+    assert kept(folder) == []
 
 
 def test_a_kill_with_several_processes_leaves_no_worker(folder: Path) -> None:
@@ -154,11 +164,11 @@ def test_a_kill_with_several_processes_leaves_no_worker(folder: Path) -> None:
         process.communicate()
 
 
-def test_interrupt_says_that_nothing_was_written(folder: Path) -> None:
+def test_interrupt_says_that_no_output_was_written(folder: Path) -> None:
     process = start(folder, 300)
     moments(folder, process, "part")
     process.send_signal(signal.SIGINT)
     message = finish(process)
     assert process.returncode == 130
     assert "interrupted" in message
-    assert "nothing was written" in message
+    assert "no output was written" in message

@@ -39,7 +39,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"variantgen: {error}", file=sys.stderr)
         return error.exit_code
     except KeyboardInterrupt:
-        print("variantgen: interrupted, nothing was written", file=sys.stderr)
+        print("variantgen: interrupted, no output was written", file=sys.stderr)
         return 130
     except BrokenPipeError:
         # The reader has gone; nothing more can be said to it, not even when Python flushes at the end.
