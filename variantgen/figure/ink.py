@@ -64,11 +64,18 @@ def boxes_crossed_by(
 ) -> NDArray[np.int64]:
     """The same as :func:`boxes_crossed` for segments that are asked again and again."""
     hx, hy = half_sides
-    x, y, way_x, way_y, dx, dy = spans
-    x, y = x - places.real[:, None], y - places.imag[:, None]
-    crossing = (np.abs(x) <= hx + dx) & (np.abs(y) <= hy + dy)
-    crossing &= np.abs(way_x * y - way_y * x) <= hx * dy + hy * dx
-    result: NDArray[np.int64] = np.add.reduce(crossing, axis=1, dtype=np.int64)
+    middle_x, middle_y, way_x, way_y, dx, dy = spans
+    x, y = middle_x - places.real[:, None], middle_y - places.imag[:, None]
+    near = np.abs(x) <= hx + dx
+    near &= np.abs(y) <= hy + dy
+    # Few segments are near a box: only of them it is asked on which side of its corners they pass.
+    at = near.ravel().nonzero()[0]
+    if not at.size:
+        return np.zeros(len(places), dtype=np.int64)
+    box, line = np.divmod(at, len(dx))
+    reach = (hx * dy + hy * dx)[..., line] if isinstance(hx, float) else (hx * dy + hy * dx).ravel()[at]
+    passed = np.abs(way_x[line] * y.ravel()[at] - way_y[line] * x.ravel()[at]) <= reach
+    result: NDArray[np.int64] = np.bincount(box[passed], minlength=len(places))
     return result
 
 

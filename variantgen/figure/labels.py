@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +72,7 @@ def place_labels(
     occupancy = Occupancy(segments)
     choices = _near_choices(requests, occupancy, strangers)
     for choice in choices:
-        choice.taken = int(np.argmin(choice.costs))
+        choice.taken = int(choice.costs.argmin())
     first = _conflicting(choices)
     _settle(choices, first)
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
@@ -210,13 +211,19 @@ def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
     """Labels that cover another one or read together with it."""
-    centres = np.array([c.place for c in choices])
-    half_width, half_height = np.array([c.request.box for c in choices]).T
-    dx, width = np.abs(centres.real[:, None] - centres.real), half_width[:, None] + half_width
-    dy, height = np.abs(centres.imag[:, None] - centres.imag), half_height[:, None] + half_height
-    covers = (dx < width + _TIGHT) & (dy < height + _TIGHT) | (dx < width + _BESIDE) & (dy < 0.35 * height)
-    found: list[int] = np.flatnonzero(np.add.reduce(covers, axis=1, dtype=np.intp) > 1).tolist()  # each covers itself
-    return found
+    # Plain numbers: there are a few dozen pairs at most, and most are far apart.
+    known = sorted((c.place.real, c.place.imag, *c.request.box, i) for i, c in enumerate(choices))
+    widest = max(half_width for _, _, half_width, _, _ in known)
+    found: set[int] = set()
+    for number, (x, y, half_width, half_height, i) in enumerate(known):
+        for other_x, other_y, other_width, other_height, j in islice(known, number + 1, None):
+            dx, width = other_x - x, half_width + other_width
+            if dx >= half_width + widest + _BESIDE:
+                break
+            dy, height = abs(other_y - y), half_height + other_height
+            if (dx < width + _TIGHT and dy < height + _TIGHT) or (dx < width + _BESIDE and dy < 0.35 * height):
+                found |= {i, j}
+    return sorted(found)
 
 
 def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:

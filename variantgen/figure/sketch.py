@@ -143,26 +143,30 @@ class Sketch:
             self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
         return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
 
-    def circle_crossings(self, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Directions (rad) from a centre in which the lines drawn so far cross circles about it."""
+    def circle_crossings(
+        self, centre: complex, radii: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Directions (rad) from a centre in which the lines drawn so far cross circles about it, and which of them."""
         segments = self._segments()
         start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
         # |start + t step| = radius
         a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
         root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
-        circle, line = np.nonzero((root >= 0) & (a > 0))
-        start, step, a, b, root = start[line], step[line], a[line], b[line], np.sqrt(root[circle, line])
+        circle, line = ((root >= 0) & (a > 0)).nonzero()
+        a, b, root = a[line], b[line], np.sqrt(root[circle, line])
         t = np.concatenate(((-b - root) / a, (-b + root) / a))
-        on = np.flatnonzero((t >= 0) & (t <= 1))
-        line = on % len(start) if len(start) else on
-        result: NDArray[np.float64] = np.angle(start[line] + t[on] * step[line])
-        return result
+        on = ((t >= 0) & (t <= 1)).nonzero()[0]
+        met = on % max(1, len(line))
+        place = start[line[met]] + t[on] * step[line[met]]
+        return np.arctan2(place.imag, place.real), circle[met]
 
-    def corners_near_circle(self, centre: complex, radius: float, margin: float) -> NDArray[np.float64]:
-        """Directions (rad) from a centre of the beginnings of segments within a margin of a circle about it."""
+    def corners_near_circles(
+        self, centre: complex, radii: NDArray[np.float64], margin: float
+    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Directions (rad) of the beginnings of segments within a margin of circles about a centre, and which circle."""
         arms = self._segments()[:, 0] - centre
-        result: NDArray[np.float64] = np.angle(arms[np.abs(np.abs(arms) - radius) < margin])
-        return result
+        circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
+        return np.arctan2(arms.imag, arms.real)[arm], circle
 
     def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
         """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""

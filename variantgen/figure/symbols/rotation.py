@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -92,47 +92,53 @@ def _roomiest_arc(
     radius is tried only where no arc of the radii before it is free.
     """
     best = (math.inf, 0.0, 0.0)
-    for number, radius in enumerate(radii):
+    for number, (radius, cost, angle) in enumerate(_roomiest_directions(board, pivot, radii, formula, taken)):
         if best[0] < _FREE:
             break
-        cost, angle = _roomiest_direction(board, pivot, float(radius), formula, taken)
-        best = min(best, (cost + _UNUSUAL * number, float(radius), angle))
+        best = min(best, (cost + _UNUSUAL * number, radius, angle))
     return best[1], best[2]
 
 
-def _roomiest_direction(
-    board: Board, pivot: str, radius: float, formula: Symbol, taken: Sequence[float]
-) -> tuple[float, float]:
-    """Cost and direction of the best arc of one radius."""
+def _roomiest_directions(
+    board: Board, pivot: str, radii: NDArray[np.float64], formula: Symbol, taken: Sequence[float]
+) -> Iterable[tuple[float, float, float]]:
+    """Radius, cost and direction of the best arc of each radius.
+
+    All radii are judged together: that takes no longer than two of them, one after the other.
+    """
     sketch = board.sketch
     centre = sketch.at[pivot]
     half_width, half_height = (0.5 * side for side in label_size(formula))
-    places = centre + _WAYS * (radius + 1.0 + half_width * _ACROSS + half_height * _ALONG)
-    middles = centre + _WAYS * radius
+    places = centre + _WAYS * (radii[:, None] + 1.0 + half_width * _ACROSS + half_height * _ALONG)
+    middles = centre + _WAYS * radii[:, None]
     costs = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
     for other in taken:
         gap = np.abs(np.remainder(_ANGLES - other + math.pi, math.tau) - math.pi)
         costs = costs + _TOGETHER * (gap < _APART)
-    costs = costs + _CROSSED * _crossed(board, centre, radius) + _ON_DISC * _on_other_discs(board, centre, middles)
+    costs = costs + _CROSSED * _crossed(board, centre, radii) + _ON_DISC * _on_other_discs(board, centre, middles)
     costs = costs + _STRANGER * _near_other_arcs(board, places, middles)
     # What the letters would cover is asked only of the arcs that are best without it.
-    best = np.argsort(costs, kind="stable")[:_FINALISTS]
-    covered = np.minimum(sketch.crossings(places[best], (half_width + GAP, half_height + GAP)), 4)
-    total = costs[best] + _COVERED * covered
-    chosen = int(np.argmin(total))
-    return float(total[chosen]), float(_ANGLES[best[chosen]])
+    best = costs.argsort(axis=1, kind="stable")[:, :_FINALISTS]
+    rows = np.arange(len(radii))[:, None]
+    covered = sketch.crossings(places[rows, best].ravel(), (half_width + GAP, half_height + GAP))
+    total = costs[rows, best] + _COVERED * np.minimum(covered, 4).reshape(best.shape)
+    chosen = total.argmin(axis=1)[:, None]
+    angles = _ANGLES[best[rows, chosen]]
+    return zip(radii.tolist(), total[rows, chosen].ravel().tolist(), angles.ravel().tolist(), strict=True)
 
 
-def _crossed(board: Board, centre: complex, radius: float) -> NDArray[np.float64]:
-    """How many lines the arc in each direction meets or nearly meets, shape (angles,)."""
-    circles = np.array([radius - _MARGIN, radius + _MARGIN])
+def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How many lines the arc of each radius in each direction meets or nearly meets, shape (radii, angles)."""
+    circles = np.concatenate((radii - _MARGIN, radii + _MARGIN))
     # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
-    along = board.sketch.corners_near_circle(centre, radius, _MARGIN)
-    direction = np.concatenate((board.sketch.circle_crossings(centre, circles), along))
+    across, circle = board.sketch.circle_crossings(centre, circles)
+    along, ring = board.sketch.corners_near_circles(centre, radii, _MARGIN)
+    direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
     gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    met = np.add.reduce(gaps < 0.5 * _sweep(radius) + _MARGIN / radius, axis=1, dtype=np.int64)
-    result: NDArray[np.float64] = np.minimum(met, 5).astype(float)
-    return result
+    reach = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
+    angle, met = (gaps < reach[owner]).nonzero()
+    count = np.bincount(owner[met] * _ANGLES.size + angle, minlength=len(radii) * _ANGLES.size)
+    return np.minimum(count, 5).astype(float).reshape(len(radii), -1)
 
 
 def _on_other_discs(board: Board, centre: complex, places: NDArray[Any]) -> NDArray[np.bool_] | bool:
@@ -153,6 +159,6 @@ def _near_other_arcs(board: Board, places: NDArray[Any], middles: NDArray[Any]) 
         return 0.0
     seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.5, 1.0)])
     near = [
-        np.maximum(0.0, 1.0 - np.min(np.abs(every[:, None] - seen), axis=1) / _STRANGE) for every in (places, middles)
+        np.maximum(0.0, 1.0 - np.min(np.abs(every[..., None] - seen), axis=-1) / _STRANGE) for every in (places, middles)
     ]
     return np.asarray(near[0] + 0.5 * near[1])
