@@ -111,8 +111,10 @@ class Worked:
             numbers[place] = number
         found = np.empty(right.shape)
         for place, exact, errors in zip(self.answers, right, found, strict=True):
-            changes = np.abs(np.broadcast_to(numbers[place] - exact, off.shape))
-            bound, deviation = np.sum(changes, axis=0), np.sqrt(np.sum(changes**2, axis=0) / 3.0)
+            changes = np.abs(numbers[place] - exact)
+            if changes.shape != off.shape:  # nothing before it is rounded
+                changes = np.broadcast_to(changes, off.shape)
+            bound, deviation = changes.sum(axis=0), np.sqrt((changes**2).sum(axis=0) / 3.0)
             np.minimum(bound, _DEVIATIONS * deviation, out=errors)
         return found
 
