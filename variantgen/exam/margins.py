@@ -64,7 +64,7 @@ class Margins:
 
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``.
         """
-        keys = [_key(variant, asked) for variant in variants]
+        keys = _keys(variants, asked)
         new = [i for i, key in enumerate(keys) if key not in self._marks]
         if new:
             chosen, own = [variants[i] for i in new], motion.take(np.array([places[i] for i in new]))
@@ -81,7 +81,7 @@ class Margins:
         needed = self.tolerances(variants, asked, batch.motion, places)
         if batch.wrong.names:
             marks = batch.wrong.at(places).within(needed)
-            self._marks.update(zip((_key(variant, asked) for variant in variants), marks, strict=True))
+            self._marks.update(zip(_keys(variants, asked), marks, strict=True))
         return needed
 
     def tolerances(
@@ -92,7 +92,7 @@ class Margins:
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``. An answer of zero or
         infinity has the floor.
         """
-        keys = [_key(variant, asked) for variant in variants]
+        keys = _keys(variants, asked)
         new = [i for i, key in enumerate(keys) if key not in self._found]
         if new:
             table = self._new_tolerances([variants[i] for i in new], asked, motion, [places[i] for i in new])
@@ -183,10 +183,10 @@ class Screened:
         }
 
 
-def _key(variant: Variant, asked: Sequence[Quantity]) -> tuple[object, ...]:
-    """What the tolerances of a variant depend on; the form stands for itself."""
-    values = (variant.printed[name] for name in variant.form.parameters)
-    return variant.form, *values, variant.sense, variant.turns, tuple(asked)
+def _keys(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[tuple[object, ...]]:
+    """What the tolerances of variants depend on; a form stands for itself."""
+    names = tuple([quantity.name for quantity in asked])
+    return [(v.form, *map(v.printed.get, v.form.parameters), v.sense, v.turns, names) for v in variants]
 
 
 def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:

@@ -15,9 +15,10 @@ with the data of the others, on arrays; a variant to whose answers none of them 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ from numpy.typing import NDArray
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.batch import number_of
+from variantgen.methods.batch import Operations, taken
 from variantgen.methods.book import Book
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
@@ -36,7 +37,7 @@ from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]
 Numbers = dict[str, Table]  # printed, by parameter
-_Key = TypeVar("_Key", int, str)
+Flags = NDArray[np.bool_]
 
 DIGITS = 3  # significant digits of a careful hand calculation
 _HALF_DEGREE_DIGIT = 0.05  # degrees: angles are written with one decimal
@@ -50,80 +51,91 @@ _TOGETHER = 64  # variants whose derivatives are computed at once
 class Worked:
     """The computation behind a worked solution, which can be repeated with the data of other variants of its form.
 
-    Raises LookupError where the methods do not lead to what is asked.
+    ``given`` are the names of given values by identity. A rounded value has its own place among the operations; those
+    are in the order of the rows of the tables of rounded numbers.
     """
 
-    def __init__(self, task: Task) -> None:
+    def __init__(self, answers: Sequence[Value], given: Mapping[int, str]) -> None:
+        self.operations = Operations()
+        places: dict[int, int] = {}
+        measures = []
+        for value in in_order(answers):
+            if value.expression is None:
+                name = given.get(id(value))
+                place = self.operations.constant(value.exact) if name is None else self.operations.named(name)
+            else:
+                place = self.operations.of(value.expression, places)
+                if not _is_copy(value):
+                    place = self.operations.taken(place)
+                    measures.append(value.measure)
+            places[id(value)] = place
+        self.answers = [places[id(answer)] for answer in answers]
+        self.rounded = [place for place, (function, _) in self.operations.listed.items() if function is taken]
+        self._angles = [row for row, measure in enumerate(measures) if measure == "angle"]
+
+    @staticmethod
+    def of(task: Task) -> Worked:
+        """That of a task. Raises LookupError where the methods do not lead to what is asked."""
         found = work_out(Book(task, style=natural(task)))
-        self.answers = [found[quantity.name] for quantity in task.asked]
-        self._values = in_order(self.answers)
-        printed = {id(leaf): name for name, value in task.given.items() for leaf in in_order([value])[:1]}
-        self._leaves = {id(value): printed[id(value)] for value in self._values if id(value) in printed}
-        self._rounded = [value for value in self._values if value.expression is not None and not _is_copy(value)]
+        given = {id(leaf): name for name, value in task.given.items() for leaf in in_order([value])[:1]}
+        return Worked([found[quantity.name] for quantity in task.asked], given)
 
     def repeat(self, data: Numbers) -> Table:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
-        return np.array(list(self.in_turn(data, {})))
+        numbers = self._exact(data)
+        return _rows([numbers[place] for place in self.answers], _size(data))
 
-    def in_turn(self, data: Numbers, numbers: dict[int, Table]) -> Iterator[Table]:
-        """One answer after the other for other data, shape (N,); ``numbers`` takes those of the values worked out."""
-        values, shape = iter(self._values), (_size(data),)
-        for answer in self.answers:
-            while id(answer) not in numbers:
-                value = next(values)
-                numbers[id(value)] = self._of(value, data, numbers)
-            yield np.broadcast_to(numbers[id(answer)], shape)
-
-    def errors(self, data: Numbers, exact: dict[int, Table] | None = None) -> Table:
+    def errors(self, data: Numbers, exact: Mapping[int, Table] | None = None) -> Table:
         """What rounding makes of the answers, in their units, shape (answers, N).
 
-        ``exact`` are the numbers of all values for these data, where they are known already.
+        ``exact`` are the numbers of answers and of what is rounded, by place, where they are known already.
         """
-        if exact is None:
-            exact = {}
-            for value in self._values:
-                exact[id(value)] = self._of(value, data, exact)
-        size = _size(data)
+        size, numbers = _size(data), self._exact(data) if exact is None else exact
+        right = _rows([numbers[place] for place in self.answers], size)
+        rounded = _rows([numbers[place] for place in self.rounded], size)
+        off = _half_units(self._angles, rounded)
         parts = [slice(start, start + _TOGETHER) for start in range(0, size, _TOGETHER)]
-        if len(parts) == 1:
-            return self._errors(data, exact)
-        return np.concatenate([self._errors(_cut(data, part), _cut(exact, part)) for part in parts], axis=1)
+        return np.concatenate([self._errors(_cut(data, part), right[:, part], off[:, part]) for part in parts], axis=1)
 
-    def _errors(self, data: Numbers, exact: dict[int, Table]) -> Table:
-        rounded = np.empty((len(self._rounded), _size(data)))
-        rows = {id(value): row for row, value in enumerate(self._rounded)}
-        for key, row in rows.items():
-            rounded[row] = exact[key]
-        off = _half_units([value.measure for value in self._rounded], rounded)
+    def _errors(self, data: Numbers, right: Table, off: Table) -> Table:
         # In row k of a table the k-th rounded value is off.
-        numbers: dict[int, Table] = {}
-        for value in self._values:
-            key = id(value)
-            number = self._of(value, data, numbers)
-            if key in rows:
-                table = np.empty(off.shape)
-                table[:] = number
-                table[rows[key]] += off[rows[key]]
-                number = table
-            numbers[key] = number
-        found = np.empty((len(self.answers), _size(data)))
-        for answer, errors in zip(self.answers, found, strict=True):
-            changes = np.abs(np.broadcast_to(numbers[id(answer)] - exact[id(answer)], rounded.shape))
-            bound, deviation = np.sum(changes, axis=0), np.sqrt(np.sum(changes**2, axis=0) / 3.0)
+        numbers, row = self.operations.begin(data), 0
+        for place, (function, operands) in self.operations.listed.items():
+            if function is taken:
+                number = np.empty(off.shape)
+                number[:] = numbers[operands[0]]
+                number[row] += off[row]
+                row += 1
+            else:
+                number = function(*[numbers[i] for i in operands])
+            numbers[place] = number
+        found = np.empty(right.shape)
+        for place, exact, errors in zip(self.answers, right, found, strict=True):
+            changes = np.abs(numbers[place] - exact)
+            if changes.shape != off.shape:  # nothing before it is rounded
+                changes = np.broadcast_to(changes, off.shape)
+            bound, deviation = changes.sum(axis=0), np.sqrt((changes**2).sum(axis=0) / 3.0)
             np.minimum(bound, _DEVIATIONS * deviation, out=errors)
         return found
 
-    def _of(self, value: Value, data: Numbers, numbers: dict[int, Table]) -> Table:
-        """The number of a value from those before it."""
-        if value.expression is not None:
-            return number_of(value.expression, numbers)
-        name = self._leaves.get(id(value))
-        return np.asarray(value.exact) if name is None else data[name]
+    def _exact(self, data: Numbers) -> list[Table]:
+        """All numbers by place."""
+        numbers = self.operations.begin(data)
+        self.operations.run(numbers, self.operations.listed)
+        return numbers
 
 
-def _cut(numbers: dict[_Key, Table], chosen: Any) -> dict[_Key, Table]:
-    """Those of chosen variants; a number that is the same for all of them stays."""
-    return {key: table[chosen] if table.ndim else table for key, table in numbers.items()}
+def _rows(rows: Sequence[Table], size: int) -> Table:
+    """A table of rows, some of which are one number for all."""
+    table = np.empty((len(rows), size))
+    for row, numbers in zip(table, rows, strict=True):
+        row[:] = numbers
+    return table
+
+
+def _cut(data: Numbers, chosen: Any) -> Numbers:
+    """The data of chosen variants."""
+    return {name: table[chosen] for name, table in data.items()}
 
 
 def _size(data: Numbers) -> int:
@@ -138,13 +150,16 @@ def _is_copy(value: Value) -> bool:
     return isinstance(item, Value)
 
 
-def _half_units(measures: Sequence[str], numbers: Table) -> Table:
-    """Half units of the last digits that are kept, by rows; nothing for a number that has no more digits."""
+def _half_units(angles: Sequence[int], numbers: Table) -> Table:
+    """Half units of the last digits that are kept; nothing for a number that has no more digits.
+
+    ``angles`` are the rows of angles.
+    """
     size = np.abs(numbers)
     present = (size > 0) & np.isfinite(size)
     safe = np.where(present, size, 1.0)
     unit = 10.0 ** (np.floor(np.log10(safe) + 1e-12) - DIGITS + 1)
-    unit[[row for row, measure in enumerate(measures) if measure == "angle"]] = 2.0 * _HALF_DEGREE_DIGIT
+    unit[angles] = 2.0 * _HALF_DEGREE_DIGIT
     short = np.abs(np.round(safe / unit) * unit - safe) <= 1e-9 * safe
     return np.where(present & ~short, 0.5 * unit, 0.0)
 
@@ -159,7 +174,11 @@ class HandCalculation:
     def __init__(self, form: Form, asked: Sequence[Quantity], models: Callable[[int], Sequence[Variant]]) -> None:
         self._form, self._asked, self._draw = form, tuple(asked), models
         self._drawn: tuple[Sequence[Variant], Motion | None] | None = None
-        self._worked: list[Worked | None] = []
+        self._tried = 0  # models that have been worked out
+        self._worked: list[_Model] = []
+        self._common = Operations()
+        for name in self._printed:
+            self._common.named(name)
 
     def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Table:
         """Absolute errors of the answers in their printed units (degrees for angles), shape (answers, N).
@@ -170,36 +189,42 @@ class HandCalculation:
         length, chosen = variants[0].family.length_unit, list(places)
         exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
         data = self._data(variants)
-        left = np.arange(len(variants))
+        numbers, left = self._common.begin(data), np.ones(len(variants), dtype=bool)
         with np.errstate(all="ignore"):
-            for worked in self._models():
-                own, numbers = _cut(data, left), dict[int, Table]()
-                fits = self._leads_to(worked.in_turn(own, numbers), exact[:, left])
-                if np.any(fits):
-                    found[:, left[fits]] = worked.errors(_cut(own, fits), _cut(numbers, fits))
-                    left = left[~fits]
-                    if not left.size:
+            for model in self._models():
+                numbers += self._common.start[len(numbers) :]
+                fits = self._led(model, numbers, exact, left)
+                if fits.any():
+                    found[:, fits] = model.worked.errors(_cut(data, fits), model.exact(numbers, fits))
+                    left &= ~fits
+                    if not left.any():
                         return found
-            for i in left.tolist():
+            for i in np.flatnonzero(left).tolist():
                 found[:, i] = self._alone(variants[i], motion, places[i], _cut(data, slice(i, i + 1)))
         return found
 
     def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers) -> Table:
         """The errors of a variant by its own steps."""
         try:
-            worked = Worked(task_of(variant, motion, place, self._asked))
+            worked = Worked.of(task_of(variant, motion, place, self._asked))
         except LookupError:
             return np.full(len(self._asked), np.inf)
         return worked.errors(data)[:, 0]
 
-    def _models(self) -> Iterator[Worked]:
-        """The steps of the model variants, worked out one after the other as they are needed."""
-        for number in range(_MODELS):
-            if number == len(self._worked):
-                self._worked.append(self._model(number))
-            worked = self._worked[number]
+    def _models(self) -> Iterator[_Model]:
+        """The steps of the model variants, worked out one after the other as they are needed.
+
+        A model with the answers of an earlier one is left out, as nothing is left for it.
+        """
+        yield from self._worked
+        while self._tried < _MODELS:
+            worked = self._model(self._tried)
+            self._tried += 1
             if worked is not None:
-                yield worked
+                model = _Model(worked, self._common)
+                if all(model.answers != other.answers for other in self._worked):
+                    self._worked.append(model)
+                    yield model
 
     def _model(self, number: int) -> Worked | None:
         if self._drawn is None:
@@ -214,32 +239,58 @@ class HandCalculation:
             return None
         assert motion is not None, "there are variants"
         try:
-            return Worked(task_of(variants[number], motion, number, self._asked))
+            return Worked.of(task_of(variants[number], motion, number, self._asked))
         except LookupError:
             return None
+
+    @property
+    def _printed(self) -> list[str]:
+        return [name for name, parameter in self._form.parameters.items() if parameter.unit is not None]
 
     def _data(self, variants: Sequence[Variant]) -> Numbers:
         """The printed numbers by parameter, magnitudes of rates as a solution has them."""
         found = {}
-        for name, parameter in self._form.parameters.items():
-            if parameter.unit is not None:
-                column = np.array([float(variant.printed[name]) for variant in variants])
-                found[name] = np.abs(column) if parameter.is_rate else column
+        for name in self._printed:
+            column = np.array([float(variant.printed[name]) for variant in variants])
+            found[name] = np.abs(column) if self._form.parameters[name].is_rate else column
         return found
 
-    def _leads_to(self, answers: Iterator[Table], exact: Table) -> NDArray[np.bool_]:
-        """Whether repeated steps give the answers of the solver, but for their signs, shape (N,).
+    def _led(self, model: _Model, numbers: list[Any], exact: Table, left: Flags) -> Flags:
+        """Which of the variants that are ``left`` the steps of a model lead to the answers of the solver, but for their
+        signs.
 
         Further answers are not worked out where none is right.
         """
-        good = np.ones(exact.shape[1], dtype=bool)
-        for quantity, repeated, number in zip(self._asked, answers, exact, strict=True):
+        good = left
+        for quantity, place, steps, number in zip(self._asked, model.answers, model.steps, exact, strict=True):
+            self._common.run(numbers, steps)
             if quantity.is_angle:
-                turn = np.abs((repeated - number + 180.0) % 360.0 - 180.0)
-                good &= turn <= np.degrees(_SAME)
+                turn = np.abs((numbers[place] - number + 180.0) % 360.0 - 180.0)
+                good = good & (turn <= np.degrees(_SAME))
             elif quantity.component != "sense":
                 size = np.abs(number)
-                good &= np.abs(np.abs(repeated) - size) <= _SAME * size
+                good = good & (np.abs(np.abs(numbers[place]) - size) <= _SAME * size)
             if not good.any():
                 break
         return good
+
+
+class _Model:
+    """Steps that are tried on all variants, with places of their numbers among those that all models share.
+
+    ``steps`` are the places of what each answer needs besides those before it.
+    """
+
+    def __init__(self, worked: Worked, common: Operations) -> None:
+        self.worked, self._places = worked, common.join(worked.operations)
+        self.answers = [self._places[place] for place in worked.answers]
+        own, self.steps, done = list(worked.operations.listed), list[list[int]](), 0
+        for place in worked.answers:
+            end = max(done, bisect_right(own, place))
+            self.steps.append([self._places[i] for i in own[done:end]])
+            done = end
+
+    def exact(self, numbers: Sequence[Table], chosen: Flags) -> dict[int, Table]:
+        """The numbers of answers and of what is rounded, of chosen variants, by their places in the steps."""
+        own = {place: numbers[self._places[place]] for place in (*self.worked.answers, *self.worked.rounded)}
+        return {place: number[chosen] if number.ndim else number for place, number in own.items()}

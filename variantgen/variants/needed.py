@@ -12,23 +12,13 @@ from variantgen.variants.variant import Variant
 
 def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Names of the parameters that are printed, in the order of printing."""
-    order = max((q.order for q in asked), default=1)
-    idle = unneeded_parameters(variant, asked)
-    names = [
-        name
-        for name, parameter in variant.form.parameters.items()
-        if parameter.given
-        and name not in idle
-        and not (parameter.of_second_order and (order == 1 or variant.printed[name] == 0))
-    ]
-    return sorted(names, key=lambda name: _rank(variant.form.parameters[name]))
+    return list(_given(variant.form, _points_of(asked), _without(variant, asked)))
 
 
 def told_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Names of the parameters that a sheet tells: those that are printed, and choices, which the figure shows."""
-    idle = unneeded_parameters(variant, asked)
-    chosen = [name for name, parameter in variant.form.parameters.items() if parameter.unit is None]
-    return [*given_names(variant, asked), *(name for name in chosen if name not in idle)]
+    points = _points_of(asked)
+    return [*_given(variant.form, points, _without(variant, asked)), *_chosen(variant.form, points)]
 
 
 def told_size(form: Form, asked: Sequence[Quantity]) -> int:
@@ -61,6 +51,34 @@ def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> frozense
 def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Points that the figure shows: all but plain points of a body that nobody asks for."""
     return list(_shown(variant.form, _points_of(asked)))
+
+
+def _without(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
+    """Parameters of second order that are not printed: all, where only velocities are asked, and zeros."""
+    names = _of_second_order(variant.form)
+    if all(quantity.order == 1 for quantity in asked):
+        return names
+    return frozenset([name for name in names if variant.printed[name] == 0])
+
+
+@lru_cache(maxsize=1000)
+def _of_second_order(form: Form) -> frozenset[str]:
+    return frozenset(name for name, parameter in form.parameters.items() if parameter.of_second_order)
+
+
+@lru_cache(maxsize=1000)
+def _given(form: Form, asked: tuple[str, ...], without: frozenset[str]) -> tuple[str, ...]:
+    """The parameters that are printed, in the order of printing, the same for all variants of a form."""
+    idle = _unneeded(form, asked) | without
+    names = [name for name, parameter in form.parameters.items() if parameter.given and name not in idle]
+    return tuple(sorted(names, key=lambda name: _rank(form.parameters[name])))
+
+
+@lru_cache(maxsize=1000)
+def _chosen(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
+    """The choices that a figure shows, the same for all variants of a form."""
+    idle = _unneeded(form, asked)
+    return tuple(name for name, parameter in form.parameters.items() if parameter.unit is None and name not in idle)
 
 
 def _points_of(asked: Sequence[Quantity]) -> tuple[str, ...]:

@@ -187,7 +187,7 @@ def repeated(
     """The parameters and poses of N variants so many times over, shape (count * N,)."""
 
     def over(value: Any) -> NDArray[Any]:
-        return np.tile(np.broadcast_to(value, (size,)), count)
+        return np.concatenate([value if np.shape(value) == (size,) else np.full(size, value)] * count)
 
     return {name: over(value) for name, value in parameters.items()}, Frame(over(on_paper.turn), over(on_paper.sense))
 
