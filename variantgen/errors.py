@@ -6,7 +6,6 @@ value, what was expected and what to do, because the reader is an instructor and
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -68,6 +67,8 @@ class ToolMissingError(VariantgenError):
 
 def nearest(word: str, known: Iterable[str]) -> str:
     """A remedy that names the known words closest to a mistyped one."""
+    import difflib
+
     names = sorted(known)
     close = difflib.get_close_matches(word, names, n=3, cutoff=0.5 if len(word) <= 2 else 0.6)
     if close:

@@ -5,17 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from variantgen.builder.carried import Carried, known_here
 from variantgen.builder.drawing import draw_all
 from variantgen.builder.jobs import Make
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
-from variantgen.builder.workers import Workers, local_workers
+from variantgen.builder.workers import Others, Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
@@ -23,6 +23,9 @@ from variantgen.outputs.folder import check_free, terminable, whole_folder, writ
 from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
 from variantgen.outputs.records import RECORDS, write_records
 from variantgen.outputs.typesetter import Typesetter, typesetter
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 Progress = Callable[[str, int, int], None]
 # Jobs that a foreign executor is given at a time, unless its workers are known.
@@ -55,7 +58,7 @@ def build(
     jobs: int = 1,
     force: bool = False,
     progress: Progress = lambda stage, done, total: None,
-    executor: Executor | Workers | None = None,
+    executor: Executor | Others | None = None,
     resume: bool = False,
 ) -> Built:
     """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
@@ -82,17 +85,17 @@ def build(
             sheets = StoredSheets(exam, students, carried.seed, parts)
             kept = _make_all(exam, sheets, carried, parts, workers, progress)
         with whole_folder(out, force, known) as folder:
-            return replace(_put_together(exam, sheets, carried.seed, parts, folder, engine), folder=out, kept=kept)
+            return replace(_put_together(exam, sheets, carried, parts, folder, engine), folder=out, kept=kept)
 
 
 @contextmanager
-def _workers(executor: Executor | Workers | None, jobs: int) -> Iterator[Workers]:
+def _workers(executor: Executor | Others | None, jobs: int) -> Iterator[Workers]:
     """Who does the jobs."""
     with ExitStack() as stack:
         if executor is None:
             yield stack.enter_context(local_workers(jobs))
         else:
-            yield executor if isinstance(executor, Workers) else Workers(executor, AHEAD)
+            yield executor if isinstance(executor, Others) else Others(executor, AHEAD)
 
 
 def _plan(carried: Carried, students: Sequence[Student]) -> dict[str, str]:
@@ -149,7 +152,7 @@ def _make_all(
 
 
 def _put_together(
-    exam: Exam, sheets: StoredSheets, seed: str, parts: Unfinished, folder: Path, engine: Typesetter
+    exam: Exam, sheets: StoredSheets, carried: Carried, parts: Unfinished, folder: Path, engine: Typesetter
 ) -> Built:
     """The output folder from all pieces."""
     pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
@@ -161,7 +164,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        formats()[name].finish(Whole(exam, sheets, seed, folder, engine, pieces[name], notes))
+        formats()[name].finish(Whole(exam, sheets, carried.seed, folder, engine, pieces[name], notes))
     redrawn, alike = parts.settled()
-    write_records(folder, exam, seed, redrawn, pieces[RECORDS])
+    write_records(folder, exam, carried.seed, carried.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)

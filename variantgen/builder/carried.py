@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import multiprocessing.util
 import pickle
 import tempfile
 import threading
@@ -145,6 +144,8 @@ def setting_of(carried: Carried) -> Iterator[Setting]:
         if carried.name not in _settings:
             _settings.clear()
             _lasting.close()
+            import multiprocessing.util
+
             # At the end of a process, of whatever kind, its folders are removed.
             multiprocessing.util.Finalize(None, _lasting.close, exitpriority=1)
             folder = Path(_lasting.enter_context(tempfile.TemporaryDirectory(prefix="variantgen-")))

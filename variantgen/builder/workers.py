@@ -3,29 +3,22 @@
 from __future__ import annotations
 
 import importlib.util
-import multiprocessing
-import multiprocessing.connection
 import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    CancelledError,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    wait,
-)
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from variantgen.builder.carried import Carried
 from variantgen.builder.jobs import Job, perform
 from variantgen.errors import InputError, Problem, ToolMissingError, VariantgenError
+
+if TYPE_CHECKING:
+    # Loaded where they are used: a build in one process needs neither.
+    from concurrent.futures import Executor, Future
 
 _Key = TypeVar("_Key")
 PATIENCE = 10  # seconds in which a scheduler must answer
@@ -37,8 +30,24 @@ class WorkerLostError(VariantgenError):
     may_pass = True
 
 
+class Workers(Protocol):
+    """Who does jobs."""
+
+    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+        """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
+
+
+class Here:
+    """Does every job at once, in this process."""
+
+    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+        """Do jobs one after another."""
+        for key, job in jobs:
+            yield key, perform(carried, job)
+
+
 @dataclass(frozen=True)
-class Workers:
+class Others:
     """An executor and how many jobs it is given at a time: more would only be held in memory."""
 
     executor: Executor
@@ -65,6 +74,8 @@ class Workers:
 
 
 def _ready(pending: dict[Future[Any], _Key]) -> Iterator[tuple[_Key, Any]]:
+    from concurrent.futures import FIRST_COMPLETED, wait
+
     done, _ = wait(pending, return_when=FIRST_COMPLETED)
     for future in done:
         key = pending.pop(future)
@@ -73,30 +84,25 @@ def _ready(pending: dict[Future[Any], _Key]) -> Iterator[tuple[_Key, Any]]:
 
 def _is_loss(error: Exception) -> bool:
     """Whether an error tells of the executor, not of a job."""
+    from concurrent.futures import BrokenExecutor, CancelledError
+
     package = type(error).__module__.partition(".")[0]
     return isinstance(error, BrokenExecutor | CancelledError) or package == "distributed"
-
-
-class _Here(Executor):
-    """Does every job at once, in this process."""
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The result of a call, which has been made."""
-        future: Future[Any] = Future()
-        future.set_result(fn(*args, **kwargs))
-        return future
 
 
 @contextmanager
 def local_workers(processes: int) -> Iterator[Workers]:
     """The calling process alone or so many beside it, which end with the block, and when this process is killed."""
     if processes <= 1:
-        yield Workers(_Here(), 1)
+        yield Here()
         return
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
     others = set(multiprocessing.active_children())
     with ProcessPoolExecutor(processes, _context(), initializer=_leave_with_parent) as pool:
         try:
-            yield Workers(pool, 2 * processes + 2)
+            yield Others(pool, 2 * processes + 2)
         except BaseException:
             # Nobody waits for what is being done.
             for worker in set(multiprocessing.active_children()) - others:
@@ -110,6 +116,8 @@ def _context() -> Any:
 
     The engine has threads of its own as soon as it is used, and a fork copies what they hold, but not them.
     """
+    import multiprocessing
+
     methods = multiprocessing.get_all_start_methods()
     engine_is_free = "typst" not in sys.modules and threading.active_count() == 1
     if "fork" in methods and engine_is_free:
@@ -123,6 +131,8 @@ def _context() -> Any:
 
 def _leave_with_parent() -> None:
     """Let a worker end when the program is killed, so that nothing is left running; Ctrl-C is the program's."""
+    import multiprocessing.connection
+
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:
@@ -132,7 +142,7 @@ def _leave_with_parent() -> None:
 
 
 @contextmanager
-def scheduled_workers(address: str) -> Iterator[Workers]:
+def scheduled_workers(address: str) -> Iterator[Others]:
     """The workers of a Dask scheduler. Raises ToolMissingError without its client, InputError if nobody answers."""
     if importlib.util.find_spec("distributed") is None:
         how = "install it with  pip install 'variantgen[dask]'"
@@ -152,4 +162,4 @@ def scheduled_workers(address: str) -> Iterator[Workers]:
             raise InputError(Problem("the scheduler has no workers", key="--scheduler", value=address, remedy=remedy))
         # A job that was lost with its worker is given to another one.
         with client.get_executor(pure=False, retries=3) as executor:
-            yield Workers(executor, 2 * threads + 2)
+            yield Others(executor, 2 * threads + 2)

@@ -163,7 +163,7 @@ class Sketch:
     def corners_near_circles(
         self, centre: complex, radii: NDArray[np.float64], margin: float
     ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of the beginnings of segments within a margin of circles about a centre, and which circle."""
+        """Directions (rad) of the beginnings of segments within a margin of circles about a centre; which circle."""
         arms = self._segments()[:, 0] - centre
         circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
         return np.arctan2(arms.imag, arms.real)[arm], circle

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.record import NAME, SCHEMA, made_with
+from variantgen.exam.record import NAME, SCHEMA
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs.folder import file_hashes
 from variantgen.version import VERSION
@@ -28,7 +28,12 @@ RECORDS = "records"  # the name of the pieces of both files among those of the f
 
 
 def write_records(
-    folder: Path, exam: Exam, seed: str, redrawn: Sequence[str], pieces: Mapping[str, Sequence[Path]]
+    folder: Path,
+    exam: Exam,
+    seed: str,
+    made_with: Mapping[str, str],
+    redrawn: Sequence[str],
+    pieces: Mapping[str, Sequence[Path]],
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
     with (folder / "key.csv").open("w", encoding="utf-8", newline="") as file:
@@ -36,7 +41,7 @@ def write_records(
         for path in pieces["key.csv"]:
             file.write(path.read_text("utf-8"))
         _keep(file)
-    before, after = manifest_frame(exam, seed, redrawn, file_hashes(folder))
+    before, after = manifest_frame(exam, seed, made_with, redrawn, file_hashes(folder))
     with (folder / NAME).open("w", encoding="utf-8", newline="") as file:
         file.write(before)
         for number, path in enumerate(pieces[NAME]):
@@ -85,7 +90,9 @@ def _safe(text: str) -> str:
     return _FORMULA.sub(r"\1'", text)
 
 
-def manifest_frame(exam: Exam, seed: str, redrawn: Sequence[str], files: Mapping[str, str]) -> tuple[str, str]:
+def manifest_frame(
+    exam: Exam, seed: str, made_with: Mapping[str, str], redrawn: Sequence[str], files: Mapping[str, str]
+) -> tuple[str, str]:
     """What stands in the manifest before the lines of the students, and after them.
 
     The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
@@ -94,7 +101,7 @@ def manifest_frame(exam: Exam, seed: str, redrawn: Sequence[str], files: Mapping
     content = {
         "schema": SCHEMA,
         "program": {"name": "variantgen", "version": VERSION},
-        "made_with": made_with(exam),
+        "made_with": dict(made_with),
         "exam": {
             "title": exam.title,
             "id": exam.build_id(seed),

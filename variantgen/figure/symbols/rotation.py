@@ -159,6 +159,7 @@ def _near_other_arcs(board: Board, places: NDArray[Any], middles: NDArray[Any]) 
         return 0.0
     seen = np.array([arc.at(part) for arc in arcs for part in (0.0, 0.5, 1.0)])
     near = [
-        np.maximum(0.0, 1.0 - np.min(np.abs(every[..., None] - seen), axis=-1) / _STRANGE) for every in (places, middles)
+        np.maximum(0.0, 1.0 - np.min(np.abs(every[..., None] - seen), axis=-1) / _STRANGE)
+        for every in (places, middles)
     ]
     return np.asarray(near[0] + 0.5 * near[1])
