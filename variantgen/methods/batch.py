@@ -103,7 +103,7 @@ class Operations:
 
     def constant(self, number: float) -> int:
         """The place of a constant."""
-        key = repr(number)
+        key = number or repr(number)  # zeros have signs
         return self._places[key] if key in self._places else self._new(key, np.asarray(number))
 
     def named(self, name: str) -> int:

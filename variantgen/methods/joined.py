@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from variantgen.methods.contact import Side, Touch
 from variantgen.methods.group import Joined, Track
-from variantgen.methods.law import touches
 
 if TYPE_CHECKING:
     from variantgen.methods.route import Route
@@ -17,7 +16,7 @@ _PARALLEL = 1e-9
 
 def joined(route: Route) -> Iterator[Joined]:
     """Groups that the contacts and threads of the scene allow now."""
-    every = touches(route.task)
+    every = route.touches
     for number, touch in every.items():
         for known, sought in touch.ways:
             if not sought.is_rest and _is_known(route, known):

@@ -77,7 +77,9 @@ class Worked:
     def of(task: Task) -> Worked:
         """That of a task. Raises LookupError where the methods do not lead to what is asked."""
         found = work_out(Book(task, style=natural(task)))
-        given = {id(leaf): name for name, value in task.given.items() for leaf in in_order([value])[:1]}
+        # A datum in an unusual unit is converted first: the printed number is what that starts from.
+        printed = {name: in_order([v])[0] if v.expression else v for name, v in task.given.items()}
+        given = {id(leaf): name for name, leaf in printed.items()}
         return Worked([found[quantity.name] for quantity in task.asked], given)
 
     def repeat(self, data: Numbers) -> Table:

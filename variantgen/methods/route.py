@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
@@ -12,6 +13,7 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow, Sliding
 from variantgen.methods.book import Book
+from variantgen.methods.contact import Touch
 from variantgen.methods.group import (
     Composed,
     Coupled,
@@ -28,6 +30,7 @@ from variantgen.methods.group import (
     Turned,
 )
 from variantgen.methods.joined import joined
+from variantgen.methods.law import touches
 from variantgen.methods.points import is_within_reach
 
 
@@ -39,6 +42,11 @@ class Route:
         self.task = book.task
         self.scene = book.task.scene
         self.taken: list[Group] = []
+
+    @cached_property
+    def touches(self) -> dict[int, Touch]:
+        """The contacts and threads of the scene."""
+        return touches(self.task)
 
     @property
     def translating(self) -> frozenset[str]:
