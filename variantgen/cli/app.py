@@ -35,7 +35,8 @@ examples:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     gc.set_threshold(*_COLLECTION)
-    arguments = _parser().parse_args(argv)
+    words = sys.argv[1:] if argv is None else list(argv)
+    arguments = _parser(words).parse_args(words)
     try:
         code: int = arguments.run(arguments)
         sys.stdout.flush()
@@ -56,7 +57,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
+    """The parser for a command line. If it begins with a command, no other command is loaded."""
     parser = argparse.ArgumentParser(
         prog="variantgen",
         description="Individual problem sheets in planar kinematics, with figures to scale, keys and a manifest.",
@@ -65,10 +67,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"variantgen {VERSION}")
     choices = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for info in sorted(pkgutil.iter_modules(commands.__path__), key=lambda info: info.name):
-        command = importlib.import_module(f"variantgen.cli.commands.{info.name}")
+    known = sorted(info.name for info in pkgutil.iter_modules(commands.__path__))
+    for name in words[:1] if words and words[0] in known else known:
+        command = importlib.import_module(f"variantgen.cli.commands.{name}")
         added = choices.add_parser(
-            info.name,
+            name,
             help=command.HELP,
             description=command.DESCRIPTION,
             formatter_class=argparse.RawDescriptionHelpFormatter,
