@@ -52,25 +52,25 @@ def unfinished(target: Path, plan: Mapping[str, str], resume: bool) -> Iterator[
     kept when it is interrupted. Raises InputError if another process is building the same output, or if there are
     parts of another plan to go on from.
     """
-    folder = unfinished_folder(target)
-    with _lock(folder, target):
-        if resume:
-            _compare(folder, plan)
-        else:
-            _empty(folder)
-        try:
+    folder, parts = unfinished_folder(target), None
+    try:
+        with _lock(folder, target):
+            if resume:
+                _compare(folder, plan)
+            else:
+                _empty(folder)
             parts = Unfinished(folder)
             parts.begin(plan)
             yield parts
-        except VariantgenError as error:
-            if not error.may_pass:
-                shutil.rmtree(folder, ignore_errors=True)
-            raise
-        except BaseException:
-            if not any((folder / "drawn").glob("*")):
-                shutil.rmtree(folder, ignore_errors=True)
-            raise
-        shutil.rmtree(folder, ignore_errors=True)
+    except VariantgenError as error:
+        if parts and not error.may_pass:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    except BaseException:
+        if not any((folder / "drawn").glob("*")):
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 @contextmanager

@@ -8,6 +8,7 @@ A command is a module of :mod:`variantgen.cli.commands` with the texts ``HELP`` 
 from __future__ import annotations
 
 import argparse
+import atexit
 import gc
 import importlib
 import os
@@ -35,6 +36,7 @@ examples:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     gc.set_threshold(*_COLLECTION)
+    atexit.register(gc.freeze)  # nor is a last search at the end of the process of any use
     words = sys.argv[1:] if argv is None else list(argv)
     arguments = _parser(words).parse_args(words)
     try:
