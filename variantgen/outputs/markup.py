@@ -53,10 +53,11 @@ def marked(data: Any) -> list[Markup]:
     waiting: list[Any] = [data]
     while waiting:
         item = waiting.pop()
-        if isinstance(item, Markup):
-            found[item] = None
-        elif isinstance(item, dict):
+        kind = type(item)  # most pieces are plain text and numbers
+        if kind is Markup:
+            found.setdefault(item)
+        elif kind is dict:
             waiting.extend(item.values())
-        elif isinstance(item, list | tuple):
+        elif kind is list or kind is tuple:
             waiting.extend(item)
     return list(found)

@@ -17,7 +17,7 @@ def draw(board: Board, joint: Guide) -> None:
         return
     sketch = board.sketch
     centre = sketch.at[joint.point]
-    way = board.frame.direction(joint.angle)
+    way = complex(board.frame.direction(joint.angle))
     if joint.point in board.form.figure.stems:
         _draw_bearing(board, joint.point, way)
         return
