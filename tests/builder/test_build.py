@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -172,3 +173,17 @@ def test_pools_give_each_student_one_of_the_families(tmp_path: Path) -> None:
     record = json.loads((out / "manifest.json").read_text("utf-8"))
     families = [student["problems"][0]["family"] for student in record["students"]]
     assert 8 < families.count("spool") < 32
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_every_student_is_in_the_key_once(language: str, tmp_path: Path) -> None:
+    # More students than an overview takes: once by student, once in the table of each problem.
+    out = tmp_path / "exam"
+    arguments = ["build", f"sample_{language}", "--variants", "70", "--no-solutions", "--format", "pdf,html"]
+    assert main([*arguments, "--out", str(out)]) == 0
+    record = json.loads((out / "manifest.json").read_text("utf-8"))
+    keys = {"pdf": "".join(page_texts(out / "key.pdf")), "html": (out / "html" / "key.html").read_text("utf-8")}
+    for student in record["students"]:
+        for name, text in keys.items():
+            found = len(re.findall(rf"(?<![A-Z0-9-]){student['code']}(?![A-Z0-9-])", text))
+            assert found == 1 + len(student["problems"]), (name, student["code"])

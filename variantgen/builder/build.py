@@ -117,16 +117,13 @@ def _hash(found: object) -> str:
 
 def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] | None]]:
     """All jobs that make something, in the order in which their pieces are put together: parts, and which overview."""
-
-    def parts(start: int, size: int) -> range:
-        return range(start // STUDENTS_PER_PART, -(-min(start + size, count) // STUDENTS_PER_PART))
-
-    for start in range(0, count, STUDENTS_PER_PART):
-        yield parts(start, STUDENTS_PER_PART), None
+    parts = -(-count // STUDENTS_PER_PART)
+    for part in range(parts):
+        yield range(part, part + 1), None
     for name in exam.formats:
         for place, (size, _) in enumerate(formats()[name].SUMMARIES):
-            for start in range(0, count, size):
-                yield parts(start, size), (name, place)
+            for start in range(0, parts, size):
+                yield range(start, min(start + size, parts)), (name, place)
 
 
 def _make_all(

@@ -6,7 +6,7 @@ A module has
 - ``read_options(table)``, which reads the table of its name in an exam file (mistakes are noted in the table);
 - ``check(exam, students)``: raises ToolMissingError or InputError before any work is done;
 - ``make(part)``: what can be made of the content of a few students, as pieces;
-- ``SUMMARIES``: pairs of a number of students and a function that makes pieces of an overview, like a key;
+- ``SUMMARIES``: pairs of a number of parts and a function that makes pieces of an overview of them, like a key;
 - ``finish(whole)``: puts the pieces of all students together in the output folder.
 
 ``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
@@ -37,6 +37,7 @@ COMMON = ("key.csv", "manifest.json")  # files of every build
 # key: parts of 16, 24, 40 sheets take 17.1, 16.8, 15.7 ms a student and 254, 305, 333 MB; parts of 8 take 20 % more
 # than those of 16. The size does not depend on the number of processes: the same parts give the same bytes.
 STUDENTS_PER_PART = 16
+PARTS_PER_OVERVIEW = 3
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole
 from variantgen.outputs.key_content import Place, groups, place, remarks
 from variantgen.outputs.solution_data import solution_words
 from variantgen.outputs.web.articles import problem_key, sheet_article, solution_article, student_key, table_heads
@@ -29,7 +29,6 @@ FILES = (
     "html/solutions/*.html",
 )
 JOINED, STUDENTS = "joined", "students"
-KEYS_PER_PART = 40
 _FEW = 3  # students whose page needs no contents
 
 
@@ -74,7 +73,7 @@ def _problem_key(part: Part) -> Iterator[Piece]:
         yield Piece(_rows(where), problem_key(part.exam, own), ".html")
 
 
-SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
+SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
 def _rows(where: Place) -> str:

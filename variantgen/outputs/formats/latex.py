@@ -11,7 +11,7 @@ from typing import Any, cast, get_args
 from variantgen.errors import InputError, Problem, ToolMissingError, nearest
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import Part, Piece, Whole, options
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole, options
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.latex.characters import Alphabet, Engine, alphabet, is_right_to_left, named, unprintable
 from variantgen.outputs.latex.compiling import MissingGlyphsError, compile_document, how_to_install, missing
@@ -24,7 +24,6 @@ from variantgen.tables import Table, shown
 
 HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
 FILES = tuple(f"latex/{name}.{ending}" for name in ("sheets", "key", "solutions") for ending in ("tex", "pdf"))
-KEYS_PER_PART = 40
 _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
 
@@ -106,7 +105,7 @@ def _problem_key(part: Part) -> Iterator[Piece]:
     yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
-SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
+SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
 def finish(whole: Whole) -> None:

@@ -12,7 +12,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.coverage import check_letters
 from variantgen.outputs.file_names import file_stem
-from variantgen.outputs.formats import Part, Piece, Whole, options
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole, options
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
 from variantgen.outputs.sheet_data import group_text, sheets_data
@@ -21,7 +21,6 @@ __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
 FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "solutions/*.pdf")
-KEYS_PER_PART = 40
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:
@@ -68,7 +67,7 @@ def _problem_key(part: Part) -> Iterator[Piece]:
     yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
 
 
-SUMMARIES = ((KEYS_PER_PART, _student_key), (KEYS_PER_PART, _problem_key))
+SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
 def finish(whole: Whole) -> None:
