@@ -74,18 +74,18 @@ def build(
     check_free(out, force, known)
     for name in exam.formats:
         formats()[name].check(exam, students)
-    carried = Carried.of(exam, exam.seed if seed is None else seed)
-    plan = _plan(carried, students)
-    with terminable(), writing(out), unfinished(out, plan, resume) as parts, typesetter() as engine:
-        with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
-            try:
-                draw_all(exam, students, carried, parts, workers, progress)
-            except InputError as error:
-                raise error.located(str(exam.path)) from None
-            sheets = StoredSheets(exam, students, carried.seed, parts)
-            kept = _make_all(exam, sheets, carried, parts, workers, progress)
-        with whole_folder(out, force, known) as folder:
-            return replace(_put_together(exam, sheets, carried, parts, folder, engine), folder=out, kept=kept)
+    with terminable(), typesetter() as engine:
+        carried = Carried.of(exam, exam.seed if seed is None else seed)
+        with writing(out), unfinished(out, _plan(carried, students), resume) as parts:
+            with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
+                try:
+                    draw_all(exam, students, carried, parts, workers, progress)
+                except InputError as error:
+                    raise error.located(str(exam.path)) from None
+                sheets = StoredSheets(exam, students, carried.seed, parts)
+                kept = _make_all(exam, sheets, carried, parts, workers, progress)
+            with whole_folder(out, force, known) as folder:
+                return replace(_put_together(exam, sheets, carried, parts, folder, engine), folder=out, kept=kept)
 
 
 @contextmanager
