@@ -29,11 +29,6 @@ def templates_dir() -> Path:
     return _root() / "templates"
 
 
-def file_hash(path: Path) -> str:
-    """Hash (16 hex digits) of the bytes of a file."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-
-
 def folder_hash(folder: Path) -> str:
     """Hash (16 hex digits) of the names and bytes of all files below a folder, in sorted order."""
     digest = hashlib.sha256()

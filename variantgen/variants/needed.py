@@ -43,11 +43,6 @@ def _rank(parameter: Parameter) -> int:
     return {"length": 0, "time": 2}.get(measures, 1)
 
 
-def unneeded_parameters(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
-    """Parameters that place only points which nobody asks for."""
-    return _unneeded(variant.form, _points_of(asked))
-
-
 def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Points that the figure shows: all but plain points of a body that nobody asks for."""
     return list(_shown(variant.form, _points_of(asked)))
