@@ -138,7 +138,8 @@ class _Progress:
 
     def show(self, stage: str, done: int, total: int) -> None:
         """Show how far a stage is."""
-        if time.perf_counter() - self._start < _SHORT:
+        over = stage != self._stage and done == total
+        if over or time.perf_counter() - self._start < _SHORT:
             return  # short work needs no bar, nor the time to load its library
         if stage != self._stage:
             self._end()
