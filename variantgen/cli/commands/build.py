@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from variantgen.cli.messages import counted, tell
 from variantgen.cli.options import add_families, at_least_one, format_names
+from variantgen.cli.progress import Progress
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from variantgen.builder import Built
 
-_SHORT = 1.0  # seconds
 HELP = "build an exam"
 DESCRIPTION = (
     "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
@@ -85,7 +85,7 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.seed,
             arguments.jobs,
             arguments.force,
-            stack.enter_context(_Progress()).show,
+            stack.enter_context(Progress()).show,
             executor,
             arguments.resume,
         )
@@ -103,80 +103,19 @@ def _what_is_kept(out: Path) -> Iterator[None]:
     except BaseException:
         folder = unfinished_folder(out)
         if (folder / "plan.json").exists():
-            print(f"what is done is kept in {folder}: the same command with --resume goes on", file=sys.stderr)
+            tell(f"what is done is kept in {folder}: the same command with --resume goes on")
         raise
 
 
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
     if made.redrawn:
-        print(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}", file=sys.stderr)
+        tell(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}")
     if made.unexplained:
-        print(f"answers only, no worked solution: {', '.join(made.unexplained)}", file=sys.stderr)
+        tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:
-        print(note, file=sys.stderr)
+        tell(note)
     for where, count in made.alike.items():
-        print(
-            f"{where}: {count} sheets have nearly the data of another in their group (too little room)", file=sys.stderr
-        )
-    print(f"{made.students} sheets in {made.folder} ({seconds:.1f} s)", file=sys.stderr)
-
-
-class _Progress:
-    """Progress on stderr for long work: a bar on a terminal, elsewhere a line every five seconds."""
-
-    def __init__(self) -> None:
-        self._stage = ""
-        self._bar: Any = None
-        self._start = time.perf_counter()
-
-    def __enter__(self) -> _Progress:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._end()
-
-    def show(self, stage: str, done: int, total: int) -> None:
-        """Show how far a stage is."""
-        over = stage != self._stage and done == total
-        if over or time.perf_counter() - self._start < _SHORT:
-            return  # short work needs no bar, nor the time to load its library
-        if stage != self._stage:
-            self._end()
-            self._stage, self._bar = stage, _bar(stage, done, total)
-        self._bar.update(done - self._bar.n)
-
-    def _end(self) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-def _bar(stage: str, done: int, total: int) -> Any:
-    from tqdm import tqdm
-
-    live = sys.stderr.isatty()
-    return tqdm(
-        total=total,
-        initial=done,
-        desc=stage,
-        unit=" students",
-        file=sys.stderr if live else _Lines(),
-        mininterval=0.2 if live else 5.0,
-        bar_format="{desc}: {n_fmt} of {total_fmt} |{bar}| {rate_fmt}, {remaining} left"
-        if live
-        else "{desc}: {n_fmt} of {total_fmt}, {rate_fmt}, {remaining} left",
-        leave=False,
-    )
-
-
-class _Lines:
-    """Standard error as a file of whole lines: no line is written over another."""
-
-    def write(self, text: str) -> None:
-        """Write a state of the bar as a line."""
-        if line := text.strip("\r\n "):
-            sys.stderr.write(f"{line}\n")
-
-    def flush(self) -> None:
-        """Nothing is kept back."""
-        sys.stderr.flush()
+        have = "sheet has" if count == 1 else "sheets have"
+        tell(f"{where}: {count} {have} nearly the data of another in their group (too little room)")
+    tell(f"{counted(made.students, 'sheet')} in {made.folder} ({seconds:.1f} s)")
