@@ -9,6 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, cast
 
+from variantgen import limits
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -167,8 +168,9 @@ def _printed(top: Table, key: str, text: str) -> str:
 
 def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
+    within = top.bounded("problem", limits.PROBLEMS)
     tables = top.tables("problem")
-    if not tables:
+    if within and not tables:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )

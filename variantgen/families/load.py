@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from variantgen import limits
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.form_reader import SECTIONS, FormReader
@@ -17,7 +18,6 @@ from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
 
 SCHEMA = 1
-_MOST_FORMS = 50
 
 
 def family_names(folders: Sequence[Path] = ()) -> list[str]:
@@ -75,10 +75,8 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     solution = top.strings("solution")
     with top.collecting("solution"):
         check_methods(solution, "solution")
+    top.bounded("forms", limits.FORMS)
     overlays = top.take("forms", dict, {}, "a table of forms")
-    if len(overlays) > _MOST_FORMS:
-        top.problem(f"more than {_MOST_FORMS} forms", "forms", len(overlays))
-        overlays = {}
     base = {name: top.take(name, (dict, list), {}) for name in SECTIONS if name in data}
     top.finish()
     if problems:
