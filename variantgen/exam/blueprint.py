@@ -9,7 +9,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, cast
 
-from variantgen import limits
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -20,6 +19,7 @@ from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
+from variantgen.limits import PROBLEMS
 from variantgen.methods.wish import Depth, Wish
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
@@ -168,7 +168,7 @@ def _printed(top: Table, key: str, text: str) -> str:
 
 def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
-    within = top.bounded("problem", limits.PROBLEMS)
+    within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
     if within and not tables:
         top.problem(

@@ -8,7 +8,6 @@ from fnmatch import fnmatchcase
 from heapq import heappop, heappush
 from typing import Any
 
-from variantgen import limits
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
 from variantgen.families.derivative import derivative, inlined
@@ -21,6 +20,7 @@ from variantgen.families.parameters import check_name, read_parameter, unknown_n
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
+from variantgen.limits import DERIVED, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
@@ -31,8 +31,8 @@ SECTIONS = (
 
 
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
-_MOST = {"parameters": limits.PARAMETERS, "derived": limits.DERIVED, "laws": limits.DERIVED} | dict.fromkeys(
-    ("points", "conditions", "bodies", "joints", "drivers"), limits.PARTS
+_MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
+    ("points", "conditions", "bodies", "joints", "drivers"), PARTS
 )
 
 

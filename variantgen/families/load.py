@@ -8,12 +8,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from variantgen import limits
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.solving import check_methods
 from variantgen.families.units import unit
+from variantgen.limits import FORMS
 from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
 
@@ -75,7 +75,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     solution = top.strings("solution")
     with top.collecting("solution"):
         check_methods(solution, "solution")
-    top.bounded("forms", limits.FORMS)
+    top.bounded("forms", FORMS)
     overlays = top.take("forms", dict, {}, "a table of forms")
     base = {name: top.take(name, (dict, list), {}) for name in SECTIONS if name in data}
     top.finish()
