@@ -1,28 +1,33 @@
-"""How much of a foreign file is read: bounds that no sensible file reaches, and why each is where it is.
+"""How much of anything is read, in one place: plain numbers, each far above what people write.
 
-A file of a few kilobytes can unpack to gigabytes or name two thousand million rows. Where a bound is reached, the
-command says so in a moment instead of filling the memory.
+What is larger is refused with a message that names the bound, before memory or time is spent on it.
 """
 
 from __future__ import annotations
 
-MAX_ROSTER_BYTES = 50_000_000
-"""A class list as a file: a CSV of a million students has some 40 MB."""
+# Texts written by hand. The largest family of the catalogue has 6 kB.
+TOML_BYTES = 200_000
+# A name like ``a.b.c`` of n parts costs the reader of TOML n * n; no key of ours has more than five parts.
+KEY_PARTS = 50
 
-MAX_WORKBOOK_BYTES = 50_000_000
-"""The worksheets and texts of a workbook, unpacked: 20 000 students take some 4 MB; more than 200 000 come as CSV."""
+# A family: its forms, and of one form the entries of each section. The catalogue has at most 4 forms, 13 parameters,
+# 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.
+FORMS = 50
+PARAMETERS = 100  # each is moved by itself to see how the answers depend on it
+DERIVED = 200
+PARTS = 200  # points, bodies, joints, drivers, conditions, and what is required of the data
+MARKS = 60  # of one kind in a figure: every label looks for a place between all others
+FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
 
-MAX_WORKBOOK_LOOKS = 2_000_000
-"""All other parts of a workbook, unpacked (styles, mostly): a usual one has 20 kB, an overgrown one 1 MB."""
+# An exam: problems of one sheet. A hundred pages for one student are a book.
+PROBLEMS = 100
 
-MAX_WORKSHEETS = 500
-"""Worksheets of a workbook, one for each group."""
-
-MAX_ROSTER_ROWS = 1_048_576
-"""Rows of a worksheet, with or without students: spreadsheets have no more."""
-
-MAX_ROSTER_COLUMNS = 256
-"""Columns that are looked at: a class list has its columns at the left."""
-
-MAX_TITLE_ROWS = 20
-"""Rows among which the row with the names of the columns is looked for: above it may stand a title."""
+# A class list. As a CSV a million students have some 40 MB; the worksheets of a workbook, unpacked, have 4 MB for
+# 20 000 students, its styles and other parts 20 kB (overgrown ones 1 MB); spreadsheets have no more rows than these.
+ROSTER_BYTES = 50_000_000
+WORKBOOK_BYTES = 50_000_000
+WORKBOOK_LOOKS = 2_000_000
+WORKSHEETS = 500  # one for each group
+ROSTER_ROWS = 1_048_576
+ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left
+TITLE_ROWS = 20  # rows among which the header is looked for: above it may stand a title

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from variantgen.cli.messages import counted, tell
 from variantgen.cli.options import add_families, at_least_one, format_names
+from variantgen.cli.progress import Progress
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from variantgen.builder import Built
     from variantgen.exam.roster import Student
 
-_SHORT = 1.0  # seconds
 _NAMED = 12  # students that a message names
 HELP = "build an exam"
 DESCRIPTION = (
@@ -95,7 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.seed,
             arguments.jobs,
             arguments.force,
-            stack.enter_context(_Progress()).show,
+            stack.enter_context(Progress()).show,
             executor,
             arguments.resume,
         )
@@ -115,7 +115,7 @@ def _students(arguments: argparse.Namespace) -> Sequence[Student]:
         return numbered(arguments.variants)
     found = read_class(arguments.roster, arguments.id_column)
     for note in found.notes:
-        print(f"{arguments.roster.name}: {note}", file=sys.stderr)
+        tell(f"{arguments.roster.name}: {note}")
     return found.students
 
 
@@ -129,7 +129,7 @@ def _what_is_kept(out: Path) -> Iterator[None]:
     except BaseException:
         folder = unfinished_folder(out)
         if (folder / "plan.json").exists():
-            print(f"what is done is kept in {folder}: the same command with --resume goes on", file=sys.stderr)
+            tell(f"what is done is kept in {folder}: the same command with --resume goes on")
         raise
 
 
@@ -137,16 +137,15 @@ def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
     if made.redrawn:
         told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
-        print(f"drawn again to keep variants distinct: {told}", file=sys.stderr)
+        tell(f"drawn again to keep variants distinct: {told}")
     if made.unexplained:
-        print(f"answers only, no worked solution: {', '.join(made.unexplained)}", file=sys.stderr)
+        tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:
-        print(note, file=sys.stderr)
+        tell(note)
     for where, count in made.alike.items():
-        print(
-            f"{where}: {count} sheets have nearly the data of another in their group (too little room)", file=sys.stderr
-        )
-    print(f"{made.students} sheets in {made.folder} ({seconds:.1f} s)", file=sys.stderr)
+        have = "sheet has" if count == 1 else "sheets have"
+        tell(f"{where}: {count} {have} nearly the data of another in their group (too little room)")
+    tell(f"{counted(made.students, 'sheet')} in {made.folder} ({seconds:.1f} s)")
 
 
 def _few(ids: Sequence[str], listed: str) -> str:
@@ -154,63 +153,3 @@ def _few(ids: Sequence[str], listed: str) -> str:
     if len(ids) <= _NAMED:
         return ", ".join(ids)
     return f"{len(ids)} students ({', '.join(ids[:3])}, ...), {listed}"
-
-
-class _Progress:
-    """Progress on stderr for long work: a bar on a terminal, elsewhere a line every five seconds."""
-
-    def __init__(self) -> None:
-        self._stage = ""
-        self._bar: Any = None
-        self._start = time.perf_counter()
-
-    def __enter__(self) -> _Progress:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._end()
-
-    def show(self, stage: str, done: int, total: int) -> None:
-        """Show how far a stage is."""
-        over = stage != self._stage and done == total
-        if over or time.perf_counter() - self._start < _SHORT:
-            return  # short work needs no bar, nor the time to load its library
-        if stage != self._stage:
-            self._end()
-            self._stage, self._bar = stage, _bar(stage, done, total)
-        self._bar.update(done - self._bar.n)
-
-    def _end(self) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-def _bar(stage: str, done: int, total: int) -> Any:
-    from tqdm import tqdm
-
-    live = sys.stderr.isatty()
-    return tqdm(
-        total=total,
-        initial=done,
-        desc=stage,
-        unit=" students",
-        file=sys.stderr if live else _Lines(),
-        mininterval=0.2 if live else 5.0,
-        bar_format="{desc}: {n_fmt} of {total_fmt} |{bar}| {rate_fmt}, {remaining} left"
-        if live
-        else "{desc}: {n_fmt} of {total_fmt}, {rate_fmt}, {remaining} left",
-        leave=False,
-    )
-
-
-class _Lines:
-    """Standard error as a file of whole lines: no line is written over another."""
-
-    def write(self, text: str) -> None:
-        """Write a state of the bar as a line."""
-        if line := text.strip("\r\n "):
-            sys.stderr.write(f"{line}\n")
-
-    def flush(self) -> None:
-        """Nothing is kept back."""
-        sys.stderr.flush()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.limits import MAX_TITLE_ROWS
+from variantgen.limits import TITLE_ROWS
 from variantgen.wording.language import languages, load_language
 
 NAME_PARTS = ("surname", "first", "middle")
@@ -59,7 +59,7 @@ def find_columns(rows: Sequence[Sequence[str]], id_column: str = "") -> Columns:
 
     ``id_column`` is the word in the header of the column to be used as id.
     """
-    first = rows[:MAX_TITLE_ROWS]
+    first = rows[:TITLE_ROWS]
     best = max(range(len(first)), key=lambda i: (_has_name(first[i]), known_in(first[i]), -i))
     heads, wanted = first[best], _word(id_column)
     if not _has_name(heads):

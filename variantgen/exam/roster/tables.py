@@ -10,7 +10,7 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.roster.columns import known_in
-from variantgen.limits import MAX_ROSTER_BYTES, MAX_ROSTER_ROWS, MAX_TITLE_ROWS
+from variantgen.limits import ROSTER_BYTES, ROSTER_ROWS, TITLE_ROWS
 from variantgen.tables import read_limited
 
 Row = tuple[int, Sequence[str]]  # its number in the file, its cells
@@ -27,7 +27,7 @@ class Sheet:
 def read_sheets(path: Path) -> list[Sheet]:
     """The tables of a file, at least one. Raises InputError."""
     try:
-        content = read_limited(path, MAX_ROSTER_BYTES)
+        content = read_limited(path, ROSTER_BYTES)
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     if content[:4] == b"PK\x03\x04":
@@ -39,7 +39,7 @@ def read_sheets(path: Path) -> list[Sheet]:
 
 def _csv_rows(content: bytes) -> list[Row]:
     text = _decoded(content)
-    delimiter = _delimiter(text.lstrip("\r\n").split("\n", MAX_TITLE_ROWS)[:MAX_TITLE_ROWS])
+    delimiter = _delimiter(text.lstrip("\r\n").split("\n", TITLE_ROWS)[:TITLE_ROWS])
     try:
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
         rows: list[Row] = []
@@ -47,8 +47,8 @@ def _csv_rows(content: bytes) -> list[Row]:
             cells = [cell.strip() for cell in row]
             if any(cells):
                 rows.append((reader.line_num, cells))
-            if len(rows) > MAX_ROSTER_ROWS:
-                raise InputError(Problem(f"the roster has more than {MAX_ROSTER_ROWS} rows", remedy="split it"))
+            if len(rows) > ROSTER_ROWS:
+                raise InputError(Problem(f"the roster has more than {ROSTER_ROWS} rows", remedy="split it"))
     except csv.Error as error:
         raise InputError(
             Problem(f"is not a proper CSV table: {error}", remedy="save it again as CSV from the spreadsheet")

@@ -10,11 +10,11 @@ from typing import Any
 from variantgen.errors import InputError, Problem, ToolMissingError
 from variantgen.exam.roster.tables import Row, Sheet
 from variantgen.limits import (
-    MAX_ROSTER_COLUMNS,
-    MAX_ROSTER_ROWS,
-    MAX_WORKBOOK_BYTES,
-    MAX_WORKBOOK_LOOKS,
-    MAX_WORKSHEETS,
+    ROSTER_COLUMNS,
+    ROSTER_ROWS,
+    WORKBOOK_BYTES,
+    WORKBOOK_LOOKS,
+    WORKSHEETS,
 )
 
 # What the reader of workbooks raises on damaged ones, as found by damaging them.
@@ -57,14 +57,14 @@ def _check_size(content: bytes) -> None:
             elif part.filename.endswith((".xml", ".rels")):
                 looks += part.file_size
     for size, most, what in (
-        (table, MAX_WORKBOOK_BYTES, "worksheets"),
-        (looks, MAX_WORKBOOK_LOOKS, "styles and other parts"),
+        (table, WORKBOOK_BYTES, "worksheets"),
+        (looks, WORKBOOK_LOOKS, "styles and other parts"),
     ):
         if size > most:
             problem = f"the {what} of the workbook unpack to {size // 1_000_000} MB, more than {most // 1_000_000} MB"
             raise InputError(Problem(problem, remedy=_SIMPLER))
-    if sheets > MAX_WORKSHEETS:
-        raise InputError(Problem(f"the workbook has more than {MAX_WORKSHEETS} worksheets", remedy=_SIMPLER))
+    if sheets > WORKSHEETS:
+        raise InputError(Problem(f"the workbook has more than {WORKSHEETS} worksheets", remedy=_SIMPLER))
 
 
 def _rows(sheet: Any) -> list[Row]:
@@ -72,10 +72,10 @@ def _rows(sheet: Any) -> list[Row]:
     sheet.reset_dimensions()  # what the file says of them may be wrong, and rows outside would not be read
     found: list[Row] = []
     before: object = None
-    for number, row in enumerate(sheet.iter_rows(max_col=MAX_ROSTER_COLUMNS, values_only=True), start=1):
-        if number > MAX_ROSTER_ROWS:
+    for number, row in enumerate(sheet.iter_rows(max_col=ROSTER_COLUMNS, values_only=True), start=1):
+        if number > ROSTER_ROWS:
             where = f"worksheet {sheet.title}"
-            problem = f"a row has a number above {MAX_ROSTER_ROWS}, which no worksheet has"
+            problem = f"a row has a number above {ROSTER_ROWS}, which no worksheet has"
             raise InputError(Problem(problem, key=where, remedy=_SIMPLER))
         # Where the file has no rows, the reader gives one and the same empty row a million times.
         if row is not before and any(cell is not None for cell in row):
