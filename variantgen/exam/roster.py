@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.errors import InputError, Problem, missing_package, nearest
 from variantgen.exam import printable
 from variantgen.tables import read_limited
 from variantgen.wording.language import languages, load_language
@@ -84,10 +84,7 @@ def _xlsx_rows(content: bytes) -> list[tuple[int, list[str]]]:
     try:
         import openpyxl
     except ImportError:
-        raise ToolMissingError(
-            "an XLSX roster needs the package openpyxl: install it with  pip install 'variantgen[xlsx]'"
-            "  or save the table as CSV"
-        ) from None
+        raise missing_package("an XLSX roster needs", "openpyxl", "xlsx", "  or save the table as CSV") from None
     try:
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
         sheet = book.worksheets[0]
