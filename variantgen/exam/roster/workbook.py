@@ -7,7 +7,7 @@ import zipfile
 import zlib
 from typing import Any
 
-from variantgen.errors import InputError, Problem, ToolMissingError
+from variantgen.errors import InputError, Problem, missing_package
 from variantgen.exam.roster.tables import Row, Sheet
 from variantgen.limits import (
     ROSTER_COLUMNS,
@@ -31,10 +31,7 @@ def workbook_sheets(content: bytes) -> list[Sheet]:
     try:
         import openpyxl
     except ImportError:
-        raise ToolMissingError(
-            "an XLSX roster needs the package openpyxl: install it with  pip install 'variantgen[xlsx]'"
-            "  or save the table as CSV"
-        ) from None
+        raise missing_package("an XLSX roster needs", "openpyxl", "xlsx", "  or save the table as CSV") from None
     try:
         _check_size(content)
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
