@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from fnmatch import fnmatchcase
+from heapq import heappop, heappush
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -16,9 +17,11 @@ from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.nice import read_nice
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
+from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
+from variantgen.limits import DERIVED, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
@@ -29,7 +32,9 @@ SECTIONS = (
 
 
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
-_MOST = 200  # points or bodies of a scene
+_MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
+    ("points", "conditions", "bodies", "joints", "drivers"), PARTS
+)
 
 
 class FormReader:
@@ -45,14 +50,20 @@ class FormReader:
         self.parameters: dict[str, Parameter] = {}
         self.derived: dict[str, Expression] = {}
         self.dimensions: dict[str, Dimension] = {}
+        self.kinds: dict[str, Kind] = {}  # which of them are angles
         self._templates = TemplateReader(self.expression, unit(length))
 
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
         """The form, or None."""
         before = len(self.problems)
+        for section, most in _MOST.items():
+            self.top.bounded(section, most)
+        if len(self.problems) > before:
+            return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
         self.parameters = parameters.each(lambda key, value: read_parameter(parameters, key, value))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
+        self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         self._read_laws(self.top.table("laws"))
         points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
@@ -111,8 +122,6 @@ class FormReader:
                     f"{section}.{name}",
                     name,
                 )
-        if len(names) > _MOST:
-            self.top.problem(f"more than {_MOST} of them", section, len(names))
 
     def _check_symbols(self) -> None:
         """No two printed parameters are written alike."""
@@ -159,21 +168,26 @@ class FormReader:
         object.__setattr__(form, "ask", plain)
 
     def _read_derived(self, table: Table) -> None:
-        waiting = dict(table.data)
-        while waiting:
-            for name, value in list(waiting.items()):
-                expression = self._parsed(table, name, value)
-                if expression is None:
-                    waiting.pop(name)
-                elif not (expression.names & waiting.keys()):
-                    waiting.pop(name)
-                    with table.collecting(name):
-                        self._define(name, expression)
-                    break
-            else:
-                if waiting:
-                    table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
-                return
+        """Derived quantities, each after those it uses; of several that could be next, the first in the file."""
+        parsed = {name: self._parsed(table, name, value) for name, value in table.data.items()}
+        waiting = {name: expression for name, expression in parsed.items() if expression is not None}
+        order = {name: place for place, name in enumerate(waiting)}
+        lacking = {name: len(expression.names & waiting.keys()) for name, expression in waiting.items()}
+        users: dict[str, list[str]] = {name: [] for name in waiting}
+        for name, expression in waiting.items():
+            for used in expression.names & waiting.keys():
+                users[used].append(name)
+        ready = [(order[name], name) for name in waiting if not lacking[name]]
+        while ready:
+            _, name = heappop(ready)
+            with table.collecting(name):
+                self._define(name, waiting.pop(name))
+            for user in users[name]:
+                lacking[user] -= 1
+                if not lacking[user]:
+                    heappush(ready, (order[user], user))
+        if waiting:
+            table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
 
     def _read_laws(self, table: Table) -> None:
         """Functions of time: ``x`` becomes the value at the instant, ``x_dot`` and ``x_ddot`` its derivatives."""
@@ -221,6 +235,7 @@ class FormReader:
         self._known_names(expression)
         found = dimension or expression.dimension(self.dimensions) or (0, 0)
         self.dimensions[name] = found
+        self.kinds[name] = kind_of(expression, self.kinds)
         self.derived[name] = expression
         return found
 
@@ -238,6 +253,7 @@ class FormReader:
             raise InputError(
                 Problem(f"is {dimension_name(found)}, expected {dimension_name(DIMENSIONS[dimension])}", value=text)
             )
+        (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
         return expression
 
     def _by_name(self, table: Table, package: str) -> dict[str, Template]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
+
+from variantgen.cli.messages import say, tell
 
 HELP = "measure error against run time"
 DESCRIPTION = """\
 Measure the errors of the solver and of other ways to compute against a reference of many digits, and their times:
 report.md, tables (CSV) and diagrams (PDF, PNG) in a new folder. Takes some fifteen minutes, --quick less than one.
-Needs the packages mpmath and matplotlib: pip install 'variantgen[accuracy]'."""
+Needs the packages mpmath and matplotlib: pip install ".[accuracy]" in the folder of variantgen."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,9 +32,9 @@ def run(arguments: argparse.Namespace) -> int:
 
     need_matplotlib()
     check_free(arguments.out, arguments.force, FILES)
-    measured = measure(QUICK if arguments.quick else FULL, lambda what: print(what, file=sys.stderr, flush=True))
+    measured = measure(QUICK if arguments.quick else FULL, tell)
     with whole_folder(arguments.out, arguments.force, FILES) as folder:
         write(measured, folder)
     for finding in findings(measured):
-        print(finding)
+        say(finding)
     return 0

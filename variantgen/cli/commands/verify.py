@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from dataclasses import asdict
 from pathlib import Path
 
+from variantgen.cli.messages import counted, say, tell
 from variantgen.cli.options import add_families
 
 HELP = "compute every answer of a finished exam again"
 DESCRIPTION = (
     "Compute every answer of a finished exam again, from its manifest alone and by a path that shares nothing with\n"
-    "the solver, and compare the files with those that were built. Exit code 1 if anything is wrong."
+    "the solver, and compare the files with those that were built. Exit code 1 if anything is wrong; workbooks and\n"
+    "LaTeX sources are there to be edited, which is said and no fault."
 )
 _SHOWN = 20
 
@@ -35,16 +36,19 @@ def run(arguments: argparse.Namespace) -> int:
     finished = restore(read_record(arguments.folder), family_folders(arguments.families))
     found = verify(finished, arguments.folder)
     if arguments.json:
-        print(json.dumps({**asdict(found), "differences": finished.differences}, ensure_ascii=False, indent=1))
+        say(json.dumps({**asdict(found), "differences": finished.differences}, ensure_ascii=False, indent=1))
     for difference in finished.differences:
-        print(f"not as when the exam was made: {difference}", file=sys.stderr)
+        tell(f"not as when the exam was made: {difference}")
     for fault in found.faults[:_SHOWN]:
-        print(fault, file=sys.stderr)
+        tell(fault)
     if len(found.faults) > _SHOWN:
-        print(f"and {len(found.faults) - _SHOWN} more", file=sys.stderr)
-    told = f"{found.answers} answers of {found.students} students computed again"
+        tell(f"and {len(found.faults) - _SHOWN} more")
+    for name in found.edited:
+        tell(f"edited since the build, which is no fault: {name}")
+    told = f"{counted(found.answers, 'answer')} of {counted(found.students, 'student')} computed again"
     if found.faults:
-        print(f"{told}; faults: {len(found.faults)}", file=sys.stderr)
+        tell(f"{told}; faults: {len(found.faults)}")
         return 1
-    print(f"{told}: all right (largest difference {found.largest:.0e}), no file changed", file=sys.stderr)
+    changed = "no other file changed" if found.edited else "no file changed"
+    tell(f"{told}: all right (largest difference {found.largest:.0e}), {changed}")
     return 0
