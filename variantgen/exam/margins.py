@@ -121,7 +121,9 @@ class Margins:
             found.append(relative)
         table = np.array(found)
         if np.any(~np.isfinite(table)):
-            table = np.where(np.isfinite(table), table, _OF_DATA * self._gain(variants, asked, motion.take(chosen)))
+            gain = self._gain(variants, asked, motion.take(chosen))
+            by_data = np.where(np.isfinite(gain), _OF_DATA * gain, 0.0)
+            table = np.where(np.isfinite(table), table, by_data)
         steps = np.ceil(table / _STEP - 1e-6) * _STEP
         return np.asarray(np.where(table > self.tolerance.floor, steps, self.tolerance.floor))
 

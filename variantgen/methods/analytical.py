@@ -21,6 +21,7 @@ from variantgen.methods.expression import Constant, Expression, Ratio, Value, hy
 from variantgen.methods.linear_system import ZERO, enter
 from variantgen.methods.name import Name
 from variantgen.methods.settle import parts
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Derived, Point, Statement
 from variantgen.methods.task import Task
 
@@ -44,7 +45,7 @@ def applies(task: Task) -> bool:
         try:
             model = Model(book)
             return _functions(model) is not None
-        except LookupError:
+        except NO_WAY:
             return False
 
 

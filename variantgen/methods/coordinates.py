@@ -16,6 +16,7 @@ from variantgen.methods.coordinate_model import Model
 from variantgen.methods.coordinate_places import locate
 from variantgen.methods.expression import Constant, Ratio, Value
 from variantgen.methods.linear_system import ZERO, coefficients, enter, enter_solution, system_of
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Derived, Sentence, Statement
 from variantgen.methods.task import Task
 
@@ -29,7 +30,7 @@ def applies(task: Task) -> bool:
         try:
             model = Model(book)
             blocks_for(model, results.targets(model))
-        except LookupError:
+        except NO_WAY:
             return False
     return True
 
