@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 
 from variantgen.methods.book import Book
+from variantgen.methods.carriers import is_translating
 from variantgen.methods.centre import named_place, reach, turned_by
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio, Value, root
 from variantgen.methods.name import Name
-from variantgen.methods.points import is_translating, known_point, renamed, vector
+from variantgen.methods.points import known_point, renamed, vector
 from variantgen.methods.rays import Centre, Ray
 from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.whole_vector import whole
