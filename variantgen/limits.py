@@ -21,3 +21,14 @@ FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
 
 # An exam: problems of one sheet. A hundred pages for one student are a book.
 PROBLEMS = 100
+
+# A class list. As a CSV a million students have some 40 MB; the worksheets of a workbook, unpacked, have 4 MB for
+# 20 000 students, its styles and other parts 20 kB (overgrown ones 1 MB); spreadsheets have no more rows than these.
+ROSTER_BYTES = 50_000_000
+WORKBOOK_BYTES = 50_000_000
+WORKBOOK_LOOKS = 2_000_000
+WORKBOOK_MARKS = 100_000  # tags in those other parts: the reader of workbooks takes 0.08 ms for each
+WORKSHEETS = 500  # one for each group
+ROSTER_ROWS = 1_048_576
+ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left
+TITLE_ROWS = 20  # rows among which the header is looked for: above it may stand a title

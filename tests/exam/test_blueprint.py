@@ -349,7 +349,8 @@ def test_force_replaces_the_whole_folder(bench: Bench) -> None:
     (bench.out / "key.csv").write_text("old")
     code, message = bench.build(GOOD, "--force")
     assert code == 0, message
-    assert sorted(p.name for p in bench.out.iterdir()) == FILES
+    assert sorted(p.name for p in bench.out.iterdir()) == sorted([*FILES, "edited"])
+    assert (bench.out / "edited" / "1" / "key.csv").read_text() == "old", "nothing says that it is ours"
     assert sorted(path.name for path in bench.folder.iterdir()) == ["exam.toml", "out"]
 
 

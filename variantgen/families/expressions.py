@@ -84,6 +84,10 @@ class Expression:
         """Whether it has a meaning: nothing divided by zero, no root of a negative number, no arc sine beyond 1."""
         return _defined(self.tree, values)
 
+    def uses(self, name: str) -> bool:
+        """Whether a constant or name stands in it."""
+        return any(isinstance(node, ast.Name) and node.id == name for node in ast.walk(self.tree))
+
     def dimension(self, dimensions: Mapping[str, Dimension]) -> Dimension | None:
         """Exponents of length and time; None for a bare zero, which fits everything. Raises InputError."""
         return _dimension(self.tree, dimensions, self.text)

@@ -303,7 +303,7 @@ def test_all_but_plots_goes_without_matplotlib(tmp_path: Path, monkeypatch: pyte
     shown = picture(one_variant("slider_crank"))
     shown.save(tmp_path / "figure.svg")
     assert "\\begin{tikzpicture}" in shown.tikz
-    with pytest.raises(ToolMissingError, match=r"pip install 'variantgen\[plots\]'"):
+    with pytest.raises(ToolMissingError, match=r'pip install "\.\[plots\]"'):
         shown.matplotlib()
 
 

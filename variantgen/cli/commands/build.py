@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +17,9 @@ from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from variantgen.builder import Built
+    from variantgen.exam.roster import Student
 
+_NAMED = 12  # students that a message names
 HELP = "build an exam"
 DESCRIPTION = (
     "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
@@ -30,9 +32,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("exam", metavar="EXAM.toml", type=Path, help="exam file, or the name of a sample exam")
     students = parser.add_mutually_exclusive_group(required=True)
     students.add_argument(
-        "--roster", type=Path, metavar="FILE", help="class list: CSV or XLSX with the columns id, name, group"
+        "--roster",
+        type=Path,
+        metavar="FILE",
+        help="class list: CSV or XLSX with the columns name and, if there are any, id and group",
     )
     students.add_argument("--variants", type=int, metavar="N", help="no class list: N numbered variants")
+    parser.add_argument(
+        "--id-column",
+        default="",
+        metavar="NAME",
+        help="the column with the ids, by its header (default: found by itself)",
+    )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
     parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
@@ -51,14 +62,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", action="store_true", help="go on from the parts that an interrupted build has finished"
     )
-    parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="replace an earlier output of this program; files that were edited since are kept in its folder edited/",
+    )
     add_families(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Build the folder."""
     from variantgen.builder import build, scheduled_workers
-    from variantgen.exam.roster import numbered, read_roster
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.folders import family_folders
@@ -67,7 +81,7 @@ def run(arguments: argparse.Namespace) -> int:
     at_least_one("--jobs", arguments.jobs)
     if arguments.variants is not None and not 1 <= arguments.variants <= 1_000_000:
         raise InputError(Problem("expected 1 to 1000000", key="--variants", value=str(arguments.variants)))
-    students = read_roster(arguments.roster) if arguments.roster else numbered(arguments.variants)
+    students = _students(arguments)
     path = exam_path(arguments.exam)
     exam = read_exam(path, family_folders(arguments.families, beside=path))
     if arguments.no_solutions:
@@ -93,6 +107,22 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _students(arguments: argparse.Namespace) -> Sequence[Student]:
+    """The class; how the list was read is told."""
+    from variantgen.exam.roster import numbered, read_class
+
+    if not arguments.roster:
+        if arguments.id_column:
+            raise InputError(
+                Problem("there is no roster", key="--id-column", remedy="leave it out, or give --roster FILE")
+            )
+        return numbered(arguments.variants)
+    found = read_class(arguments.roster, arguments.id_column)
+    for note in found.notes:
+        tell(f"{arguments.roster.name}: {note}")
+    return found.students
+
+
 @contextmanager
 def _what_is_kept(out: Path) -> Iterator[None]:
     """Say, if the block ends with an error, that there are parts to go on from."""
@@ -110,7 +140,8 @@ def _what_is_kept(out: Path) -> Iterator[None]:
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
     if made.redrawn:
-        tell(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}")
+        told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
+        tell(f"drawn again to keep variants distinct: {told}")
     if made.unexplained:
         tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:
@@ -119,3 +150,10 @@ def _report(made: Built, seconds: float) -> None:
         have = "sheet has" if count == 1 else "sheets have"
         tell(f"{where}: {count} {have} nearly the data of another in their group (too little room)")
     tell(f"{counted(made.students, 'sheet')} in {made.folder} ({seconds:.1f} s)")
+
+
+def _few(ids: Sequence[str], listed: str) -> str:
+    """Some ids; of many the count, some of them and where all are ``listed``."""
+    if len(ids) <= _NAMED:
+        return ", ".join(ids)
+    return f"{len(ids)} students ({', '.join(ids[:3])}, ...), {listed}"
