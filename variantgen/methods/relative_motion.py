@@ -259,7 +259,7 @@ def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> 
     slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
     _sum_up_slip(book, point, slips[point, carrier])
     if sides.carried is not None and group.carried is not None:
-        known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
+        known = tuple(t for t in sides.right if t.point == group.carried.point and t.size is not None)
         book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
     if sides.path is not None:
         known = tuple(t for t in sides.left if t.size is not None)
