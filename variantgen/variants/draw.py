@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
 from variantgen.variants.attempts import FormDrawing, Judge, Tally
 from variantgen.variants.distinct import TooFewError
@@ -22,7 +22,7 @@ from variantgen.variants.variant import Variant
 
 def draw(
     family: Family,
-    ask: Sequence[str] | None,
+    ask: Ask,
     keys: Sequence[tuple[object, ...]],
     tally: Tally | None = None,
     judge: Judge | None = None,
@@ -82,7 +82,7 @@ class Drawing:
     def __init__(
         self,
         family: Family,
-        ask: Sequence[str] | None,
+        ask: Ask,
         tally: Tally | None = None,
         where: str = "",
         judge: Judge | None = None,
