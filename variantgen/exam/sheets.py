@@ -194,7 +194,7 @@ def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> li
     roots = square_fractions(computed)[0].tolist()  # zero where there is none
     found = []
     for number, root, margin in zip(computed.tolist(), roots, needed.tolist(), strict=True):
-        value = recorded(number)
+        value = recorded(quantity, number)
         own = 0.0 if quantity.component == "sense" else margin  # a sense is right or wrong
         exact = surd(number) if root else None
         found.append(Answer(quantity, unit, value, _tolerance(quantity, value, own), own, exact))

@@ -11,19 +11,11 @@ import math
 from collections.abc import Iterator
 
 from variantgen.methods.book import Book
-from variantgen.methods.centre import (
-    Centre,
-    Ray,
-    difference,
-    is_angle,
-    is_near,
-    named_place,
-    note_angle,
-    say_rays,
-)
+from variantgen.methods.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
 from variantgen.methods.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.methods.geometry import Geometry, between, normal_angle
 from variantgen.methods.name import Name
+from variantgen.methods.rays import Centre, Ray
 from variantgen.methods.step import Body, Fact, Point, Segment, Term, VectorOf
 
 _PARALLEL = 1e-7  # degrees between two perpendiculars within which they never meet

@@ -12,20 +12,13 @@ from dataclasses import dataclass, replace
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.methods.book import Book, Known
+from variantgen.methods.carriers import is_translating
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.given import amount, as_stated
 from variantgen.methods.group import Slid
 from variantgen.methods.name import Name
-from variantgen.methods.points import (
-    RIGHT,
-    across,
-    is_translating,
-    modulus,
-    rotation,
-    summed,
-    vector,
-)
+from variantgen.methods.points import RIGHT, across, modulus, rotation, summed, vector
 from variantgen.methods.pole import about_pole, enter_rate
 from variantgen.methods.step import Body, Fact, Point, Segment, Term, VectorOf, Word
 from variantgen.methods.tracks import on_track, settled
