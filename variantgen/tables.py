@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -11,9 +12,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.limits import KEY_PARTS, TOML_BYTES
 
 T = TypeVar("T")
-_MAX_BYTES = 200_000
+# Part after part of a dotted key, bare or in quotes; what has been read is not read again in another way.
+_PART = r"""(?:[A-Za-z0-9_-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')[ \t]*+"""
+_DEEP_KEY = re.compile(rf"(?<![A-Za-z0-9_-])(?:{_PART}\.[ \t]*+){{{KEY_PARTS},}}")
 
 
 def read_limited(path: Path, limit: int) -> bytes:
@@ -35,7 +39,7 @@ def read_toml(path: Path) -> dict[str, Any]:
 def read_text(path: Path) -> str:
     """The text of a TOML file. Raises InputError."""
     try:
-        return read_limited(path, _MAX_BYTES).decode("utf-8-sig")
+        return read_limited(path, TOML_BYTES).decode("utf-8-sig")
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     except UnicodeDecodeError:
@@ -44,6 +48,10 @@ def read_text(path: Path) -> str:
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
     """The content of the text of a file, numbers with a decimal point as Decimal. Raises InputError."""
+    if deep := _DEEP_KEY.search(text):
+        message = f"a key of more than {KEY_PARTS} parts in line {text.count(chr(10), 0, deep.start()) + 1}"
+        remedy = "no key has so many; if it is a text, part it by spaces"
+        raise InputError(Problem(message, file=str(path), value=shown(deep[0]), remedy=remedy))
     try:
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:
@@ -70,6 +78,15 @@ class Table:
     def problem(self, message: str, name: str, value: Any = "", remedy: str = "") -> None:
         """Note a mistake in this table."""
         self.problems.append(Problem(message, key=self.key(name), value=shown(value), remedy=remedy))
+
+    def bounded(self, name: str, most: int) -> bool:
+        """Whether a list or table inside has at most ``most`` entries; if not, it is noted and read as an empty one."""
+        found = self.data.get(name)
+        if not isinstance(found, list | dict) or len(found) <= most:
+            return True
+        self.problem(f"expected at most {most} entries", name, len(found), "leave some out")
+        self.data = {**self.data, name: [] if isinstance(found, list) else {}}
+        return False
 
     @contextmanager
     def collecting(self, name: str) -> Iterator[None]:

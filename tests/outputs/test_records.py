@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import csv
 import io
+import json
+import shutil
+from collections.abc import Iterable
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from variantgen.builder import build
 from variantgen.exam.assembly import assemble
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import read_exam
 from variantgen.outputs.records import key_rows
+from variantgen.resources import catalog_dir
 
 FORMULA_STARTS = tuple("=+-@＝＋－＠")
 BLANKS = " \t\r\n\u00a0\u3000\u200b\u2060\ufeff"
@@ -40,6 +46,38 @@ def test_no_cell_begins_like_a_formula(lead: str, start: str, sheet: Sheet) -> N
             assert not any(cell.strip(BLANKS).startswith(FORMULA_STARTS) and not is_number(cell) for cell in cells), (
                 cells
             )
+
+
+@pytest.mark.parametrize("name", ["=1+cmd|x", "@SUM(1)", "\t-1", "x;=1"])
+def test_the_name_of_a_family_is_no_formula(name: str, tmp_path: Path) -> None:
+    exam = tmp_path / "exam.toml"
+    shutil.copytree(catalog_dir() / "spool", tmp_path / name)
+    exam.write_text(f"title = 'T'\nlanguage = 'en'\n[[problem]]\nfamily = {json.dumps(name)}\n", "utf-8")
+    out = tmp_path / "out"
+    build(read_exam(exam), [Student("1", "N")], out)
+    raw = (out / "key.csv").read_bytes()
+    for delimiter in ",;\t":
+        for cells in csv.reader(io.StringIO(raw.decode("utf-8-sig")), delimiter=delimiter):
+            assert not any(cell.strip(BLANKS).startswith(FORMULA_STARTS) and not is_number(cell) for cell in cells)
+    assert name.strip() in [row["family"].replace("'", "").strip() for row in reader(raw)]
+
+
+def test_the_key_has_one_kind_of_line_ends(tmp_path: Path) -> None:
+    """As Ruby's CSV reads it: the first line end is that of the file, and no other may follow."""
+    build(read_exam(samples_dir() / "sample_en.toml"), [Student(str(n), f"N{n}") for n in range(18)], tmp_path / "out")
+    raw = (tmp_path / "out" / "key.csv").read_bytes()
+    assert raw.startswith(b"\xef\xbb\xbfid,name,group,")
+    lines = raw.split(b"\r\n")
+    assert lines.pop() == b""
+    assert not any(b"\n" in line or b"\r" in line for line in lines)
+    assert len(lines) == 1 + len(list(reader(raw)))
+    manifest = (tmp_path / "out" / "manifest.json").read_bytes()
+    assert b"\r" not in manifest
+    assert [sheet["id"] for sheet in json.loads(manifest)["students"]] == [str(n) for n in range(18)]
+
+
+def reader(raw: bytes) -> Iterable[dict[str, str]]:
+    return csv.DictReader(io.StringIO(raw.decode("utf-8-sig"), newline=""))
 
 
 def is_number(text: str) -> bool:

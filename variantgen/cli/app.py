@@ -17,6 +17,7 @@ import sys
 from collections.abc import Sequence
 
 from variantgen.cli import commands
+from variantgen.cli.messages import tell
 from variantgen.errors import VariantgenError
 from variantgen.version import VERSION
 
@@ -44,17 +45,17 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return code
     except VariantgenError as error:
-        print(f"variantgen: {error}", file=sys.stderr)
+        tell(f"variantgen: {error}")
         return error.exit_code
     except KeyboardInterrupt:
-        print("variantgen: interrupted, no output was written", file=sys.stderr)
+        tell("variantgen: interrupted, no output was written")
         return 130
     except BrokenPipeError:
         # The reader has gone; nothing more can be said to it, not even when Python flushes at the end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
-        print(f"variantgen: writing failed: {error.strerror}; free some space or choose another file", file=sys.stderr)
+        tell(f"variantgen: writing failed: {error.strerror}; free some space or choose another file")
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
 

@@ -19,6 +19,7 @@ from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
+from variantgen.limits import PROBLEMS
 from variantgen.methods.wish import Depth, Wish
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
@@ -167,8 +168,9 @@ def _printed(top: Table, key: str, text: str) -> str:
 
 def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
+    within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
-    if not tables:
+    if within and not tables:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from fnmatch import fnmatchcase
+from heapq import heappop, heappush
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -19,6 +20,7 @@ from variantgen.families.parameters import check_name, read_parameter, unknown_n
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
+from variantgen.limits import DERIVED, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
@@ -29,7 +31,9 @@ SECTIONS = (
 
 
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
-_MOST = 200  # points or bodies of a scene
+_MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
+    ("points", "conditions", "bodies", "joints", "drivers"), PARTS
+)
 
 
 class FormReader:
@@ -50,6 +54,10 @@ class FormReader:
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
         """The form, or None."""
         before = len(self.problems)
+        for section, most in _MOST.items():
+            self.top.bounded(section, most)
+        if len(self.problems) > before:
+            return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
         self.parameters = parameters.each(lambda key, value: read_parameter(parameters, key, value))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
@@ -111,8 +119,6 @@ class FormReader:
                     f"{section}.{name}",
                     name,
                 )
-        if len(names) > _MOST:
-            self.top.problem(f"more than {_MOST} of them", section, len(names))
 
     def _check_symbols(self) -> None:
         """No two printed parameters are written alike."""
@@ -159,21 +165,26 @@ class FormReader:
         object.__setattr__(form, "ask", plain)
 
     def _read_derived(self, table: Table) -> None:
-        waiting = dict(table.data)
-        while waiting:
-            for name, value in list(waiting.items()):
-                expression = self._parsed(table, name, value)
-                if expression is None:
-                    waiting.pop(name)
-                elif not (expression.names & waiting.keys()):
-                    waiting.pop(name)
-                    with table.collecting(name):
-                        self._define(name, expression)
-                    break
-            else:
-                if waiting:
-                    table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
-                return
+        """Derived quantities, each after those it uses; of several that could be next, the first in the file."""
+        parsed = {name: self._parsed(table, name, value) for name, value in table.data.items()}
+        waiting = {name: expression for name, expression in parsed.items() if expression is not None}
+        order = {name: place for place, name in enumerate(waiting)}
+        lacking = {name: len(expression.names & waiting.keys()) for name, expression in waiting.items()}
+        users: dict[str, list[str]] = {name: [] for name in waiting}
+        for name, expression in waiting.items():
+            for used in expression.names & waiting.keys():
+                users[used].append(name)
+        ready = [(order[name], name) for name in waiting if not lacking[name]]
+        while ready:
+            _, name = heappop(ready)
+            with table.collecting(name):
+                self._define(name, waiting.pop(name))
+            for user in users[name]:
+                lacking[user] -= 1
+                if not lacking[user]:
+                    heappush(ready, (order[user], user))
+        if waiting:
+            table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
 
     def _read_laws(self, table: Table) -> None:
         """Functions of time: ``x`` becomes the value at the instant, ``x_dot`` and ``x_ddot`` its derivatives."""

@@ -12,6 +12,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import Expression
 from variantgen.families.family import Comparison, Pose, Screens
 from variantgen.families.figure_hints import AngleMark, DiscMark, FigureHints, LengthMark, RightAngle
+from variantgen.limits import MARKS, PARTS
 from variantgen.tables import Table
 
 ExpressionReader = Callable[..., Expression]
@@ -38,6 +39,7 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
             if not low <= numbers[key] <= high:
                 table.problem(f"expected a number from {low:g} to {high:g}", key, numbers[key])
     inside = []
+    table.bounded("inside", PARTS)
     for i, item in enumerate(table.take("inside", list, [], "a list of [point, end, end]")):
         if not isinstance(item, list) or len(item) != 3 or any(not isinstance(n, str) for n in item):
             table.problem("expected three names of points: [point, end, end]", f"inside[{i + 1}]", item)
@@ -51,6 +53,7 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
 
 def read_require(table: Table, expression: ExpressionReader) -> tuple[Comparison, ...]:
     """The comparisons of the list ``require``."""
+    table.bounded("require", PARTS)
     found = []
     for i, text in enumerate(table.strings("require")):
         with table.collecting(f"require[{i + 1}]"):
@@ -85,6 +88,8 @@ def read_figure(
     table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], expression: ExpressionReader
 ) -> FigureHints:
     """The marks that the drawing needs."""
+    for key in table.data:
+        table.bounded(key, MARKS)
     angles = [_angle(item, points) for item in table.tables("angles")]
     lengths = [_length(item, points) for item in table.tables("lengths")]
     right_angles = [_right_angle(item, points) for item in table.tables("right_angles")]

@@ -13,11 +13,11 @@ from variantgen.families.family import Family, Form
 from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.solving import check_methods
 from variantgen.families.units import unit
+from variantgen.limits import FORMS
 from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
 
 SCHEMA = 1
-_MOST_FORMS = 50
 
 
 def family_names(folders: Sequence[Path] = ()) -> list[str]:
@@ -75,10 +75,8 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     solution = top.strings("solution")
     with top.collecting("solution"):
         check_methods(solution, "solution")
+    top.bounded("forms", FORMS)
     overlays = top.take("forms", dict, {}, "a table of forms")
-    if len(overlays) > _MOST_FORMS:
-        top.problem(f"more than {_MOST_FORMS} forms", "forms", len(overlays))
-        overlays = {}
     base = {name: top.take(name, (dict, list), {}) for name in SECTIONS if name in data}
     top.finish()
     if problems:

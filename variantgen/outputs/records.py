@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, BinaryIO
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.record import NAME, SCHEMA
@@ -36,21 +36,21 @@ def write_records(
     pieces: Mapping[str, Sequence[Path]],
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
-    with (folder / "key.csv").open("w", encoding="utf-8", newline="") as file:
-        file.write("\ufeff" + _rows([_COLUMNS]))
+    with (folder / "key.csv").open("wb") as file:
+        file.write(("\ufeff" + _rows([_COLUMNS])).encode())
         for path in pieces["key.csv"]:
-            file.write(path.read_text("utf-8"))
+            file.write(path.read_bytes())
         _keep(file)
     before, after = manifest_frame(exam, seed, made_with, redrawn, file_hashes(folder))
-    with (folder / NAME).open("w", encoding="utf-8", newline="") as file:
-        file.write(before)
+    with (folder / NAME).open("wb") as file:
+        file.write(before.encode())
         for number, path in enumerate(pieces[NAME]):
-            file.write((",\n" if number else "\n") + path.read_text("utf-8"))
-        file.write("\n" + after)
+            file.write((b",\n" if number else b"\n") + path.read_bytes())
+        file.write(f"\n{after}".encode())
         _keep(file)
 
 
-def _keep(file: TextIO) -> None:
+def _keep(file: BinaryIO) -> None:
     """See to it that a file is on the disk."""
     file.flush()
     os.fsync(file.fileno())
@@ -64,15 +64,13 @@ def key_rows(sheets: Sequence[Sheet]) -> str:
     """
     return _rows(
         (
-            *(_safe(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group)),
-            sheet.code,
+            *map(_safe, (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)),
             item.task.number,
-            item.variant.family.name,
-            answer.quantity.name,
+            *map(_safe, (item.variant.family.name, answer.quantity.name)),
             repr(answer.value),
-            answer.unit.name,
+            _safe(answer.unit.name),
             repr(answer.tolerance),
-            "; ".join(answer.unnoticed),
+            _safe("; ".join(answer.unnoticed)),
         )
         for sheet in sheets
         for item in sheet.items

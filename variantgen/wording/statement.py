@@ -7,7 +7,7 @@ for every output and are never parsed as markup.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -20,7 +20,7 @@ from variantgen.variants.needed import given_names, shown_points
 from variantgen.variants.variant import Variant, speeding
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.language import Language
-from variantgen.wording.template import load_template
+from variantgen.wording.template import StatementTemplate, load_template
 
 Text = tuple[str | Formula, ...]
 # Code points of the private use area enclose the number of a formula on its way through the template.
@@ -137,6 +137,7 @@ def _text(case: _Case) -> Text:
         return f"{_OPEN}{len(formulas) - 1}{_CLOSE}"
 
     context = _context(case)
+    _check_own(template, context.keys())
     for name in template.variables - context.keys():
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
@@ -145,6 +146,22 @@ def _text(case: _Case) -> Text:
     runs = tuple(formulas[int(part)] if i % 2 else part for i, part in enumerate(_MARK.split(text)) if part or i % 2)
     _check_data(runs, variant, asked, language, path)
     return runs
+
+
+def _check_own(template: StatementTemplate, known: Set[str]) -> None:
+    """Raise InputError if a template sets a name that has a meaning already: the text would show another symbol."""
+    problems = [
+        Problem(
+            f"line {line}: the name has a meaning already",
+            file=str(template.path),
+            value=name,
+            remedy="set another name",
+        )
+        for name, line in template.own.items()
+        if name in known
+    ]
+    if problems:
+        raise InputError(problems)
 
 
 def _check_data(runs: Text, variant: Variant, asked: Sequence[Quantity], language: Language, path: Path) -> None:

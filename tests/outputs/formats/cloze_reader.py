@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from xml.parsers import expat
 
 _START = re.compile(
     r"\{([0-9]*):((?:NUMERICAL|NM)|(?:MULTICHOICE|MC)(?:_?V|_?H|_?S|_?VS|_?HS)?|(?:SHORTANSWER|SA|MW)(?:_?C)?|"
@@ -56,10 +57,34 @@ def _until_brace(html: str, start: int) -> tuple[str, int]:
 
 
 def read_number(text: str) -> float:
-    """A number as Moodle reads it from a file or a student, in any language."""
-    text = text.replace(" ", "")
-    single = "." not in text and text.count(",") == 1
-    return float(text.replace(",", "." if single else ""))
+    """A number as Moodle reads it from a file, or from a student with an interface in English."""
+    return float(text.replace(" ", "").replace(",", ""))
+
+
+def read_texts(file: bytes) -> list[str]:
+    """All texts as Moodle's importer keeps them (lib/xmlize.php): pieces of the parser that are but blanks are lost."""
+    found: list[list[str]] = []
+    inside = False
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        nonlocal inside
+        inside = name == "text"
+        if inside:
+            found.append([])
+
+    def end(name: str) -> None:
+        nonlocal inside
+        inside = False
+
+    def characters(piece: str) -> None:
+        if inside and piece.strip():
+            found[-1].append(piece)
+
+    parser = expat.ParserCreate()
+    parser.buffer_text = False
+    parser.StartElementHandler, parser.EndElementHandler, parser.CharacterDataHandler = start, end, characters
+    parser.Parse(file, True)
+    return ["".join(pieces) for pieces in found]
 
 
 def split_category(path: str) -> list[str]:

@@ -11,7 +11,7 @@ from pathlib import Path
 import html5lib
 import pytest
 
-from tests.outputs.formats.cloze_reader import read_cloze, read_number, split_category
+from tests.outputs.formats.cloze_reader import read_cloze, read_texts, split_category
 from tests.outputs.formats.platform_exams import HOSTILE, built, content, hostile_family, key_rows
 from variantgen.cli import main
 from variantgen.errors import VariantgenError
@@ -85,9 +85,44 @@ def test_answers_tolerances_and_marks_are_those_of_the_key(language: str, tmp_pa
     )
 
 
-def test_a_student_may_write_a_decimal_comma() -> None:
-    assert read_number("12,5") == read_number("12.5") == 12.5
-    assert read_number("1,234,567") == 1234567
+LISTING = '[[problem]]\nfamily = "four_bar"\nask = ["v_B", "omega_AB"]\nmethod = "coordinates"\n'
+
+
+@pytest.mark.parametrize("language", ["ru", "en"])
+def test_moodle_keeps_every_blank_and_every_line(language: str, tmp_path: Path) -> None:
+    hostile_family(tmp_path)
+    body = MOODLE + TWO + LISTING + '[[problem]]\nfamily = "strange"\n'
+    out = built(tmp_path, body, 1, language=language, title=HOSTILE)
+    raw = (out / "moodle.xml").read_bytes()
+    meant = [element.text or "" for element in quiz(out).iter("text")]
+    assert read_texts(raw) == meant
+    assert sum(len(text) > 1000 for text in meant) >= 8
+    assert b"&gt; &lt;" not in raw
+    listings = [
+        "".join(code.itertext())
+        for text in meant
+        for code in html5lib.parseFragment(text, namespaceHTMLElements=False).iter("code")
+    ]
+    assert listings
+    assert all(listing.count("\n") > 5 for listing in listings)
+
+
+def test_moodle_would_lose_blanks_between_entities() -> None:
+    """What the reading above is about: the blank between two tags, where these are written with entities."""
+    assert read_texts(b"<q><text>&lt;b&gt; &lt;i&gt; x</text></q>") == ["<b><i> x"]
+    assert read_texts(b"<q><text><![CDATA[<b> <i> x ]]]]><![CDATA[> y]]></text></q>") == ["<b> <i> x ]]> y"]
+
+
+@pytest.mark.parametrize(
+    ("language", "note"),
+    [
+        ("en", "Enter numbers with a decimal point and without units."),
+        ("ru", "Вводите числа с десятичной точкой, без единиц измерения."),
+    ],
+)
+def test_students_are_asked_for_a_decimal_point(language: str, note: str, tmp_path: Path) -> None:
+    questions = clozes(quiz(built(tmp_path, MOODLE + NO_SOLUTIONS + TWO, 2, language=language)))
+    assert all(note in told(question, "questiontext") for question in questions)
 
 
 def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:

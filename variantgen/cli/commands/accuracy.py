@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
+
+from variantgen.cli.messages import say, tell
 
 HELP = "measure error against run time"
 DESCRIPTION = """\
@@ -31,9 +32,9 @@ def run(arguments: argparse.Namespace) -> int:
 
     need_matplotlib()
     check_free(arguments.out, arguments.force, FILES)
-    measured = measure(QUICK if arguments.quick else FULL, lambda what: print(what, file=sys.stderr, flush=True))
+    measured = measure(QUICK if arguments.quick else FULL, tell)
     with whole_folder(arguments.out, arguments.force, FILES) as folder:
         write(measured, folder)
     for finding in findings(measured):
-        print(finding)
+        say(finding)
     return 0

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from variantgen.cli.messages import counted, tell
 from variantgen.cli.options import add_families, at_least_one, format_names
+from variantgen.cli.progress import Progress
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from variantgen.builder import Built
+    from variantgen.exam.roster import Student
 
-_SHORT = 1.0  # seconds
+_NAMED = 12  # students that a message names
 HELP = "build an exam"
 DESCRIPTION = (
     "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
@@ -30,9 +32,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("exam", metavar="EXAM.toml", type=Path, help="exam file, or the name of a sample exam")
     students = parser.add_mutually_exclusive_group(required=True)
     students.add_argument(
-        "--roster", type=Path, metavar="FILE", help="class list: CSV or XLSX with the columns id, name, group"
+        "--roster",
+        type=Path,
+        metavar="FILE",
+        help="class list: CSV or XLSX with the columns name and, if there are any, id and group",
     )
     students.add_argument("--variants", type=int, metavar="N", help="no class list: N numbered variants")
+    parser.add_argument(
+        "--id-column",
+        default="",
+        metavar="NAME",
+        help="the column with the ids, by its header (default: found by itself)",
+    )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
     parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
@@ -58,7 +69,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Build the folder."""
     from variantgen.builder import build, scheduled_workers
-    from variantgen.exam.roster import numbered, read_roster
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.folders import family_folders
@@ -67,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
     at_least_one("--jobs", arguments.jobs)
     if arguments.variants is not None and not 1 <= arguments.variants <= 1_000_000:
         raise InputError(Problem("expected 1 to 1000000", key="--variants", value=str(arguments.variants)))
-    students = read_roster(arguments.roster) if arguments.roster else numbered(arguments.variants)
+    students = _students(arguments)
     path = exam_path(arguments.exam)
     exam = read_exam(path, family_folders(arguments.families, beside=path))
     if arguments.no_solutions:
@@ -85,12 +95,28 @@ def run(arguments: argparse.Namespace) -> int:
             arguments.seed,
             arguments.jobs,
             arguments.force,
-            stack.enter_context(_Progress()).show,
+            stack.enter_context(Progress()).show,
             executor,
             arguments.resume,
         )
     _report(made, time.perf_counter() - start)
     return 0
+
+
+def _students(arguments: argparse.Namespace) -> Sequence[Student]:
+    """The class; how the list was read is told."""
+    from variantgen.exam.roster import numbered, read_class
+
+    if not arguments.roster:
+        if arguments.id_column:
+            raise InputError(
+                Problem("there is no roster", key="--id-column", remedy="leave it out, or give --roster FILE")
+            )
+        return numbered(arguments.variants)
+    found = read_class(arguments.roster, arguments.id_column)
+    for note in found.notes:
+        tell(f"{arguments.roster.name}: {note}")
+    return found.students
 
 
 @contextmanager
@@ -103,80 +129,27 @@ def _what_is_kept(out: Path) -> Iterator[None]:
     except BaseException:
         folder = unfinished_folder(out)
         if (folder / "plan.json").exists():
-            print(f"what is done is kept in {folder}: the same command with --resume goes on", file=sys.stderr)
+            tell(f"what is done is kept in {folder}: the same command with --resume goes on")
         raise
 
 
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
     if made.redrawn:
-        print(f"drawn again to keep variants distinct: {', '.join(made.redrawn)}", file=sys.stderr)
+        told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
+        tell(f"drawn again to keep variants distinct: {told}")
     if made.unexplained:
-        print(f"answers only, no worked solution: {', '.join(made.unexplained)}", file=sys.stderr)
+        tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:
-        print(note, file=sys.stderr)
+        tell(note)
     for where, count in made.alike.items():
-        print(
-            f"{where}: {count} sheets have nearly the data of another in their group (too little room)", file=sys.stderr
-        )
-    print(f"{made.students} sheets in {made.folder} ({seconds:.1f} s)", file=sys.stderr)
+        have = "sheet has" if count == 1 else "sheets have"
+        tell(f"{where}: {count} {have} nearly the data of another in their group (too little room)")
+    tell(f"{counted(made.students, 'sheet')} in {made.folder} ({seconds:.1f} s)")
 
 
-class _Progress:
-    """Progress on stderr for long work: a bar on a terminal, elsewhere a line every five seconds."""
-
-    def __init__(self) -> None:
-        self._stage = ""
-        self._bar: Any = None
-        self._start = time.perf_counter()
-
-    def __enter__(self) -> _Progress:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._end()
-
-    def show(self, stage: str, done: int, total: int) -> None:
-        """Show how far a stage is."""
-        over = stage != self._stage and done == total
-        if over or time.perf_counter() - self._start < _SHORT:
-            return  # short work needs no bar, nor the time to load its library
-        if stage != self._stage:
-            self._end()
-            self._stage, self._bar = stage, _bar(stage, done, total)
-        self._bar.update(done - self._bar.n)
-
-    def _end(self) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-def _bar(stage: str, done: int, total: int) -> Any:
-    from tqdm import tqdm
-
-    live = sys.stderr.isatty()
-    return tqdm(
-        total=total,
-        initial=done,
-        desc=stage,
-        unit=" students",
-        file=sys.stderr if live else _Lines(),
-        mininterval=0.2 if live else 5.0,
-        bar_format="{desc}: {n_fmt} of {total_fmt} |{bar}| {rate_fmt}, {remaining} left"
-        if live
-        else "{desc}: {n_fmt} of {total_fmt}, {rate_fmt}, {remaining} left",
-        leave=False,
-    )
-
-
-class _Lines:
-    """Standard error as a file of whole lines: no line is written over another."""
-
-    def write(self, text: str) -> None:
-        """Write a state of the bar as a line."""
-        if line := text.strip("\r\n "):
-            sys.stderr.write(f"{line}\n")
-
-    def flush(self) -> None:
-        """Nothing is kept back."""
-        sys.stderr.flush()
+def _few(ids: Sequence[str], listed: str) -> str:
+    """Some ids; of many the count, some of them and where all are ``listed``."""
+    if len(ids) <= _NAMED:
+        return ", ".join(ids)
+    return f"{len(ids)} students ({', '.join(ids[:3])}, ...), {listed}"

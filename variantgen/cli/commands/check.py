@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
+from variantgen.cli.messages import say
 from variantgen.cli.options import add_families
 from variantgen.errors import InputError, Problem
 
@@ -45,9 +46,9 @@ def run(arguments: argparse.Namespace) -> int:
             problems += error.problems
             continue
         if not arguments.json:
-            print(reports[-1].as_text(), flush=True)
+            say(reports[-1].as_text())
     if problems:
         raise InputError(problems)
     if arguments.json:
-        print(json.dumps([report.as_json() for report in reports], ensure_ascii=False, indent=2))
+        say(json.dumps([report.as_json() for report in reports], ensure_ascii=False, indent=2))
     return 1 if any(report.failures for report in reports) else 0

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from pathlib import Path
 
+from variantgen.cli.messages import counted, tell
 from variantgen.cli.options import add_families, add_nice, at_least_one
 
 HELP = "make a gallery of figures"
@@ -40,5 +40,5 @@ def run(arguments: argparse.Namespace) -> int:
     wanted = Wanted(families, arguments.lang, arguments.each, arguments.seed, folders, options, arguments.nice)
     start = time.perf_counter()
     count = write_gallery(wanted, arguments.out, arguments.force)
-    print(f"{count} figures in {arguments.out} ({time.perf_counter() - start:.1f} s)", file=sys.stderr)
+    tell(f"{counted(count, 'figure')} in {arguments.out} ({time.perf_counter() - start:.1f} s)")
     return 0

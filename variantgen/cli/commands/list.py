@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
+from variantgen.cli.messages import say
 from variantgen.cli.options import add_families
 
 HELP = "list the problem families"
@@ -29,10 +30,10 @@ def run(arguments: argparse.Namespace) -> int:
     families = [load_family(name, folders) for name in family_names(folders)]
     if arguments.json:
         rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
-        print(json.dumps(rows, ensure_ascii=False, indent=2))
+        say(json.dumps(rows, ensure_ascii=False, indent=2))
         return 0
     width = max(len(family.name) for family in families)
     for family in families:
         forms = ", ".join(name for name in family.forms if name)
-        print(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
+        say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
     return 0

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
+
+from variantgen.cli.messages import say, tell
 
 HELP = "start a family or an exam"
 DESCRIPTION = "Write a working family folder or exam file to edit."
@@ -29,6 +30,6 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         path = new_exam(arguments.name, arguments.out)
         hint = f"build: variantgen build {path} --variants 3 --out {path.stem}-sheets"
-    print(path)
-    print(hint, file=sys.stderr)
+    say(path)
+    tell(hint)
     return 0

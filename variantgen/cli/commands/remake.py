@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
+from variantgen.cli.messages import tell
 from variantgen.cli.options import add_families
 
 HELP = "make one student's sheet of a finished exam again"
@@ -39,15 +39,15 @@ def run(arguments: argparse.Namespace) -> int:
     with typesetter() as engine:
         made = remake(finished, find(finished, arguments.student), target, arguments.folder, engine)
     for difference in finished.differences:
-        print(f"not as when the exam was made: {difference}", file=sys.stderr)
+        tell(f"not as when the exam was made: {difference}")
     for fault in made.faults:
-        print(f"not the same: {fault}", file=sys.stderr)
+        tell(f"not the same: {fault}")
     unsure = bool(made.faults) or (not made.same and bool(finished.differences))
     if unsure and not arguments.anyway:
-        print("nothing was written; --anyway writes what can be made now", file=sys.stderr)
+        tell("nothing was written; --anyway writes what can be made now")
         return 1
     path = arguments.out or Path(f"{made.stem}{'-solutions' if arguments.solutions else ''}.pdf")
     write_whole(path, made.content, "--out")
     told = f", the same as {made.same}" if made.same else ""
-    print(f"{path}{told}", file=sys.stderr)
+    tell(f"{path}{told}")
     return 0

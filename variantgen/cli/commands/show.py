@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
+from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_choice, add_explaining, explained, settings
 from variantgen.errors import InputError, Problem
 
@@ -51,25 +51,25 @@ def run(arguments: argparse.Namespace) -> int:
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
     if arguments.figure:
         variant.figure(arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
-        print(f"written: {arguments.figure}", file=sys.stderr)
+        tell(f"written: {arguments.figure}")
     solution = explained(arguments, variant)
     remark = f"{variant.family.name}  ·  seed {arguments.seed}"
     if arguments.motion:
         from variantgen.outputs.motion_plot import write_motion
 
         write_motion(variant, asked, arguments.lang, arguments.motion, remark)
-        print(f"written: {arguments.motion}", file=sys.stderr)
+        tell(f"written: {arguments.motion}")
     if arguments.out and solution is not None:
         solution.save(arguments.out, remark)
-        print(f"written: {arguments.out}", file=sys.stderr)
+        tell(f"written: {arguments.out}")
     elif arguments.out:
         from variantgen.outputs.single_page import write_single
 
         write_single(variant, asked, found, arguments.lang, arguments.out, remark)
-        print(f"written: {arguments.out}", file=sys.stderr)
+        tell(f"written: {arguments.out}")
     if not (arguments.out or arguments.motion or arguments.figure):
         values = [(answer.value, answer.unit, answer.surd) for answer in found]
-        print(plain_problem(variant, asked, values, load_language(arguments.lang)))
+        say(plain_problem(variant, asked, values, load_language(arguments.lang)))
         if solution is not None:
-            print(f"\n{solution}")
+            say(f"\n{solution}")
     return 0

@@ -7,6 +7,7 @@ import json
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from variantgen.cli.messages import say
 from variantgen.cli.options import add_choice, add_explaining, explained, settings
 from variantgen.errors import InputError, Problem
 
@@ -40,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     document = solution_document(variant, arguments.ask)
     if arguments.json:
         try:
-            print(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
+            say(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
         except ValueError:
             raise InputError(Problem("the numbers grow beyond all bounds", file=arguments.family)) from None
     outcome = Outcome[document["outcome"].upper()]
@@ -48,14 +49,14 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     if not arguments.json:
         for name, item in document["parameters"].items():
-            print(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
-        print()
+            say(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
+        say()
         solution = explained(arguments, variant)
         if solution is not None:
-            print(solution)
+            say(solution)
             return 0
         for answer in answers(variant, arguments.ask):
-            print(_told(answer))
+            say(_told(answer))
     return 0
 
 

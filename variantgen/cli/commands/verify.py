@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from dataclasses import asdict
 from pathlib import Path
 
+from variantgen.cli.messages import counted, say, tell
 from variantgen.cli.options import add_families
 
 HELP = "compute every answer of a finished exam again"
@@ -35,16 +35,16 @@ def run(arguments: argparse.Namespace) -> int:
     finished = restore(read_record(arguments.folder), family_folders(arguments.families))
     found = verify(finished, arguments.folder)
     if arguments.json:
-        print(json.dumps({**asdict(found), "differences": finished.differences}, ensure_ascii=False, indent=1))
+        say(json.dumps({**asdict(found), "differences": finished.differences}, ensure_ascii=False, indent=1))
     for difference in finished.differences:
-        print(f"not as when the exam was made: {difference}", file=sys.stderr)
+        tell(f"not as when the exam was made: {difference}")
     for fault in found.faults[:_SHOWN]:
-        print(fault, file=sys.stderr)
+        tell(fault)
     if len(found.faults) > _SHOWN:
-        print(f"and {len(found.faults) - _SHOWN} more", file=sys.stderr)
-    told = f"{found.answers} answers of {found.students} students computed again"
+        tell(f"and {len(found.faults) - _SHOWN} more")
+    told = f"{counted(found.answers, 'answer')} of {counted(found.students, 'student')} computed again"
     if found.faults:
-        print(f"{told}; faults: {len(found.faults)}", file=sys.stderr)
+        tell(f"{told}; faults: {len(found.faults)}")
         return 1
-    print(f"{told}: all right (largest difference {found.largest:.0e}), no file changed", file=sys.stderr)
+    tell(f"{told}: all right (largest difference {found.largest:.0e}), no file changed")
     return 0

@@ -3,17 +3,22 @@
 The mark of a cloze question is the sum of the whole weights of its parts; Moodle reads no other. Tolerances are
 absolute, and are those of the key. The text has its formulas as HTML, which needs no filter; the worked solution,
 shown as general feedback, has them as LaTeX for the MathJax filter. Figures are inside the file.
+
+Moodle's reader of XML is told of a text piece by piece and drops pieces of white space alone. A piece ends at every
+entity and, with some parsers, at every end of a line, so texts are CDATA on one line.
 """
 
 from __future__ import annotations
 
 import base64
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from xml.parsers import expat
+from xml.sax.saxutils import unescape
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.blueprint import Exam
@@ -38,6 +43,7 @@ FAMILIES, STUDENTS = "families", "students"
 _LONGEST = 200  # characters of a name; Moodle holds 255
 _DECLARATION = b'<?xml version="1.0" encoding="UTF-8"?>\n'
 _CHUNK = 1 << 20
+_TEXT = re.compile("<text>([^<]+)</text>")
 # Moodle takes what looks like a tag out of names.
 _BRACKETS = str.maketrans("<>", "‹›")
 
@@ -177,7 +183,7 @@ def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, lis
         f"{inert(to_html(asked.unit))}</p>"
         for asked, share in zip(question.parts, shares, strict=True)
     )
-    notes = inert(notes_html(question.notes))
+    notes = inert(notes_html((*question.notes, exam.spoken.words("platform")["numbers"])))
     return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', told.used
 
 
@@ -199,8 +205,8 @@ class _Figures:
 
 
 def _rich(parent: ET.Element, html: str, used: list[FigureFile]) -> None:
-    """HTML with the files that it shows."""
-    _text(parent, html)
+    """HTML with the files that it shows; ends of lines, which a listing has, as entities of HTML."""
+    _text(parent, html.replace("\n", "&#10;"))
     for file in used:
         element = ET.SubElement(parent, "file", name=file.name, path="/", encoding="base64")
         element.text = base64.b64encode(file.content).decode()
@@ -211,5 +217,12 @@ def _text(parent: ET.Element, text: str) -> None:
 
 
 def _written(element: ET.Element) -> bytes:
+    """An element of XML on a line, texts as CDATA."""
     written: str = ET.tostring(element, encoding="unicode")
-    return f"{written}\n".encode()
+    return f"{_TEXT.sub(_cdata, written)}\n".encode()
+
+
+def _cdata(match: re.Match[str]) -> str:
+    """A text in which nothing is escaped; what would end it is written in two halves."""
+    halves = unescape(match[1]).replace("]]>", "]]]]><![CDATA[>")
+    return f"<text><![CDATA[{halves}]]></text>"

@@ -1,8 +1,8 @@
 """The cloze notation of Moodle: numbers to be entered inside a text, like ``{1:NUMERICAL:=12.5:0.1}``.
 
-Moodle reads ``12,5`` as it reads ``12.5`` whatever the language of the reader: a comma is a decimal mark unless there
-is a point or another comma too. Where commas separate thousands (English) a reader of a question with immediate
-feedback is asked to write the number without it; at the end of a quiz it counts as 12.5 there too.
+What Moodle makes of ``12,5`` depends on the language of its interface: 12.5 where the comma is the decimal mark
+(Russian), 125 where commas separate thousands (English). The minus sign U+2212 is not read at all. A decimal point and
+a hyphen are read everywhere, and every question asks for a point.
 """
 
 from __future__ import annotations

@@ -1,0 +1,121 @@
+"""Small files that would cost minutes or gigabytes are refused at once, with the bound and a remedy."""
+
+from __future__ import annotations
+
+import tracemalloc
+from pathlib import Path
+
+import pytest
+
+from tests.exam.test_blueprint import at_most
+from variantgen.cli import main
+from variantgen.families.load import load_family
+from variantgen.resources import catalog_dir
+
+EXAM = 'title = "Quiz"\nlanguage = "en"\n'
+PROBLEM = '[[problem]]\nfamily = "four_bar"\n'
+FAMILY = """title = {{ en = "A" }}
+length_unit = "cm"
+[parameters]
+OA = {{ unit = "cm", from = 10, to = 20, step = 1 }}
+{parameters}
+[derived]
+{derived}
+[points]
+O = {{ coordinates = {{ x = 0, y = 0 }} }}
+A = {{ polar = {{ origin = "O", distance = "OA", angle = "1" }} }}
+{points}
+[bodies]
+OA = ["O", "A"]
+[[joints]]
+pivot = {{ point = "O" }}
+[[drivers]]
+rotation = {{ body = "OA", omega = 1, epsilon = 0 }}
+[figure]
+angles = [{angles}]
+lengths = [{lengths}]
+"""
+
+
+def family(folder: Path, **parts: str) -> str:
+    """The path of a family with these lines in its sections."""
+    path = folder / "mine" / "family.toml"
+    path.parent.mkdir()
+    empty = dict.fromkeys(("parameters", "derived", "points", "angles", "lengths"), "")
+    path.write_text(FAMILY.format(**{**empty, **parts}), "utf-8")
+    return str(path)
+
+
+def refused(command: list[str], capsys: pytest.CaptureFixture[str], seconds: float = 5) -> str:
+    """The message of a command that ends soon, with exit code 2 and little memory."""
+    tracemalloc.start()
+    try:
+        with at_most(seconds):
+            assert main(command) == 2
+        assert tracemalloc.get_traced_memory()[1] < 200e6
+    finally:
+        tracemalloc.stop()
+    return capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "key", ["title" + ".a" * 60_000, 'title."a"' + ".'b'. c" * 20_000, "[[x" + ".y" * 60_000 + "]]"]
+)
+def test_a_key_of_very_many_parts(key: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text(EXAM + key + (" = 1\n" if not key.startswith("[") else "\n") + PROBLEM, "utf-8")
+    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "exam.toml: a key of more than 50 parts in line 3 (got " in told
+    assert [path.name for path in tmp_path.iterdir()] == ["exam.toml"]
+
+
+@pytest.mark.parametrize("text", ["..." * 200, "1.2.3.4.5", "a. b. c. d. " * 5 + "e", '"."."' * 4])
+def test_points_in_texts_are_no_keys(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text(f"title = '{text}'\nlanguage = \"en\"\ncolour = 1\n{PROBLEM}", "utf-8")
+    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "colour: unknown key" in told
+    assert "parts" not in told
+
+
+def test_problems_without_number(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text(EXAM + PROBLEM * 3700, "utf-8")
+    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "exam.toml: problem: expected at most 100 entries (got 3700)\n    leave some out" in told
+    assert "at least one problem" not in told
+
+
+@pytest.mark.parametrize(
+    ("section", "lines", "key", "bound"),
+    [
+        ("derived", [f"x{i} = 'x{i + 1} + OA'" for i in range(3999)] + ["x3999 = 'OA'"], "derived", "200"),
+        ("parameters", [f"p{i} = {{ unit = 'cm', values = [1] }}" for i in range(700)], "parameters", "100"),
+        ("angles", ["{ name = 'OA', at = 'O', from = '+x', to = 'A' }," * 1500], "figure.angles", "60"),
+        ("lengths", ["{ name = 'OA', from = 'O', to = 'A' }," * 1500], "figure.lengths", "60"),
+        ("points", [f"P{i} = {{ foot = {{ point = 'O' }} }}" for i in range(999)], "points", "200"),
+    ],
+)  # fmt: skip
+def test_sections_of_a_family_without_end(
+    section: str, lines: list[str], key: str, bound: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    told = refused(["check", family(tmp_path, **{section: "\n".join(lines)})], capsys)
+    assert f"family.toml: {key}: expected at most {bound} entries (got " in told
+    assert "unknown" not in told
+
+
+def test_derived_quantities_may_stand_in_any_order(tmp_path: Path) -> None:
+    lines = [f"x{i} = 'x{i + 1} + OA'" for i in range(199)] + ["x199 = 'OA'"]
+    with at_most(5):
+        form = load_family(family(tmp_path, derived="\n".join(lines))).forms[""]
+    assert list(form.derived) == [f"x{i}" for i in reversed(range(200))]
+    assert float(form.values({"OA": 0.1})["x0"]) == pytest.approx(200 * 0.1)
+
+
+def test_no_family_of_the_catalogue_is_near_a_bound() -> None:
+    for path in catalog_dir().glob("*/family.toml"):
+        for form in load_family(str(path)).forms.values():
+            assert len(form.parameters) <= 20
+            assert len(form.derived) <= 20
+            assert len(form.points) <= 20
+            assert len(form.figure.angles) + len(form.figure.lengths) <= 20

@@ -1,0 +1,96 @@
+"""The worksheets of an XLSX file: all rows that are there, whatever the file says of its size, and within bounds."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+import zlib
+from typing import Any
+
+from variantgen.errors import InputError, Problem, ToolMissingError
+from variantgen.exam.roster.tables import Row, Sheet
+from variantgen.limits import (
+    ROSTER_COLUMNS,
+    ROSTER_ROWS,
+    WORKBOOK_BYTES,
+    WORKBOOK_LOOKS,
+    WORKSHEETS,
+)
+
+# What the reader of workbooks raises on damaged ones, as found by damaging them.
+_BROKEN = (
+    zipfile.BadZipFile, zlib.error, LookupError, ValueError, TypeError, AttributeError, SyntaxError, EOFError, OSError,
+    NotImplementedError,
+)  # fmt: skip
+_SIMPLER = "copy the list into a new workbook (values only), or save it as CSV"
+
+
+def workbook_sheets(content: bytes) -> list[Sheet]:
+    """The visible worksheets. Raises InputError for a damaged file or one beyond all bounds."""
+    try:
+        import openpyxl
+    except ImportError:
+        raise ToolMissingError(
+            "an XLSX roster needs the package openpyxl: install it with  pip install 'variantgen[xlsx]'"
+            "  or save the table as CSV"
+        ) from None
+    try:
+        _check_size(content)
+        book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
+        visible = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
+        return [Sheet(tuple(_rows(sheet)), str(sheet.title)) for sheet in visible]
+    except _BROKEN as error:
+        raise InputError(
+            Problem(f"is not a readable XLSX workbook ({type(error).__name__})", remedy="save it again, or as CSV")
+        ) from None
+
+
+def _check_size(content: bytes) -> None:
+    """Raise InputError for a workbook that would not fit into the memory. What is unpacked is never more than told."""
+    table = looks = sheets = 0
+    with zipfile.ZipFile(io.BytesIO(content)) as parts:
+        for part in parts.infolist():
+            is_sheet = "/worksheets/" in part.filename
+            sheets += is_sheet
+            if is_sheet or part.filename.endswith("sharedStrings.xml"):
+                table += part.file_size
+            elif part.filename.endswith((".xml", ".rels")):
+                looks += part.file_size
+    for size, most, what in (
+        (table, WORKBOOK_BYTES, "worksheets"),
+        (looks, WORKBOOK_LOOKS, "styles and other parts"),
+    ):
+        if size > most:
+            problem = f"the {what} of the workbook unpack to {size // 1_000_000} MB, more than {most // 1_000_000} MB"
+            raise InputError(Problem(problem, remedy=_SIMPLER))
+    if sheets > WORKSHEETS:
+        raise InputError(Problem(f"the workbook has more than {WORKSHEETS} worksheets", remedy=_SIMPLER))
+
+
+def _rows(sheet: Any) -> list[Row]:
+    """The rows of a worksheet that are not empty."""
+    sheet.reset_dimensions()  # what the file says of them may be wrong, and rows outside would not be read
+    found: list[Row] = []
+    before: object = None
+    for number, row in enumerate(sheet.iter_rows(max_col=ROSTER_COLUMNS, values_only=True), start=1):
+        if number > ROSTER_ROWS:
+            where = f"worksheet {sheet.title}"
+            problem = f"a row has a number above {ROSTER_ROWS}, which no worksheet has"
+            raise InputError(Problem(problem, key=where, remedy=_SIMPLER))
+        # Where the file has no rows, the reader gives one and the same empty row a million times.
+        if row is not before and any(cell is not None for cell in row):
+            cells = [_cell(cell) for cell in row]
+            while cells and not cells[-1]:
+                cells.pop()
+            if cells:
+                found.append((number, cells))
+        before = row
+    return found
+
+
+def _cell(value: object) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float) and value.is_integer():
+        return str(int(value))
+    return str(value).strip()

@@ -1,0 +1,33 @@
+"""How much of anything is read, in one place: plain numbers, each far above what people write.
+
+What is larger is refused with a message that names the bound, before memory or time is spent on it.
+"""
+
+from __future__ import annotations
+
+# Texts written by hand. The largest family of the catalogue has 6 kB.
+TOML_BYTES = 200_000
+# A name like ``a.b.c`` of n parts costs the reader of TOML n * n; no key of ours has more than five parts.
+KEY_PARTS = 50
+
+# A family: its forms, and of one form the entries of each section. The catalogue has at most 4 forms, 13 parameters,
+# 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.
+FORMS = 50
+PARAMETERS = 100  # each is moved by itself to see how the answers depend on it
+DERIVED = 200
+PARTS = 200  # points, bodies, joints, drivers, conditions, and what is required of the data
+MARKS = 60  # of one kind in a figure: every label looks for a place between all others
+FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
+
+# An exam: problems of one sheet. A hundred pages for one student are a book.
+PROBLEMS = 100
+
+# A class list. As a CSV a million students have some 40 MB; the worksheets of a workbook, unpacked, have 4 MB for
+# 20 000 students, its styles and other parts 20 kB (overgrown ones 1 MB); spreadsheets have no more rows than these.
+ROSTER_BYTES = 50_000_000
+WORKBOOK_BYTES = 50_000_000
+WORKBOOK_LOOKS = 2_000_000
+WORKSHEETS = 500  # one for each group
+ROSTER_ROWS = 1_048_576
+ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left
+TITLE_ROWS = 20  # rows among which the header is looked for: above it may stand a title
