@@ -4,8 +4,8 @@ The tolerance of an answer is the exam's ``floor`` or, where rounding in a worke
 answer (:mod:`variantgen.methods.rounding`), that much. Where a mistake is seen in some answers only, the key says which
 of the others do not show it.
 
-A variant on which rounding leads further than the ``ceiling`` of the screens of its family punishes rounding, and one on
-which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that it touches lets a
+A variant on which rounding leads further than the ``ceiling`` of the screens of its family punishes rounding, and one
+on which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that it touches lets a
 wrong way pass: neither is drawn. These screens know nothing of the exam's marking: with another floor the same variants
 are drawn.
 """
@@ -25,7 +25,8 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.methods.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Tally
 from variantgen.variants.mistakes import distances, wrong_answers
 from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
@@ -112,9 +113,7 @@ def _at_least(errors: Table, floor: float) -> Table:
     return np.asarray(np.where(errors > floor, steps, floor))
 
 
-def hand_errors(
-    variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
-) -> Table:
+def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Table:
     """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
     errors = _calculation(variants[0], asked).errors(variants, motion, places)
     chosen = np.array(places, dtype=int)

@@ -15,9 +15,9 @@ _LARGEST = 0.2
 class Tolerance:
     """Relative tolerances of answers (of an angle in radians).
 
-    ``floor``: the least one. ``ceiling``, if there is one: a variant on which what is asked would need more in a careful
-    hand calculation with three significant digits is drawn again. ``mistakes``: nor is one drawn on which a plausible
-    mistake goes unnoticed. What a draw must bear anyway is said by the screens of its family.
+    ``floor``: the least one. ``ceiling``, if there is one: a variant on which what is asked would need more in a
+    careful hand calculation with three significant digits is drawn again. ``mistakes``: nor is one drawn on which a
+    plausible mistake goes unnoticed. What a draw must bear anyway is said by the screens of its family.
     """
 
     floor: float = 0.01

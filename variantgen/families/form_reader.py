@@ -20,7 +20,7 @@ from variantgen.families.parameters import check_name, read_parameter, unknown_n
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
-from variantgen.limits import DERIVED, PARAMETERS, PARTS
+from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
@@ -49,6 +49,7 @@ class FormReader:
         self.parameters: dict[str, Parameter] = {}
         self.derived: dict[str, Expression] = {}
         self.dimensions: dict[str, Dimension] = {}
+        self._values = 0
         self._templates = TemplateReader(self.expression, unit(length))
 
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
@@ -59,7 +60,7 @@ class FormReader:
         if len(self.problems) > before:
             return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
-        self.parameters = parameters.each(lambda key, value: read_parameter(parameters, key, value))
+        self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         self._read_laws(self.top.table("laws"))
@@ -109,6 +110,17 @@ class FormReader:
             _ = form.plan
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _read_parameter(self, table: Table, name: str, value: Any) -> Parameter | None:
+        """A parameter, as long as there is room for the values of all of them."""
+        if self._values > GRID:
+            return None  # that is noted already
+        parameter = read_parameter(table, name, value)
+        self._values += len(parameter.printed) if parameter else 0
+        if self._values > GRID:
+            remedy = "take larger steps, or fewer parameters"
+            table.problem(f"more than {GRID} values of parameters together", name, self._values, remedy)
+        return parameter
 
     def _check_names(self, section: str, names: Collection[str]) -> None:
         """Names of points and bodies are parts of the names of quantities: letters and digits only."""

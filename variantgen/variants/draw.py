@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.variants.attempts import FormDrawing, Judge, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Judge, Tally
 from variantgen.variants.distinct import TooFewError
 from variantgen.variants.examined import examined
 from variantgen.variants.needed import told_size
