@@ -1,4 +1,4 @@
-"""A variant depends on seed, student, problem, family, form and ranges: no marking, no choice of questions, no texts."""
+"""A variant depends on seed, student, problem, family, form and ranges, on no marking, questions or texts."""
 
 from __future__ import annotations
 
