@@ -24,7 +24,7 @@ from benchmarks import textbook
 Columns = Mapping[str, NDArray[np.float64]]
 Table = NDArray[np.float64]  # rows: x and y of B, of its velocity, of its acceleration; a column for each variant
 Way = Callable[[], Table]
-EXTRA = "pip install 'variantgen[bench]'"
+EXTRA = 'pip install ".[bench]"'
 _OFF = 0.1  # rad, of the guesses
 
 

@@ -107,7 +107,7 @@ def test_missing_package_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     rivals._compiled.cache_clear()
     table = solver.comparison(rivals.MECHANISMS[1], (1,), 1)
     assert "closed form, numba left out" in table.note
-    assert "pip install 'variantgen[bench]'" in table.note
+    assert 'pip install ".[bench]"' in table.note
     assert [row[0] for row in table.rows if row[1] is None] == ["closed form, numba", "pylinkage, an object each"]
 
 

@@ -65,6 +65,16 @@ class ToolMissingError(VariantgenError):
     exit_code = 3
 
 
+def missing_package(what: str, package: str, extra: str, otherwise: str = "") -> ToolMissingError:
+    """The error for a package that is not installed, with the command that installs it; ``otherwise`` is a way out.
+
+    The package is not on an index: its extras are those of the folder with its sources. Quotation marks like these are
+    known to the shells of all systems.
+    """
+    how = f'in the folder of variantgen, with its environment active:  pip install ".[{extra}]"'
+    return ToolMissingError(f"{what} the package {package}; install it {how}{otherwise}")
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """A remedy that names the known words closest to a mistyped one."""
     import difflib

@@ -29,6 +29,7 @@ PROBLEMS = 100
 ROSTER_BYTES = 50_000_000
 WORKBOOK_BYTES = 50_000_000
 WORKBOOK_LOOKS = 2_000_000
+WORKBOOK_MARKS = 100_000  # tags in those other parts: the reader of workbooks takes 0.08 ms for each
 WORKSHEETS = 500  # one for each group
 ROSTER_ROWS = 1_048_576
 ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left

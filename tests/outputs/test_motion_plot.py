@@ -206,6 +206,6 @@ def test_without_matplotlib(
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert main(["show", "four_bar", "--motion", str(tmp_path / "motion.pdf")]) == 3
-    assert "pip install 'variantgen[plots]'" in capsys.readouterr().err
+    assert 'pip install ".[plots]"' in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
     assert main(["show", "four_bar"]) == 0

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from variantgen.families.units import UNITS
+from variantgen.outputs.sheet_data import points_text
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
 from variantgen.wording.language import languages, load_language, round_text
 
@@ -47,6 +48,23 @@ def test_every_language_has_the_same_words_and_all_units() -> None:
     shape = {name: {key: set(words) for key, words in load_language(name).tables.items()} for name in languages()}
     assert all(tables == shape["en"] for tables in shape.values())
     assert shape["en"]["units"] == set(UNITS)
+
+
+@pytest.mark.parametrize(
+    ("points", "english", "russian"),
+    [
+        (0, "0 points", "0 баллов"), (1, "1 point", "1 балл"), (2, "2 points", "2 балла"), (4, "4 points", "4 балла"),
+        (5, "5 points", "5 баллов"), (10, "10 points", "10 баллов"), (11, "11 points", "11 баллов"),
+        (12, "12 points", "12 баллов"), (14, "14 points", "14 баллов"), (20, "20 points", "20 баллов"),
+        (21, "21 points", "21 балл"), (22, "22 points", "22 балла"), (25, "25 points", "25 баллов"),
+        (101, "101 points", "101 балл"), (111, "111 points", "111 баллов"), (1000, "1000 points", "1000 баллов"),
+    ],
+)  # fmt: skip
+def test_plurals(points: int, english: str, russian: str) -> None:
+    assert EN.counted(points, "points") == english.replace(" ", "\N{NO-BREAK SPACE}")
+    assert RU.counted(points, "points") == russian.replace(" ", "\N{NO-BREAK SPACE}")
+    assert points_text(points, RU) == RU.counted(points, "points")
+    assert points_text(None, RU) == ""
 
 
 @pytest.mark.parametrize(

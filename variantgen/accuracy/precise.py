@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.errors import ToolMissingError
+from variantgen.errors import missing_package
 
 DIGITS = 80  # carried; at least 50 are left where a case loses 30 of them
 
@@ -19,9 +19,7 @@ def mpmath() -> Any:
     try:
         import mpmath as package
     except ImportError:
-        raise ToolMissingError(
-            "the reference needs the package mpmath: install it with  pip install 'variantgen[accuracy]'"
-        ) from None
+        raise missing_package("the reference needs", "mpmath", "accuracy") from None
     return package
 
 

@@ -86,8 +86,10 @@ def build(
                     raise error.located(str(exam.path)) from None
                 sheets = StoredSheets(exam, students, carried.seed, parts)
                 kept = _make_all(exam, sheets, carried, parts, workers, progress)
-            with whole_folder(out, force, known) as folder:
-                return replace(_put_together(exam, sheets, carried, parts, folder, engine), folder=out, kept=kept)
+            notes: list[str] = []
+            with whole_folder(out, force, known, notes) as folder:
+                built = _put_together(exam, sheets, carried, parts, folder, engine)
+            return replace(built, folder=out, kept=kept, notes=(*built.notes, *notes))
 
 
 @contextmanager

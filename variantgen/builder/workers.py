@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from variantgen.builder.carried import Carried
 from variantgen.builder.jobs import Job, perform
-from variantgen.errors import InputError, Problem, ToolMissingError, VariantgenError
+from variantgen.errors import InputError, Problem, VariantgenError, missing_package
 
 if TYPE_CHECKING:
     # Loaded where they are used: a build in one process needs neither.
@@ -145,8 +145,7 @@ def _leave_with_parent() -> None:
 def scheduled_workers(address: str) -> Iterator[Others]:
     """The workers of a Dask scheduler. Raises ToolMissingError without its client, InputError if nobody answers."""
     if importlib.util.find_spec("distributed") is None:
-        how = "install it with  pip install 'variantgen[dask]'"
-        raise ToolMissingError(f"--scheduler needs the package distributed: {how}")
+        raise missing_package("--scheduler needs", "distributed", "dask")
     from distributed import Client
 
     try:

@@ -11,9 +11,10 @@ from typing import Any, cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
+from variantgen.exam.asked import check_forms, read_asked
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, check_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
@@ -38,7 +39,7 @@ class Task:
 
     number: int
     families: tuple[Family, ...]
-    ask: tuple[str, ...] | None
+    ask: Ask
     points: int | None
     methods: tuple[str, ...] = ()
     nice: bool = False
@@ -201,9 +202,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("ask", "families")
-    ask = table.strings("ask") if "ask" in table.data else None
-    unread = ask == () and table.data["ask"] != []
+    table.expect("families")
+    ask = read_asked(table)
     nice = table.take("nice", bool, False)
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
@@ -218,21 +218,9 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
-            _check_ask(family, None if unread else ask)
+            check_ask(family, ask, load_family(name, folders))
             families.append(family)
+    check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
     return Task(number, tuple(families), ask, points or None, methods, nice)
-
-
-def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
-    if ask is None:
-        return
-    problems: list[Problem] = []
-    for form in family.forms.values():
-        try:
-            read_ask(form, ask)
-        except InputError as error:
-            problems += error.problems
-    if problems:
-        raise InputError(dict.fromkeys(problems))

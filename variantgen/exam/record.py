@@ -62,7 +62,10 @@ class RecordedSheet:
 
 @dataclass(frozen=True)
 class Record:
-    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder."""
+    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
+
+    ``exam_id`` is the short name of the build that QR codes have.
+    """
 
     path: Path
     made_with: Mapping[str, str]
@@ -73,6 +76,7 @@ class Record:
     seed: str
     sheets: tuple[RecordedSheet, ...]
     files: Mapping[str, str]
+    exam_id: str = ""
 
     def differences(self, exam: Exam) -> list[str]:
         """What a sheet depends on and is not as it was when the exam was made, in words."""
@@ -136,6 +140,7 @@ def _record(top: Table, path: Path) -> Record:
         top.need("seed", str, ""),
         tuple(_sheet(table) for table in top.tables("students")),
         _strings(top.table("files")),
+        exam.take("id", str, ""),
     )
 
 

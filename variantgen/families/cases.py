@@ -8,10 +8,9 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import parse
+from variantgen.families.amounts import amount
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import parse_quantity
-from variantgen.families.units import sound
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 from variantgen.tables import Table, read_toml
@@ -83,7 +82,7 @@ def _case(table: Table, family: Family) -> Case | None:
         return None
     form = family.forms[form_name]
     given = _given(table.table("set"), form)
-    exact, printed = (_numbers(table.table(key), form) for key in ("exact", "printed"))
+    exact, printed = (_numbers(table.table(key), form, family.length_unit) for key in ("exact", "printed"))
     if not exact and not printed:
         table.problem("missing, expected at least one known result", "exact")
     case = Case(
@@ -97,7 +96,7 @@ def _case(table: Table, family: Family) -> Case | None:
 def _given(table: Table, form: Form) -> dict[str, float]:
     found: dict[str, float] = {}
     for name, parameter in form.parameters.items():
-        value = table.need(name, (int, Decimal, str), 0, "a number, an expression or a word")
+        value: Any = table.need(name, (int, Decimal, str), 0, "a number, an expression or a word")
         if parameter.unit is None:
             if value not in parameter.words:
                 table.problem("unknown word", name, value, nearest(str(value), parameter.words))
@@ -105,25 +104,16 @@ def _given(table: Table, form: Form) -> dict[str, float]:
             found[name] = float(parameter.printed[parameter.words.index(str(value))])
         else:
             with table.collecting(name):
-                number = _number(value)
-                found[name] = number * parameter.unit.to_si(Decimal(1))
+                found[name] = amount(value, parameter.unit) * parameter.unit.to_si(Decimal(1))
     table.finish()
     return found
 
 
-def _numbers(table: Table, form: Form) -> dict[str, float]:
+def _numbers(table: Table, form: Form, length_unit: str) -> dict[str, float]:
     found = {}
     for name in table.data:
         with table.collecting(name):
-            parse_quantity(name, form.sample, name)
-            found[name] = _number(table.take(name, (int, Decimal, str), 0, "a number or an expression"))
+            unit = parse_quantity(name, form.sample, name).unit(length_unit)
+            value: Any = table.take(name, (int, Decimal, str), 0, "a number or an expression")
+            found[name] = amount(value, unit)
     return found
-
-
-def _number(value: Any) -> float:
-    if not isinstance(value, str):
-        return float(sound(Decimal(value), ""))
-    expression = parse(value)
-    if expression.names:
-        raise InputError(Problem("expected numbers only", value=value))
-    return float(expression.value({}))

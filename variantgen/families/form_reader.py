@@ -17,6 +17,7 @@ from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.nice import read_nice
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
+from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
@@ -49,6 +50,7 @@ class FormReader:
         self.parameters: dict[str, Parameter] = {}
         self.derived: dict[str, Expression] = {}
         self.dimensions: dict[str, Dimension] = {}
+        self.kinds: dict[str, Kind] = {}  # which of them are angles
         self._values = 0
         self._templates = TemplateReader(self.expression, unit(length))
 
@@ -62,6 +64,7 @@ class FormReader:
         parameters = self.top.table("parameters")
         self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
+        self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         self._read_laws(self.top.table("laws"))
         points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
@@ -244,6 +247,7 @@ class FormReader:
         self._known_names(expression)
         found = dimension or expression.dimension(self.dimensions) or (0, 0)
         self.dimensions[name] = found
+        self.kinds[name] = kind_of(expression, self.kinds)
         self.derived[name] = expression
         return found
 
@@ -261,6 +265,7 @@ class FormReader:
             raise InputError(
                 Problem(f"is {dimension_name(found)}, expected {dimension_name(DIMENSIONS[dimension])}", value=text)
             )
+        (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
         return expression
 
     def _by_name(self, table: Table, package: str) -> dict[str, Template]:

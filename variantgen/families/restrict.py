@@ -12,7 +12,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form, Parameter
 from variantgen.families.nice import hand_friendly, no_nice_forms
 from variantgen.families.parameters import choose_words
-from variantgen.families.units import parse_value, sound
+from variantgen.families.units import UNITS, parse_value, sound
 
 
 def restrict(
@@ -21,16 +21,18 @@ def restrict(
     ranges: Mapping[str, Any] | None = None,
     forms: Sequence[str] = (),
     nice: bool = False,
+    beyond: bool = False,
 ) -> Family:
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
-    Fixed values need not lie on the grid. ``nice``: only hand-friendly variants, of the forms that have any. The same
-    wish gives the same family again, so that problems which are alike share what is known of their forms. Raises
-    InputError naming the key, the value and what is possible.
+    A bare number is in the unit that the sheet prints. Fixed values need not lie on the grid, but in its range, unless
+    they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same wish gives
+    the same family again, so that problems which are alike share what is known of their forms. Raises InputError naming
+    the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
-    key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice))
-    return _restricted(_Wish(id(family), key, family, fixed, ranges, tuple(forms), nice))
+    key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond))
+    return _restricted(_Wish(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond))
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,7 @@ class _Wish:
     ranges: Mapping[str, Any] = field(compare=False)
     forms: tuple[str, ...] = field(compare=False)
     nice: bool = field(compare=False)
+    beyond: bool = field(compare=False)
 
 
 @lru_cache(maxsize=64)
@@ -71,6 +74,7 @@ def _restricted(wish: _Wish) -> Family:
     if wish.nice:
         chosen = _hand_friendly(family, chosen)
     narrowed: dict[str, Form] = {}
+    outside: dict[str, list[Problem]] = {}
     for form_name, form in chosen.items():
         parameters = {}
         for name, parameter in form.parameters.items():
@@ -78,7 +82,15 @@ def _restricted(wish: _Wish) -> Family:
                 parameters[name] = _narrow(parameter, fixed, ranges)
             except InputError as error:
                 problems += error.problems
+                continue
+            if name in fixed and parameter.unit is not None and not wish.beyond:
+                grids = (family.forms[form_name].parameters[name], parameter)
+                outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
         narrowed[form_name] = replace(form, parameters=parameters)
+    fitting = [name for name in narrowed if not outside.get(name)]
+    for found in outside.values():
+        advice = {"remedy": "choose form = " + " or ".join(f'"{name}"' for name in fitting)} if fitting else {}
+        problems += [replace(problem, **advice) for problem in found]
     if problems:
         raise InputError(dict.fromkeys(problems))
     return replace(family, forms=_with_rows(narrowed))
@@ -132,6 +144,32 @@ def _narrow(parameter: Parameter, fixed: Mapping[str, Any], ranges: Mapping[str,
             )
         )
     return replace(parameter, printed=kept)
+
+
+def _outside(chosen: Parameter, said: Any, grids: Sequence[Parameter]) -> list[Problem]:
+    """The problem of a fixed value outside the range of the family (or of its hand-friendly variants), if it is so."""
+    value, unit = chosen.printed[0], chosen.unit
+    assert unit is not None
+    low, high = (choose(choose(grid.si) for grid in grids) for choose in (min, max))
+    if _within(unit.to_si(value), low, high):
+        return []
+    meant = [
+        other.name
+        for other in UNITS.values()
+        if other.measures == unit.measures and _within(other.to_si(value), low, high)
+    ]
+    remedy = "take a value in it, or widen it in a family of your own (show and solve take any value)"
+    if meant and not isinstance(said, str):
+        remedy = f'a bare number is in {unit.name}: did you mean "{said} {meant[0]}"?'
+    lowest, highest = (f"{unit.from_si(float(limit)):.6g}" for limit in (low, high))
+    message = f"outside the range of the family, {lowest} to {highest} {unit.name}"
+    return [Problem(message, key=f"set.{chosen.name}", value=f"{value} {unit.name}", remedy=remedy)]
+
+
+def _within(value: float, low: float, high: float) -> bool:
+    """Whether a value lies between two others, but for rounding."""
+    slack = 1e-9 * max(abs(low), abs(high))
+    return low - slack <= value <= high + slack
 
 
 def _value(parameter: Parameter, value: Any, key: str) -> Decimal:

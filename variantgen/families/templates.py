@@ -9,7 +9,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import Expression, number
 from variantgen.families.family import Template
-from variantgen.families.units import UNITS, Unit, is_number_with_unit, parse_value, sound
+from variantgen.families.units import UNITS, Unit, is_number, parse_value, sound
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.tables import Table, shown
 
@@ -80,9 +80,9 @@ class TemplateReader:
     def _number(self, spec: FieldSpec, value: int | Decimal | str) -> Expression:
         default = self._printed_unit(spec.dimension)
         if not isinstance(value, str):
-            return number(default.to_si(sound(Decimal(value), "")))
-        if is_number_with_unit(value):
-            return number(default.to_si(parse_value(value, default, "")))
+            return number(default.to_si(sound(Decimal(value), "")), default.measures)
+        if is_number(value):
+            return number(default.to_si(parse_value(value, default, "")), default.measures)
         return self._expression(value, spec.dimension)
 
     def _printed_unit(self, dimension: str) -> Unit:

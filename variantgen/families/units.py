@@ -75,10 +75,9 @@ def sound(value: Decimal, key: str) -> Decimal:
     return value
 
 
-def is_number_with_unit(text: str) -> bool:
-    """Whether a text is a number followed by a unit (and not an expression)."""
-    match = _NUMBER_WITH_UNIT.fullmatch(text)
-    return match is not None and match[2] is not None
+def is_number(text: str) -> bool:
+    """Whether a text is a number, bare or followed by a unit (and not an expression)."""
+    return _NUMBER_WITH_UNIT.fullmatch(text) is not None
 
 
 def parse_value(text: str, default: Unit, key: str) -> Decimal:

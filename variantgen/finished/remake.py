@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from variantgen.errors import InputError, Problem, nearest
+from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
 from variantgen.exam.sheets import Sheet
 from variantgen.finished.restore import Finished
@@ -37,16 +37,6 @@ class Remade:
     content: bytes
     same: str
     faults: tuple[str, ...]
-
-
-def find(finished: Finished, student: str) -> int:
-    """The place of a student. Raises InputError for an id that is not there."""
-    ids = [sheet.student.id for sheet in finished.record.sheets]
-    if student not in ids:
-        raise InputError(
-            Problem("the exam has no such student", key="--student", value=student, remedy=nearest(student, ids))
-        )
-    return ids.index(student)
 
 
 def remake(finished: Finished, place: int, target: str, folder: Path, engine: Typesetter) -> Remade:

@@ -20,9 +20,9 @@ from variantgen.methods.coordinate_places import locate
 from variantgen.methods.expression import Constant, Expression, Ratio, Value, hypotenuse
 from variantgen.methods.linear_system import ZERO, enter
 from variantgen.methods.name import Name
-from variantgen.methods.settle import parts
 from variantgen.methods.step import Derived, Point, Statement
 from variantgen.methods.task import Task
+from variantgen.methods.values import parts
 
 _INNER = ("x", "y")  # coordinates that are replaced by their functions; angles and ways keep their names
 _WAYS = ("slide", "arc")  # coordinates that have to be introduced

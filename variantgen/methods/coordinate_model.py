@@ -19,8 +19,8 @@ from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.geometry import degrees
 from variantgen.methods.heading import Heading, fixed_number
 from variantgen.methods.name import Name
-from variantgen.methods.settle import parts
 from variantgen.methods.step import Fact
+from variantgen.methods.values import parts
 
 _LEVEL = 1e-9  # of the size, or of a unit vector: what is smaller is none
 _RATES = {"length": ("velocity", "acceleration"), "angle": ("angular velocity", "angular acceleration")}

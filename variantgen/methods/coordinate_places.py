@@ -6,8 +6,9 @@ from variantgen.methods.algebra import added, product, pruned
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.name import Name
-from variantgen.methods.settle import in_order, items_values
+from variantgen.methods.settle import items_values
 from variantgen.methods.step import Derived, Sentence, Statement, Step
+from variantgen.methods.values import in_order
 
 
 def locate(model: Model, step: Step) -> None:

@@ -14,10 +14,11 @@ from variantgen.methods import trigonometry
 from variantgen.methods.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.layout import Layout
+from variantgen.methods.legs import Leg, collected
 from variantgen.methods.name import Name
 from variantgen.methods.placed import ORIGIN, Pair, placed
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence
-from variantgen.methods.sums import Leg, Signed, collected, summed
+from variantgen.methods.sums import Signed, summed
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.ways import Ways
 

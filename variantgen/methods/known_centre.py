@@ -13,7 +13,8 @@ from collections.abc import Iterator
 
 from variantgen.mechanism.rows import Placement
 from variantgen.methods.book import Book, Rate
-from variantgen.methods.centre import Centre, Ray, named_place
+from variantgen.methods.carriers import is_translating
+from variantgen.methods.centre import named_place
 from variantgen.methods.contact import place_of
 from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry, between, normal_angle
@@ -21,7 +22,8 @@ from variantgen.methods.group import Spanned
 from variantgen.methods.law import touches
 from variantgen.methods.name import Name
 from variantgen.methods.perpendiculars import facts_of_two, perpendicular
-from variantgen.methods.points import is_translating, vector
+from variantgen.methods.points import vector
+from variantgen.methods.rays import Centre, Ray
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.task import Task
 from variantgen.methods.wanted import is_rate_wanted

@@ -13,9 +13,10 @@ from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import Line
 from variantgen.methods.angles import AngleForm, Angles, Atom, degrees, normal_angle
 from variantgen.methods.expression import Constant, Expression, Total
+from variantgen.methods.legs import Leg, collected
 from variantgen.methods.lines import Lines
 from variantgen.methods.placed import ORIGIN, Placed, Ray
-from variantgen.methods.sums import Leg, collected, summed
+from variantgen.methods.sums import summed
 from variantgen.methods.task import CLOSE, Task
 
 _NOTHING = 1e-10  # of the size: a length below it is none

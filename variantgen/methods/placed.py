@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from variantgen.methods.angles import AngleForm
 from variantgen.methods.expression import Expression, Value
-from variantgen.methods.sums import Leg
+from variantgen.methods.legs import Leg
 
 if TYPE_CHECKING:
     from variantgen.methods.geometry import Geometry

@@ -31,8 +31,8 @@ from variantgen.methods.book import Book
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.expression import Total, Value
-from variantgen.methods.settle import in_order
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.values import in_order
 from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]

@@ -13,6 +13,7 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow, Sliding
 from variantgen.methods.book import Book
+from variantgen.methods.carriers import is_within_reach
 from variantgen.methods.contact import Touch
 from variantgen.methods.group import (
     Composed,
@@ -31,7 +32,6 @@ from variantgen.methods.group import (
 )
 from variantgen.methods.joined import joined
 from variantgen.methods.law import touches
-from variantgen.methods.points import is_within_reach
 
 
 class Route:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
-from variantgen.families.expressions import CONSTANTS
 from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
@@ -16,10 +14,11 @@ from variantgen.families.units import unit
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene, fixed_points
-from variantgen.methods.expression import Applied, Constant, Expression, Pi, SquareRoot, Total, Value
+from variantgen.methods.expression import Constant, Expression, Pi, Value
 from variantgen.methods.instant import Instant, instant
 from variantgen.methods.name import Name
 from variantgen.methods.needed import Needed, needed_for
+from variantgen.methods.translated import Translator
 from variantgen.variants.variant import Variant
 
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
@@ -149,58 +148,23 @@ class Task:
         """The value of an expression of the family in SI."""
         return float(expression.value(self.si))
 
-    def expressed(self, expression: FamilyExpression) -> Expression | None:
-        """An expression of the family as one of the solution, if every part of it can be shown; choices are signs."""
-        return self._expressed(expression.tree)
+    def expressed(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+        """An expression of the family as one of the solution, if every part of it can be shown; choices are signs.
 
-    def _expressed(self, node: ast.expr) -> Expression | None:
-        match node:
-            case ast.Constant(value=int() | float() as number):
-                return Constant(float(number))
-            case ast.Name(id=name):
-                return self._named(name)
-            case ast.UnaryOp(op=op, operand=operand):
-                inner = self._expressed(operand)
-                return None if inner is None else (-inner if isinstance(op, ast.USub) else inner)
-            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
-                base = self._expressed(left)
-                return None if base is None else base**power
-            case ast.BinOp(left=left, op=op, right=right):
-                return self._combined(op, self._expressed(left), self._expressed(right))
-            case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
-                inner = self._expressed(arg)
-                return None if inner is None else SquareRoot(inner)
-            case ast.Call(func=ast.Name(id="cos" | "sin" | "tan" as function), args=[arg]):
-                inner = self._expressed(arg)
-                return None if inner is None else Applied(function, inner)
-        return None
+        An angle is a plain number, or in ``degrees``.
+        """
+        return self._translator.translate(expression, degrees)
+
+    @cached_property
+    def _translator(self) -> Translator:
+        return Translator(self._named, self.form.derived.get, self.unit_of)
 
     def _named(self, name: str) -> Expression | None:
-        """A parameter as its value, a choice as its number, a unit of angles as one, a derived quantity written out."""
-        if name == "deg":
-            return Constant(1.0)
-        if name in CONSTANTS:
-            value, (length, _) = CONSTANTS[name]
-            return Constant(value / self.length_unit, "length") if length else Pi() if name == "pi" else None
+        """A parameter as its value, a choice as its number."""
         parameter = self.form.parameters.get(name)
         if parameter is None:
-            derived = self.form.derived.get(name)
-            return None if derived is None else self._expressed(derived.tree)
-        return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
-
-    @staticmethod
-    def _combined(op: ast.operator, left: Expression | None, right: Expression | None) -> Expression | None:
-        """An operation, with factors of plus or minus one written as signs."""
-        if left is None or right is None:
             return None
-        if isinstance(op, ast.Mult):
-            for one, other in ((left, right), (right, left)):
-                if isinstance(one, Constant) and abs(one.value) == 1:
-                    return other if one.value > 0 else -other
-            return left * right
-        if isinstance(op, ast.Div):
-            return left / right
-        return Total(((1, left), (-1 if isinstance(op, ast.Sub) else 1, right)))
+        return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
 
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:

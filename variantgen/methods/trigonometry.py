@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from variantgen.methods.angles import AngleForm, normal_angle, tidy
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total
-from variantgen.methods.sums import Leg, Signed, positive, squared, summed
+from variantgen.methods.legs import Leg
+from variantgen.methods.sums import Signed, positive, squared, summed
 
 if TYPE_CHECKING:
     from variantgen.methods.geometry import Geometry

@@ -73,7 +73,8 @@ def solve_rolled(book: Book, group: Rolled) -> None:
         part = "tau" if group.around and book.order == 2 else ""
         name = Name(book.letter, centre, part=part)
         if known:
-            size = next((term.size for term in book.vectors[centre] if term.name == name), None)
+            given = (name, *(term.name for term in book.vectors[centre] if term.name.kind == "parameter"))
+            size = next((term.size for term in book.vectors[centre] if term.name in given), None)
             _enter(book, body, size, radius, kind, name)
         else:
             book.vectors[centre] = _centre(book, group, radius, name)

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from variantgen.methods.legs import Leg
 from variantgen.methods.placed import ORIGIN, Placed
-from variantgen.methods.sums import Leg
 
 if TYPE_CHECKING:
     from variantgen.methods.geometry import Geometry

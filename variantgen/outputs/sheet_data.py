@@ -88,14 +88,5 @@ def statement_data(said: Statement, writing: Writing = TYPST) -> dict[str, Any]:
 
 
 def points_text(points: int | None, language: Language) -> str:
-    """``10 points`` with the plural of the language (one, few, many)."""
-    if points is None:
-        return ""
-    words = language.words("sheet")
-    if points % 10 == 1 and points % 100 != 11:
-        form = "points_one"
-    elif points % 10 in (2, 3, 4) and points % 100 not in (12, 13, 14):
-        form = "points_few"
-    else:
-        form = "points_many"
-    return f"{points}\N{NO-BREAK SPACE}{words[form]}"
+    """``10 points`` with the plural of the language."""
+    return "" if points is None else language.counted(points, "points")

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
 from variantgen.variants.attempts import FormDrawing
 from variantgen.variants.batch import Judge, Tally
@@ -24,7 +24,7 @@ from variantgen.variants.variant import Variant
 
 def draw(
     family: Family,
-    ask: Sequence[str] | None,
+    ask: Ask,
     keys: Sequence[tuple[object, ...]],
     tally: Tally | None = None,
     judge: Judge | None = None,
@@ -86,7 +86,7 @@ class Drawing:
     def __init__(
         self,
         family: Family,
-        ask: Sequence[str] | None,
+        ask: Ask,
         tally: Tally | None = None,
         where: str = "",
         judge: Judge | None = None,

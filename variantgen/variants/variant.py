@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,6 @@ from variantgen.families.family import Family, Form, frame
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
-
-if TYPE_CHECKING:
-    from variantgen.outputs.explanation import Explanation
-    from variantgen.outputs.picture import Picture
 
 
 @dataclass(frozen=True)
@@ -41,31 +37,6 @@ class Variant:
         parameters = self.form.parameters
         told = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
         return self.family.name, self.form.name, tuple(sorted(told))
-
-    def figure(self, view: str = "statement", language: str = "en", ask: Sequence[str] = ()) -> Picture:
-        """The figure of the problem or, with ``view``, a plan or another kind of figure; a notebook shows it.
-
-        ``ask`` names the quantities asked (none: those of the form). Raises InputError.
-        """
-        # An import against the order of the layers: a notebook asks the variant for its figure.
-        from variantgen.outputs.picture import picture
-
-        return picture(self, view, language, ask)
-
-    def explain(
-        self,
-        language: str = "en",
-        methods: Sequence[str] = (),
-        depth: str = "full",
-        ask: Sequence[str] = (),
-    ) -> Explanation:
-        """The worked solution as text; a notebook shows it, and it can be saved as a page.
-
-        ``methods`` by name (none: the natural ones); ``depth``: ``answers``, ``short`` or ``full``. Raises InputError.
-        """
-        from variantgen.outputs.explanation import explanation
-
-        return explanation(self, language, methods, depth, ask)
 
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""

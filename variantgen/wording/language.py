@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
@@ -21,6 +21,11 @@ from variantgen.wording.notation import USUAL, Notation
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
+# Which of its plural forms a language takes for a number, by the names of the forms.
+_PLURALS: dict[str, Callable[[int], int]] = {
+    "one, many": lambda n: 0 if n == 1 else 1,
+    "one, few, many": lambda n: 2 if n % 100 in range(11, 15) else (2, 0, 1, 1, 1, 2, 2, 2, 2, 2)[n % 10],
+}
 _SURE = 12  # digits of a computed value that no order of operations changes
 
 
@@ -32,6 +37,12 @@ class Language:
     decimal_mark: str
     tables: Mapping[str, Mapping[str, str]]
     notation: Notation = USUAL
+    plural_forms: str = "one, many"
+
+    def counted(self, number: int, what: str) -> str:
+        """So many of something from the table ``plurals``: ``21 points``, ``21 балл``."""
+        forms = self.tables["plurals"][what].split(", ")
+        return f"{number}\N{NO-BREAK SPACE}{forms[_PLURALS[self.plural_forms](number)]}"
 
     def words(self, table: str) -> Mapping[str, str]:
         """All words of one table (``sheet``, ``key``, ...)."""
@@ -52,6 +63,10 @@ class Language:
     def rounded(self, value: float, digits: int = ANSWER_DIGITS) -> Number:
         """A computed value with the given number of significant digits, never in exponent form."""
         return self.written(round_text(value, digits))
+
+    def answer(self, quantity: Quantity, value: float) -> Number:
+        """The value of an answer; a sense is a whole number."""
+        return self.rounded(value, 1 if quantity.component == "sense" else ANSWER_DIGITS)
 
     def unit(self, measured: Unit) -> UnitText:
         """A unit as it is printed."""
@@ -128,4 +143,5 @@ def load_language(name: str, notation: Notation = USUAL) -> Language:
     if name not in languages():
         raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
     data: dict[str, Any] = read_toml(templates_dir() / "words" / f"{name}.toml")
-    return Language(name, str(data.pop("decimal_mark")), data, notation)
+    mark, plurals = str(data.pop("decimal_mark")), str(data.pop("plural_forms"))
+    return Language(name, mark, data, notation, plurals)

@@ -290,7 +290,7 @@ def test_without_pylatex_the_package_is_named(
 ) -> None:
     monkeypatch.setitem(sys.modules, "pylatex", None)
     built(tmp_path, exam_text(), "id,name\n1,Ann\n", code=3)
-    assert "pip install 'variantgen[latex]'" in capsys.readouterr().err
+    assert 'pip install ".[latex]"' in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("latexmk")

@@ -549,5 +549,5 @@ def test_without_the_package(
     (tmp_path / "exam.toml").write_text(EXAM.format(language="en"), "utf-8")
     assert options(read_exam(tmp_path / "exam.toml"), "xlsx") == xlsx.Options(protect=True)
     assert main(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")]) == 3
-    assert "pip install 'variantgen[xlsx]'" in capsys.readouterr().err
+    assert 'pip install ".[xlsx]"' in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -15,7 +15,7 @@ from variantgen.accuracy.overtime.integrate import METHODS
 from variantgen.accuracy.report.lines import Line, by_class
 from variantgen.accuracy.report.style import STABILISED, Look, looks
 from variantgen.accuracy.run import Measured, Trip
-from variantgen.errors import ToolMissingError
+from variantgen.errors import missing_package
 from variantgen.mechanism.arithmetic import EPS
 
 NAMES = ("work_precision", "conditioning", "motion")
@@ -39,9 +39,7 @@ def need_matplotlib() -> None:
     try:
         import matplotlib  # noqa: F401
     except ImportError:
-        raise ToolMissingError(
-            "the diagrams need the package matplotlib: install it with  pip install 'variantgen[accuracy]'"
-        ) from None
+        raise missing_package("the diagrams need", "matplotlib", "accuracy") from None
 
 
 def draw(measured: Measured, folder: Path) -> list[str]:

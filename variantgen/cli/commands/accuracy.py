@@ -11,7 +11,7 @@ HELP = "measure error against run time"
 DESCRIPTION = """\
 Measure the errors of the solver and of other ways to compute against a reference of many digits, and their times:
 report.md, tables (CSV) and diagrams (PDF, PNG) in a new folder. Takes some fifteen minutes, --quick less than one.
-Needs the packages mpmath and matplotlib: pip install 'variantgen[accuracy]'."""
+Needs the packages mpmath and matplotlib: pip install ".[accuracy]" in the folder of variantgen."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -62,7 +62,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", action="store_true", help="go on from the parts that an interrupted build has finished"
     )
-    parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="replace an earlier output of this program; files that were edited since are kept in its folder edited/",
+    )
     add_families(parser)
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from variantgen.methods.angles import AngleForm
+from variantgen.methods.legs import Leg
 from variantgen.methods.placed import ORIGIN, Placed
-from variantgen.methods.sums import Leg
 
 
 class Construction(Placed):

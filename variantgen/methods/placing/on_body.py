@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from variantgen.methods.legs import Leg
 from variantgen.methods.placed import Placed, Ray
-from variantgen.methods.sums import Leg
 
 
 class Construction(Placed):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from variantgen.errors import ToolMissingError
+from variantgen.errors import missing_package
 from variantgen.figure.curves import AROUND, DASHES, Step, curves
 from variantgen.figure.drawing import LETTER, Drawing, Layer, Line
 from variantgen.figure.lettering import letters_of
@@ -26,9 +26,7 @@ def need_matplotlib() -> None:
     try:
         import matplotlib  # noqa: F401
     except ImportError:
-        raise ToolMissingError(
-            "plots need the package matplotlib: install it with  pip install 'variantgen[plots]'"
-        ) from None
+        raise missing_package("plots need", "matplotlib", "plots") from None
 
 
 def figure(drawing: Drawing, width_mm: float | None = None) -> Figure:

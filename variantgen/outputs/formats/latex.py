@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast, get_args
 
-from variantgen.errors import InputError, Problem, ToolMissingError, nearest
+from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole, options
@@ -62,9 +62,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     try:
         import pylatex  # noqa: F401  (found here, so that the message comes before any work)
     except ImportError:
-        raise ToolMissingError(
-            "LaTeX output needs the package PyLaTeX: install it with  pip install 'variantgen[latex]'"
-        ) from None
+        raise missing_package("LaTeX output needs", "PyLaTeX", "latex") from None
     chosen = _options(exam)
     if chosen.compile and missing(chosen.engine):
         raise ToolMissingError(f"[latex] compile = true: {how_to_install(chosen.engine)}")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from variantgen.errors import ToolMissingError
+from variantgen.errors import missing_package
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs.formats import Part, Piece, Whole, options
@@ -39,9 +39,7 @@ def read_options(table: Table) -> Options:
 def check(exam: Exam, students: Sequence[Student]) -> None:
     """Raise ToolMissingError without XlsxWriter."""
     if find_spec("xlsxwriter") is None:
-        raise ToolMissingError(
-            "xlsx output needs the package XlsxWriter: install it with  pip install 'variantgen[xlsx]'"
-        )
+        raise missing_package("xlsx output needs", "XlsxWriter", "xlsx")
 
 
 def make(part: Part) -> Iterable[Piece]:

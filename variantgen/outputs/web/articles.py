@@ -105,7 +105,11 @@ def problem_key(exam: Exam, owners: Sequence[tuple[Sheet, Item]]) -> bytes:
         {
             **_who(exam, sheet, language),
             "answers": [
-                {"value": language.rounded(a.value).text, "margin": margin(a, exam, language), "mark": mark(a)}
+                {
+                    "value": language.answer(a.quantity, a.value).text,
+                    "margin": margin(a, exam, language),
+                    "mark": mark(a),
+                }
                 for a in item.answers
             ],
         }

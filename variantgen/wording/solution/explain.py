@@ -113,7 +113,7 @@ def _answer(
     for position, (quantity, value) in enumerate(values):
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
-        number = language.rounded(value, digits) if digits else language.rounded(recorded(value))
+        number = language.rounded(value, digits) if digits else language.answer(quantity, recorded(quantity, value))
         exact = None if digits else surd(value)
         parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")

@@ -1,0 +1,135 @@
+"""Plain numbers where an angle is meant: ``phi + 180`` adds 180 radians, so its author is asked.
+
+Angles and numbers have the same dimension. Here a part of an expression is an angle (a parameter in degrees, ``deg``,
+an arc function, and what is made of them), a plain number (its possible values are known), or something else (a ratio
+of lengths, say). A plain number may be added to an angle, compared with one, or be the argument of a sine only if it is
+zero or a small multiple of pi.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Mapping
+from enum import Enum
+from itertools import product
+from typing import TypeAlias
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.expressions import CONSTANTS, Expression
+from variantgen.families.family import Parameter
+
+
+class Part(Enum):
+    """A part of an expression whose values are not known."""
+
+    ANGLE = "an angle"
+    OTHER = "something else"
+
+
+# The values that a plain number may have: several if it depends on a choice.
+Kind: TypeAlias = Part | frozenset[float]
+
+_STEP = math.pi / 12  # multiples of this are meant in radians
+_LARGEST = 4 * math.pi
+_MOST = 64  # combinations of choices that are followed
+_ARCS, _CIRCULAR = ("asin", "acos", "atan", "atan2"), ("sin", "cos", "tan")
+
+
+def kind_of_parameter(parameter: Parameter) -> Kind:
+    """What a parameter is: a choice is a plain number, a rate of turning counts as an angle (it is one, per second)."""
+    if parameter.unit is None:
+        return frozenset(parameter.si.tolist())
+    return Part.ANGLE if parameter.unit.measures.startswith("ang") else Part.OTHER
+
+
+def kind_of(expression: Expression, known: Mapping[str, Kind]) -> Kind:
+    """What an expression is, from what its names are. Raises InputError for a plain number beside an angle."""
+    return _Reading(expression.text, known).kind(expression.tree)
+
+
+def check_angle(expression: Expression, known: Mapping[str, Kind]) -> None:
+    """Raise InputError if an expression that stands for an angle is, or adds to one, a number of degrees."""
+    reading = _Reading(expression.text, known)
+    reading.beside_angle(reading.kind(expression.tree))
+
+
+class _Reading:
+    """Walks one expression; ``text`` is for messages."""
+
+    def __init__(self, text: str, known: Mapping[str, Kind]) -> None:
+        self._text = text
+        self._known = known
+
+    def kind(self, node: ast.expr) -> Kind:
+        """What a part of the expression is; whatever is added to an angle in it is looked at."""
+        match node:
+            case ast.Name(id=name):
+                return self._of_name(name)
+            case ast.Call(func=ast.Name(id=name), args=args):
+                return self._of_call(node, name, [self.kind(part) for part in args])
+        kinds = [self.kind(part) for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)]
+        if all(isinstance(kind, frozenset) for kind in kinds):
+            return self._values(node)
+        match node:
+            case ast.BinOp(op=ast.Add() | ast.Sub()):
+                return self._together(kinds)
+            case ast.BinOp(op=ast.Div()) if kinds[1] is Part.ANGLE or _is_turn(kinds[1]):
+                return Part.OTHER  # an angle divided by an angle, or by pi
+            case ast.BinOp(op=ast.Pow()):
+                return Part.OTHER
+        return Part.ANGLE if kinds[0] is Part.ANGLE or Part.ANGLE in kinds[1:] else Part.OTHER
+
+    def beside_angle(self, kind: Kind) -> None:
+        """Raise InputError for a plain number that is no small multiple of pi."""
+        wrong = next((v for v in sorted(kind) if not _in_radians(v)), None) if isinstance(kind, frozenset) else None
+        if wrong is not None:
+            raise InputError(
+                Problem(
+                    f"the plain number {wrong:.6g} stands where an angle is meant, and would count in radians",
+                    value=self._text,
+                    remedy=f"did you mean {wrong:.6g} * deg? Only multiples of pi may stand without deg",
+                )
+            )
+
+    def _of_name(self, name: str) -> Kind:
+        if name == "deg":
+            return Part.ANGLE
+        return frozenset({CONSTANTS[name][0]}) if name == "pi" else self._known.get(name, Part.OTHER)
+
+    def _of_call(self, node: ast.expr, name: str, kinds: list[Kind]) -> Kind:
+        if name in _ARCS:
+            return Part.ANGLE
+        if name in _CIRCULAR:
+            self.beside_angle(kinds[0])
+        if all(isinstance(kind, frozenset) for kind in kinds):
+            return self._values(node)
+        return Part.OTHER if name in (*_CIRCULAR, "sqrt") else self._together(kinds)
+
+    def _together(self, kinds: list[Kind]) -> Kind:
+        """Parts that are added or compared."""
+        if Part.ANGLE not in kinds:
+            return Part.OTHER
+        for kind in kinds:
+            self.beside_angle(kind)
+        return Part.ANGLE
+
+    def _values(self, node: ast.expr) -> Kind:
+        """The values of a plain number, whatever the choices in it."""
+        names = sorted({part.id for part in ast.walk(node) if isinstance(part, ast.Name)} & self._known.keys())
+        choices = [sorted(kind) for name in names if isinstance(kind := self._known[name], frozenset)]
+        if math.prod(len(values) for values in choices) > _MOST:
+            return Part.OTHER
+        part = Expression(self._text, node, frozenset(names))
+        return frozenset(float(part.value(dict(zip(names, row, strict=True)))) for row in product(*choices))
+
+
+def _in_radians(value: float) -> bool:
+    """Whether a plain number may be an angle in radians: zero or a small multiple of pi."""
+    steps = value / _STEP
+    return abs(value) <= _LARGEST and abs(steps - round(steps)) < 1e-4
+
+
+def _is_turn(kind: Kind) -> bool:
+    """Whether a plain number is a multiple of pi, and not zero."""
+    return isinstance(kind, frozenset) and all(value != 0 and _in_radians(value) for value in kind)
