@@ -20,6 +20,7 @@ from variantgen.methods.task import Task
 from variantgen.methods.used import used_steps
 from variantgen.variants.attempts import VerificationError
 
+_NOT_LED: tuple[type[Exception], ...] = (*NO_WAY, VerificationError)
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
 
 
@@ -33,12 +34,12 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     choice = choose(task, wished)
     try:
         return _chosen(task, choice)
-    except (*NO_WAY, VerificationError):
+    except _NOT_LED:
         if wished or choice.whole == _FOR_ALL:
             raise
         try:
             return _by_one_method(Book(task), WHOLE[_FOR_ALL])
-        except (*NO_WAY, VerificationError):
+        except _NOT_LED:
             pass  # what is said is why the natural methods fail
         raise
 
@@ -86,7 +87,7 @@ def _checked_by_links(task: Task) -> list[Item]:
     try:
         found = work_out(book)
         confirm(book)
-    except (*NO_WAY, VerificationError):
+    except _NOT_LED:
         return []
     return by_links(found)
 

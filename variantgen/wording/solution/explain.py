@@ -45,7 +45,10 @@ def explain(
     try:
         found = solution(task, wish.methods)
     except NO_WAY as error:
-        raise UnexplainedError(f"no method leads to what is asked of {variant.family.name}: {error}") from error
+        what = ", ".join(quantity.name for quantity in asked)
+        raise UnexplainedError(
+            f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
+        ) from error
     return written(task, found, language, wish.depth == "short")
 
 
