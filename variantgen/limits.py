@@ -14,6 +14,8 @@ KEY_PARTS = 50
 # 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.
 FORMS = 50
 PARAMETERS = 100  # each is moved by itself to see how the answers depend on it
+VALUES = 10_000  # of one parameter
+GRID = 50_000  # values of all parameters of a form together: they are in memory as they are printed
 DERIVED = 200
 PARTS = 200  # points, bodies, joints, drivers, conditions, and what is required of the data
 MARKS = 60  # of one kind in a figure: every label looks for a place between all others

@@ -123,7 +123,8 @@ class Screens:
     hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides;
     ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
     ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
-    change of the data.
+    change of the data; ``ceiling``: the largest relative error that a careful hand calculation may lead to;
+    ``mistakes``: how far a plausible mistake must lead from the right answer, relative, to be noticed.
     """
 
     transmission: float = float(np.radians(30))
@@ -131,6 +132,8 @@ class Screens:
     aspect: float = 4.0
     trivial: float = 0.04
     sensitivity: float = 10.0
+    ceiling: float = 0.03
+    mistakes: float = 0.01
     inside: tuple[tuple[str, str, str], ...] = ()
     require: tuple[Comparison, ...] = ()
 
