@@ -19,6 +19,7 @@ from variantgen.families.family import Form
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
+from variantgen.families.soundness import demands
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
@@ -60,7 +61,7 @@ def one_variant(
 def _check_values(form: Form) -> None:
     """Raise InputError where a fixed value leaves an expression without a meaning."""
     values = form.values({name: float(p.si[0]) for name, p in form.parameters.items()})
-    wrong = [demand for demand in form.demands if not demand.met(values)]
+    wrong = [demand for demand in demands(form) if not demand.met(values)]
     if wrong:
         raise InputError([Problem(f"expected {d.expects}", key=d.key, value=d.expression.text) for d in wrong])
 

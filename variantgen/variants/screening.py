@@ -16,6 +16,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.exposed import exposed
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.families.soundness import demands
 from variantgen.mechanism.arithmetic import along
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
@@ -52,7 +53,7 @@ def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed
         f"require {item.text}": np.broadcast_to(np.asarray(item.holds(values)), (size,))
         for item in form.screens.require
     }
-    for demand in form.demands:
+    for demand in demands(form):
         if demand.expression.names:
             found[f"{demand.key} with a meaning"] = np.broadcast_to(np.asarray(demand.met(values)), (size,))
     return found
