@@ -1,4 +1,4 @@
-"""What no method goes through link by link has answers all the same, tolerances by its data, a solution by coordinates."""
+"""What no method goes through link by link has answers all the same, tolerances by its data, steps by coordinates."""
 
 from __future__ import annotations
 
