@@ -129,7 +129,9 @@ def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: 
         found.append(relative)
     table = np.array(found)
     if np.any(~np.isfinite(table)):
-        table = np.where(np.isfinite(table), table, _OF_DATA * _gain(variants, asked, motion.take(chosen)))
+        gain = _gain(variants, asked, motion.take(chosen))
+        by_data = np.where(np.isfinite(gain), _OF_DATA * gain, 0.0)  # no number where a change of data leads nowhere
+        table = np.where(np.isfinite(table), table, by_data)
     return table
 
 

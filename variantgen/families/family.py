@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from variantgen.families.expressions import Expression
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.quantities import quantity_names
-from variantgen.families.soundness import Demand, demands
 from variantgen.families.units import Unit
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
@@ -261,11 +260,6 @@ class Form:
     def plan(self) -> Plan:
         """The structure of the scene; the same for all variants."""
         return analyse(self.sample)
-
-    @cached_property
-    def demands(self) -> list[Demand]:
-        """What must hold of its expressions for a variant to have a meaning."""
-        return demands(self)
 
     @property
     def bars(self) -> list[tuple[str, str, str]]:

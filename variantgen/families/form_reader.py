@@ -19,6 +19,7 @@ from variantgen.families.nice import read_nice
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
+from variantgen.families.soundness import demands
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
@@ -280,7 +281,7 @@ class FormReader:
 
 def _check_constants(form: Form) -> None:
     """Raise InputError for fixed numbers that cannot be right (a side that is neither left nor right)."""
-    wrong = [d for d in form.demands if not d.expression.names and not d.met({})]
+    wrong = [d for d in demands(form) if not d.expression.names and not d.met({})]
     if wrong:
         raise InputError(
             [Problem(f"expected {demand.expects}", key=demand.key, value=demand.expression.text) for demand in wrong]

@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.exposed import exposed
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.families.soundness import demands
 from variantgen.mechanism.arithmetic import along
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
@@ -51,7 +53,7 @@ def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed
         f"require {item.text}": np.broadcast_to(np.asarray(item.holds(values)), (size,))
         for item in form.screens.require
     }
-    for demand in form.demands:
+    for demand in demands(form):
         if demand.expression.names:
             found[f"{demand.key} with a meaning"] = np.broadcast_to(np.asarray(demand.met(values)), (size,))
     return found
@@ -158,8 +160,16 @@ def sensitivity(
 
     ``sqrt(sum_p (d ln q / d ln p)^2)`` over the printed parameters p (an angle counts with d phi in rad), by forward
     differences of 1e-6; the quantities q of a variant that a rounded hand calculation would miss have large values.
+    Where no data are printed, the numbers that the scene states literally take their place.
     """
     moving = [name for name, parameter in form.parameters.items() if parameter.unit is not None]
+    if not moving:
+        form = exposed(form)
+        literal = {n: p for n, p in form.parameters.items() if n not in parameters}
+        parameters = {**parameters, **{n: np.full(motion.size, p.si[0]) for n, p in literal.items()}}
+        moving = list(literal)
+    if not moving:
+        return np.zeros(motion.size)
     moved = _moved_motion(form, parameters, moving, on_paper, asked, motion)
     silent = np.array([form.parameters[name].silent for name in moving])
     total = []
