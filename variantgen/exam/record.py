@@ -13,6 +13,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.exam.tolerance import Tolerance
 from variantgen.families.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table, read_limited
@@ -65,7 +66,8 @@ class RecordedSheet:
 class Record:
     """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
 
-    ``exam_id`` is the short name of the build that QR codes have.
+    ``exam_id`` is the short name of the build that QR codes have, ``tolerance`` the marking, which may have been
+    changed since the build, ``redrawn`` are ids of students who drew again.
     """
 
     path: Path
@@ -78,6 +80,8 @@ class Record:
     sheets: tuple[RecordedSheet, ...]
     files: Mapping[str, str]
     exam_id: str = ""
+    tolerance: Tolerance = Tolerance()
+    redrawn: tuple[str, ...] = ()
 
     def differences(self, exam: Exam) -> list[str]:
         """What a sheet depends on and is not as it was when the exam was made, in words."""
@@ -130,7 +134,7 @@ def _record(top: Table, path: Path) -> Record:
         return Record(path, {}, "", "", None, (), "", (), {})
     exam = top.table("exam")
     solutions = top.table("solutions") if top.data.get("solutions") is not None else None
-    top.expect("solutions", "program", "notation", "redrawn")
+    top.expect("solutions", "program", "notation")
     return Record(
         path,
         _strings(top.table("made_with")),
@@ -142,6 +146,20 @@ def _record(top: Table, path: Path) -> Record:
         tuple(_sheet(table) for table in top.tables("students")),
         _strings(top.table("files")),
         exam.take("id", str, ""),
+        _tolerance(exam),
+        top.strings("redrawn"),
+    )
+
+
+def _tolerance(exam: Table) -> Tolerance:
+    """The marking; that of the usual tolerance where it is not recorded."""
+    usual = Tolerance()
+    floor = float(exam.number("tolerance", Decimal(str(usual.floor))))
+    ceiling = exam.data.get("tolerance_ceiling")
+    return Tolerance(
+        floor,
+        None if ceiling is None else float(exam.number("tolerance_ceiling", 0)),
+        exam.take("mistakes_screened", bool, usual.mistakes),
     )
 
 

@@ -163,10 +163,13 @@ def batches_of(
     return groups
 
 
-def answer_variants(variants: Sequence[Variant], asks: Sequence[Ask], tolerance: Tolerance) -> list[tuple[Answer, ...]]:
-    """The answers of variants in printed units, with absolute tolerances."""
+def answer_variants(
+    variants: Sequence[Variant], asks: Sequence[Ask], tolerance: Tolerance, marked: bool = False
+) -> list[tuple[Answer, ...]]:
+    """The answers of variants in printed units, with absolute tolerances and, ``marked``, unnoticed mistakes."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
-    return _answers(variants, asked, solve_all(variants, asked), Margins(tolerance))
+    find = answers_of if marked else _answers
+    return find(variants, asked, solve_all(variants, asked), Margins(tolerance))
 
 
 def _answers(

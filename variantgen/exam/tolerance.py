@@ -8,7 +8,7 @@ from typing import Any
 
 from variantgen.tables import Table
 
-_LARGEST = 0.2
+LARGEST = 0.2
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ def read_tolerance(table: Table) -> Tolerance:
     usual = Tolerance()
     if not isinstance(given, dict):
         floor = float(given)
-        if not 0 < floor <= _LARGEST:
-            table.problem(f"expected a number between 0 and {_LARGEST:g}", "tolerance", floor)
+        if not 0 < floor <= LARGEST:
+            table.problem(f"expected a number between 0 and {LARGEST:g}", "tolerance", floor)
             return usual
         return Tolerance(floor)
     inner = table.table("tolerance")
@@ -41,10 +41,10 @@ def read_tolerance(table: Table) -> Tolerance:
     inner.expect("ceiling")
     mistakes = inner.take("mistakes", bool, usual.mistakes)
     inner.finish()
-    if not 0 < floor <= _LARGEST:
-        inner.problem(f"expected a number between 0 and {_LARGEST:g}", "floor", floor)
+    if not 0 < floor <= LARGEST:
+        inner.problem(f"expected a number between 0 and {LARGEST:g}", "floor", floor)
         return usual
-    if ceiling is not None and not floor <= ceiling <= _LARGEST:
-        inner.problem(f"expected a number between the floor, {floor:g}, and {_LARGEST:g}", "ceiling", ceiling)
+    if ceiling is not None and not floor <= ceiling <= LARGEST:
+        inner.problem(f"expected a number between the floor, {floor:g}, and {LARGEST:g}", "ceiling", ceiling)
         return usual
     return Tolerance(floor, ceiling, mistakes)

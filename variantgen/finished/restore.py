@@ -36,12 +36,16 @@ class Finished:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
         return [[variant for variant in own if variant is not None] for own in found]
 
-    def sheets(self, places: range) -> tuple[Sheet, ...]:
-        """The sheets of some students, by their places, with answers computed anew."""
+    def sheets(self, places: range, marked: bool = False) -> tuple[Sheet, ...]:
+        """The sheets of some students, by their places, with answers computed anew.
+
+        ``marked``: with the mistakes that go unnoticed in answers, which only a key shows.
+        """
         chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
         tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
         flat = [variant for _, own in chosen for variant in own]
-        answers = iter(answer_variants(flat, [task.ask for own in tasks for task in own], self.exam.tolerance))
+        asks = [task.ask for own in tasks for task in own]
+        answers = iter(answer_variants(flat, asks, self.exam.tolerance, marked))
         return tuple(
             Sheet(
                 sheet.student,
@@ -62,7 +66,12 @@ def restore(record: Record, folders: tuple[Path, ...]) -> Finished:
     exam = parse_exam(record.exam_text, record.path.with_name("exam.toml"), folders)
     options: Mapping[str, str] = record.solutions or {"depth": NONE}
     known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}
-    exam = replace(exam, solutions=replace(exam.solutions, **known), formats=record.formats or exam.formats)
+    exam = replace(
+        exam,
+        solutions=replace(exam.solutions, **known),
+        formats=record.formats or exam.formats,
+        tolerance=record.tolerance,
+    )
     return Finished(record, exam, tuple(record.differences(exam)))
 
 

@@ -29,6 +29,7 @@ from variantgen.tables import Table
 HELP = "canvas.zip, quizzes for Canvas (QTI 1.2)"
 FILES = ("canvas.zip",)
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> canvas.CanvasOptions:

@@ -100,8 +100,7 @@ def _documents(exam: Exam) -> Iterator[_Document]:
 def finish(whole: Whole) -> None:
     """Write the pages."""
     folder, documents = whole.folder / "html", list(_documents(whole.exam))
-    folder.mkdir()
-    _write_key(whole, folder / "key.html")
+    write_key(whole)
     single = formats.options(whole.exam, "html").files == STUDENTS
     for document in documents:
         paths, target = whole.pieces[document.target], folder / document.target
@@ -128,8 +127,10 @@ def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet],
     )
 
 
-def _write_key(whole: Whole, path: Path) -> None:
+def write_key(whole: Whole) -> None:
     """The key: by student, then a table for each problem."""
+    path = whole.folder / "html" / "key.html"
+    path.parent.mkdir()
     exam, language = whole.exam, whole.exam.spoken
     words = language.words("key")
     tables = [

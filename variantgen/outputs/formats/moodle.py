@@ -38,6 +38,7 @@ from variantgen.wording.html import to_html
 HELP = "moodle.xml, cloze questions for the question bank of Moodle"
 FILES = ("moodle.xml",)
 SUMMARIES = ()
+write_key = None
 
 FAMILIES, STUDENTS = "families", "students"
 _LONGEST = 200  # characters of a name; Moodle holds 255

@@ -78,17 +78,23 @@ def finish(whole: Whole) -> None:
 
     exam, chosen = whole.exam, _options(whole.exam)
     names = [Named(s.student.name or s.code, group_text(s.student, exam.spoken)) for s in whole.sheets]
+    write_key(whole)
     for target, paths in whole.pieces.items():
-        language = exam.solutions.language if target == "solutions" else exam.language
-        path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
-        if target == "key":
-            join_pdfs(paths, path, exam.title, language, even)
-        elif chosen.joined:
-            join_pdfs(paths, path, exam.title, language, even, names)
+        if target != "key" and chosen.joined:
+            language = exam.solutions.language if target == "solutions" else exam.language
+            join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
+
+
+def write_key(whole: Whole) -> None:
+    """Join the parts of the key."""
+    from variantgen.outputs.join import join_pdfs
+
+    exam = whole.exam
+    join_pdfs(whole.pieces["key"], whole.folder / "key.pdf", exam.title, exam.language, False)
 
 
 def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: Options) -> None:

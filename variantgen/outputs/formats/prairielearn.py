@@ -38,6 +38,7 @@ from variantgen.tables import Table
 HELP = "prairielearn/, questions for a course of PrairieLearn"
 FILES = ("prairielearn/*",)
 SUMMARIES = ()
+write_key = None
 
 _LONGEST = 200  # characters of a title
 _FOLDER = "prairielearn"

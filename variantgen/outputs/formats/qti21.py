@@ -27,6 +27,7 @@ from variantgen.tables import Table
 HELP = "qti21.zip, a package of QTI 2.1 for learning platforms"
 FILES = ("qti21.zip",)
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> Options:

@@ -27,6 +27,7 @@ from variantgen.tables import Table
 HELP = "qti30.zip, a package of QTI 3.0 for learning platforms"
 FILES = ("qti30.zip",)
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> Options:

@@ -17,6 +17,7 @@ from variantgen.tables import Table
 HELP = "key.xlsx and grading.xlsx, a form for marking by hand"
 FILES = ("key.xlsx", "grading.xlsx")
 SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...] = ()
+write_key = None
 
 
 @dataclass(frozen=True)
