@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.family import Family, Form, frame
+from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 
@@ -52,6 +54,15 @@ def columns(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
     """SI values of the parameters of variants of one form, shape (N,) each."""
     parameters = variants[0].form.parameters
     return {name: p.in_si(v.printed[name] for v in variants) for name, p in parameters.items()}
+
+
+def speeding(form: Form, values: Mapping[str, Real]) -> list[Any]:
+    """By driver whether the motion that it gives gets faster: its velocity and acceleration have the same sense.
+
+    ``values`` are those of a variant or, as arrays of the shape (N,), of several.
+    """
+    rates = [(driver.rates(1)[0], driver.rates(2)[0]) for driver in (t.build(values) for t in form.drivers)]
+    return [np.real(velocity) * np.real(acceleration) > 0 for velocity, acceleration in rates]
 
 
 def solve_variants(variants: Sequence[Variant], order: int) -> Motion:

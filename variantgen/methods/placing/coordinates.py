@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from variantgen.methods.angles import AngleForm
 from variantgen.methods.legs import Leg
-from variantgen.methods.placed import ORIGIN, Placed
+from variantgen.methods.place import ORIGIN
+from variantgen.methods.placed import Placed
 
 
 class Construction(Placed):
