@@ -12,7 +12,7 @@ from variantgen.check import Report, check_family
 from variantgen.cli import main
 from variantgen.resources import catalog_dir
 
-SEEDS = 12
+SEEDS = 8
 
 
 def damaged(folder: Path, family: str, *changes: tuple[str, str, str]) -> Path:
@@ -77,8 +77,8 @@ def test_the_message_names_both_lengths(tmp_path: Path) -> None:
 
 
 OTHERS = [
-    ("gear_pair_with_crank", 'radius = "r_2", other', 'radius = "0.8 * r_2", other', "the circle of gear2 about A to have"),
-    ("planetary_pair", 'distance = "r_1 + r_2"', 'distance = "r_1 + 1.1 * r_2"', "the circle of a wheel about O to have"),
+    ("gear_pair_with_crank", 'radius = "r_2", other', 'radius = "0.8 * r_2", other', "circle of gear2 about A to have"),
+    ("planetary_pair", 'distance = "r_1 + r_2"', 'distance = "r_1 + 1.1 * r_2"', "circle of a wheel about O to have"),
     ("spool", 'point = "O", radius = "r"', 'point = "O", radius = "1.2 * r"', "the circle of spool about O to have"),
     ("rolling_wheel", 'O = { coordinates = { x = 0, y = "R" } }', 'O = { coordinates = { x = 0, y = "1.2*R" } }',
      "the circle of wheel about O to have"),
@@ -155,7 +155,7 @@ UNSAID = [
     ("slider_crank", "ru", "отстоит от оси {{ O }} на {{ e }}", "не проходит через ось {{ O }}",
      "the text says nothing of e, that in en does"),
     ("planetary_pair", "en", "of radius {{ r_1 }}", "", "the text says nothing of r_1, that in ru does"),
-    ("oscillating_cylinder", "en", "The rod", "The rod weighs 3 cm. The rod", "the text says 3 cm, that in ru does not"),
+    ("oscillating_cylinder", "en", "The rod", "It is 3 cm. The rod", "the text says 3 cm, that in ru does not"),
     ("oscillating_cylinder", "ru", "Шток", "{{ OA }} = 2,5 м. Шток", "the text says 2,5 м, that in en does not"),
 ]  # fmt: skip
 
