@@ -65,10 +65,7 @@ class Model:
     @property
     def translating(self) -> frozenset[str]:
         """Bodies that are kept from turning."""
-        joints = self.task.scene.joints
-        return frozenset(
-            body for j in joints for s in j.shapes() if not s.points and len(s.bodies) == 1 for body in s.bodies
-        )
+        return self.task.linkage.translating
 
     def hold_translating(self) -> None:
         """A body in translation along an axis keeps the other coordinate of all its points."""
@@ -251,15 +248,7 @@ class Model:
 
     def radius(self, centre: str, exact: float) -> Expression:
         """A radius of that length about a point: of the disc of the drawing, or a number."""
-        for disc in self.task.form.figure.discs:
-            if (
-                disc.centre == centre
-                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < 1e-9 * exact
-            ):
-                found = self.task.expressed(disc.radius)
-                if found is not None:
-                    return found
-        return fixed_number("length", exact)
+        return self.task.drawn_radius(centre, exact) or fixed_number("length", exact)
 
     # Numbers.
 
