@@ -138,7 +138,8 @@ def test_not_a_toml_text(content: str | bytes, said: str, bench: Bench) -> None:
         (GOOD + 'ask = ["v_Q"]\n', ["problem[1].ask[1]", "v_Q", "did you mean"]),
         (GOOD + 'ask = ["v_B", "v_B"]\n', ["problem[1].ask", "asked twice"]),
         (GOOD + "ask = []\n", ["problem[1].ask", "at least one"]),
-        (GOOD + 'ask = "v_B"\n', ["problem[1].ask: expected a list of strings"]),
+        (GOOD + 'ask = "v_Q"\n', ["problem[1].ask[1]", "v_Q", "did you mean"]),
+        (GOOD + 'ask = ["v_B", 5]\n', ["problem[1].ask: expected a list of quantities", '"velocities"']),
         (GOOD + "points = -1\n", ["problem[1].points", "from 0 to 1000", "-1"]),
         (GOOD + 'points = "10"\n', ["problem[1].points: expected a whole number"]),
         (GOOD + "points = true\n", ["problem[1].points: expected a whole number"]),
@@ -349,7 +350,8 @@ def test_force_replaces_the_whole_folder(bench: Bench) -> None:
     (bench.out / "key.csv").write_text("old")
     code, message = bench.build(GOOD, "--force")
     assert code == 0, message
-    assert sorted(p.name for p in bench.out.iterdir()) == FILES
+    assert sorted(p.name for p in bench.out.iterdir()) == sorted([*FILES, "edited"])
+    assert (bench.out / "edited" / "1" / "key.csv").read_text() == "old", "nothing says that it is ours"
     assert sorted(path.name for path in bench.folder.iterdir()) == ["exam.toml", "out"]
 
 

@@ -38,7 +38,8 @@ class Built:
 
     ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``alike`` says of
     problems how many sheets have nearly the data of another of their group, because there was no room to keep them
-    apart; ``notes`` are messages of the formats; ``kept`` counts the parts that an earlier try had finished.
+    apart; ``notes`` are messages of the formats; ``kept`` counts the parts that an earlier try had finished; ``cut``
+    counts the problems that were drawn again for the ceiling that the exam sets to tolerances.
     """
 
     folder: Path
@@ -48,6 +49,7 @@ class Built:
     notes: tuple[str, ...] = ()
     alike: Mapping[str, int] = field(default_factory=dict)
     kept: int = 0
+    cut: int = 0
 
 
 def build(
@@ -84,8 +86,10 @@ def build(
                     raise error.located(str(exam.path)) from None
                 sheets = StoredSheets(exam, students, carried.seed, parts)
                 kept = _make_all(exam, sheets, carried, parts, workers, progress)
-            with whole_folder(out, force, known) as folder:
-                return replace(_put_together(exam, sheets, carried, parts, folder, engine), folder=out, kept=kept)
+            notes: list[str] = []
+            with whole_folder(out, force, known, notes) as folder:
+                built = _put_together(exam, sheets, carried, parts, folder, engine)
+            return replace(built, folder=out, kept=kept, notes=(*built.notes, *notes))
 
 
 @contextmanager
@@ -162,6 +166,6 @@ def _put_together(
     notes: list[str] = []
     for name in exam.formats:
         formats()[name].finish(Whole(exam, sheets, carried.seed, folder, engine, pieces[name], notes))
-    redrawn, alike = parts.settled()
+    redrawn, alike, cut = parts.settled()
     write_records(folder, exam, carried.seed, carried.made_with, redrawn, pieces[RECORDS])
-    return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)
+    return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

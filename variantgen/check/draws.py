@@ -19,7 +19,7 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
-from variantgen.variants.attempts import Judge, Tally
+from variantgen.variants.batch import Judge, Tally
 from variantgen.variants.counting import variety
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import VERIFIED

@@ -18,6 +18,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import recompute
+from variantgen.outputs.edited import EDITED, is_meant
 from variantgen.outputs.folder import file_hashes
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -29,17 +30,21 @@ _AT_ONCE = 512  # students whose motions are in memory together
 
 @dataclass(frozen=True)
 class Verified:
-    """How many answers were computed again, the largest relative difference, and what is wrong, in words."""
+    """How many answers were computed again, the largest relative difference, and what is wrong, in words.
+
+    ``edited`` are the files that were changed since the build and are there to be edited: no fault.
+    """
 
     students: int
     answers: int
     largest: float
     faults: tuple[str, ...]
+    edited: tuple[str, ...] = ()
 
 
 def verify(finished: Finished, folder: Path) -> Verified:
     """Compute every answer again and look whether the files are as they were built."""
-    faults = list(_files(finished, folder))
+    faults, edited = _files(finished, folder)
     largest, count = 0.0, 0
     for start in range(0, len(finished.record.sheets), _AT_ONCE):
         for place, number, answer, again, scale in _recomputed(finished, start):
@@ -56,7 +61,7 @@ def verify(finished: Finished, folder: Path) -> Verified:
                 )
             elif again:
                 largest = max(largest, difference / max(abs(again), _OF_LARGEST / _RELATIVE * scale))
-    return Verified(len(finished.record.sheets), count, largest, tuple(faults))
+    return Verified(len(finished.record.sheets), count, largest, tuple(faults), tuple(edited))
 
 
 def _who(finished: Finished, place: int, number: int) -> str:
@@ -144,14 +149,23 @@ def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
     return np.asarray(largest / motion.length_scale() if quantity.is_rotation else largest)
 
 
-def _files(finished: Finished, folder: Path) -> Iterator[str]:
-    """What is not as it was built: files that are missing, changed or new."""
-    now = {name: hashed for name, hashed in file_hashes(folder).items() if name != NAME}
+def _files(finished: Finished, folder: Path) -> tuple[list[str], list[str]]:
+    """What is not as it was built: faults (files that are missing, damaged or new), and files that were edited."""
+    now = {
+        name: hashed
+        for name, hashed in file_hashes(folder).items()
+        if name != NAME and not name.startswith(f"{EDITED}/")
+    }
     then = finished.record.files
+    changed = {name for name, hashed in now.items() if then.get(name, hashed) != hashed}
+    faults, edited = [], []
     for name in sorted(then.keys() | now.keys()):
         if name not in now:
-            yield f"{name}: the file is missing"
+            faults.append(f"{name}: the file is missing")
         elif name not in then:
-            yield f"{name}: the file does not belong to the exam"
-        elif now[name] != then[name]:
-            yield f"{name}: the file has been changed since the build"
+            faults.append(f"{name}: the file does not belong to the exam")
+        elif name in changed and is_meant(folder, name, changed):
+            edited.append(name)
+        elif name in changed:
+            faults.append(f"{name}: the file has been changed since the build")
+    return faults, edited

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import glob
-import hashlib
 import os
 import shutil
 import signal
@@ -16,10 +15,11 @@ from pathlib import Path
 from types import FrameType
 
 from variantgen.errors import InputError, Problem
+from variantgen.outputs.edited import EDITED, file_hash, keep_edited
 
 
 class WritingError(InputError):
-    """The system refused to write: no room, no rights, no disk."""
+    """The system refused to write: no room, no rights, no disk; or the place was taken in the meantime."""
 
     may_pass = True
 
@@ -55,9 +55,11 @@ def check_free(target: Path, force: bool, known: Collection[str]) -> None:
 
 
 def _foreign(folder: Path, known: Collection[str], within: str = "") -> Iterator[str]:
-    """What a folder holds besides known files."""
+    """What a folder holds besides known files, and those that were kept because somebody had edited them."""
     for path in sorted(folder.iterdir()):
         name = within + path.name
+        if name == EDITED and path.is_dir() and not path.is_symlink():
+            continue
         inside = (p.startswith(f"{name}/") or fnmatchcase(f"{name}/", p) for p in known)
         if path.is_dir() and not path.is_symlink() and any(inside):
             yield from _foreign(path, known, f"{name}/")
@@ -69,37 +71,56 @@ def file_hashes(folder: Path) -> dict[str, str]:
     """SHA-256 of all files below a folder by their paths in it, in the order of the alphabet."""
     found = {}
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
-        with path.open("rb") as file:
-            found[path.relative_to(folder).as_posix()] = hashlib.file_digest(file, "sha256").hexdigest()
+        found[path.relative_to(folder).as_posix()] = file_hash(path)
     return found
 
 
 @contextmanager
-def whole_folder(target: Path, force: bool, known: Collection[str]) -> Iterator[Path]:
+def whole_folder(target: Path, force: bool, known: Collection[str], notes: list[str] | None = None) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
-    the name ``.NAME.replaced`` for the moment of the change; the next run puts it back if the change was cut short.
-    ``known`` are the files of an output (see :func:`check_free`).
+    the name ``.NAME.replaced`` for the moment of the change; the next run ends the change if it was cut short.
+    ``known`` are the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
+    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where.
     """
     target = target.resolve()
     replaced = target.with_name(f".{target.name}.replaced")
-    _tidy(target, replaced)
-    check_free(target, force, known)
+    _tidy(target, replaced, notes)
+    _check_still_free(target, force, known)
     mine = f".{target.name}.partial-{os.getpid()}-"
     # The handler comes before the folder, so that no signal can find a folder that nobody would remove.
     with terminable(), writing(target):
         try:
             work = _made(target, mine)
             yield work
+            _check_still_free(target, force, known)
             if target.exists():
                 target.rename(replaced)
             work.rename(target)
-            shutil.rmtree(replaced, ignore_errors=True)
+            _finish(target, replaced, notes)
         finally:
             for left in target.parent.glob(f"{glob.escape(mine)}*"):
                 shutil.rmtree(left, ignore_errors=True)
+
+
+def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None:
+    """Raise WritingError if the target was taken since the work began: the work is not lost."""
+    try:
+        check_free(target, force, known)
+    except InputError as error:
+        raise WritingError(error.problems) from None
+
+
+def _finish(target: Path, replaced: Path, notes: list[str] | None) -> None:
+    """Remove an output that was replaced, but for what somebody has edited in it."""
+    if notes is not None and replaced.is_dir() and not replaced.is_symlink():
+        notes += filter(None, [keep_edited(replaced, target)])
+    if replaced.is_dir():
+        # Under its name it would be taken for one with work in it if this is cut short.
+        old = replaced.rename(target.with_name(f".{target.name}.partial-{os.getpid()}-replaced"))
+        shutil.rmtree(old, ignore_errors=True)
 
 
 @contextmanager
@@ -134,16 +155,16 @@ def _made(target: Path, prefix: str) -> Path:
     try:
         work = Path(tempfile.mkdtemp(prefix=prefix, dir=target.parent))
     except OSError as error:
-        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
+        raise WritingError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
     work.chmod(0o755)
     return work
 
 
-def _tidy(target: Path, replaced: Path) -> None:
+def _tidy(target: Path, replaced: Path, notes: list[str] | None) -> None:
     """Clear away what a killed run has left beside the target, but nothing of a run that is still going on."""
     if replaced.is_dir() and not target.exists():
         replaced.rename(target)
-    shutil.rmtree(replaced, ignore_errors=True)
+    _finish(target, replaced, notes)
     for stale in target.parent.glob(f".{glob.escape(target.name)}.partial-*"):
         number = stale.name.split(".partial-")[1].split("-")[0]
         if not (number.isdigit() and _is_running(int(number))):

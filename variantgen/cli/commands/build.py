@@ -62,7 +62,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", action="store_true", help="go on from the parts that an interrupted build has finished"
     )
-    parser.add_argument("--force", action="store_true", help="replace an earlier output of this program whole")
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="replace an earlier output of this program; files that were edited since are kept in its folder edited/",
+    )
     add_families(parser)
 
 
@@ -138,6 +142,8 @@ def _report(made: Built, seconds: float) -> None:
     if made.redrawn:
         told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
         tell(f"drawn again to keep variants distinct: {told}")
+    if made.cut:
+        tell(f"drawn again for tolerance.ceiling: {counted(made.cut, 'problem')}")
     if made.unexplained:
         tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:

@@ -13,7 +13,8 @@ from variantgen.cli.options import add_families
 HELP = "compute every answer of a finished exam again"
 DESCRIPTION = (
     "Compute every answer of a finished exam again, from its manifest alone and by a path that shares nothing with\n"
-    "the solver, and compare the files with those that were built. Exit code 1 if anything is wrong."
+    "the solver, and compare the files with those that were built. Exit code 1 if anything is wrong; workbooks and\n"
+    "LaTeX sources are there to be edited, which is said and no fault."
 )
 _SHOWN = 20
 
@@ -42,9 +43,12 @@ def run(arguments: argparse.Namespace) -> int:
         tell(fault)
     if len(found.faults) > _SHOWN:
         tell(f"and {len(found.faults) - _SHOWN} more")
+    for name in found.edited:
+        tell(f"edited since the build, which is no fault: {name}")
     told = f"{counted(found.answers, 'answer')} of {counted(found.students, 'student')} computed again"
     if found.faults:
         tell(f"{told}; faults: {len(found.faults)}")
         return 1
-    tell(f"{told}: all right (largest difference {found.largest:.0e}), no file changed")
+    changed = "no other file changed" if found.edited else "no file changed"
+    tell(f"{told}: all right (largest difference {found.largest:.0e}), {changed}")
     return 0
