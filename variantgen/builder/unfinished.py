@@ -144,14 +144,16 @@ class Unfinished:
         """Whether nobody has to draw again."""
         return (self.folder / _SETTLED).exists()
 
-    def settle(self, redrawn: Sequence[str], alike: Mapping[str, int]) -> None:
-        """Note who had to draw again, and how many sheets have data like others; all changed parts are there."""
-        self._write(_SETTLED, json.dumps({"redrawn": list(redrawn), "alike": dict(alike)}).encode())
+    def settle(self, redrawn: Sequence[str], alike: Mapping[str, int], cut: int) -> None:
+        """Note who had to draw again, how many sheets have data like others, and how many problems the exam's ceiling
+        of tolerances has changed; all changed parts are there.
+        """
+        self._write(_SETTLED, json.dumps({"redrawn": list(redrawn), "alike": dict(alike), "cut": cut}).encode())
 
-    def settled(self) -> tuple[tuple[str, ...], dict[str, int]]:
+    def settled(self) -> tuple[tuple[str, ...], dict[str, int], int]:
         """What was noted."""
         found = json.loads((self.folder / _SETTLED).read_text("utf-8"))
-        return tuple(found["redrawn"]), found["alike"]
+        return tuple(found["redrawn"]), found["alike"], found["cut"]
 
     def has_drawn(self, start: int, problem: int) -> bool:
         """Whether a problem was drawn for the students from ``start`` on."""

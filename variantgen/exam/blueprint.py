@@ -12,6 +12,7 @@ from typing import Any, cast
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.order import NAME, SORTS
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
@@ -52,7 +53,8 @@ class Exam:
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets.
+    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets. ``notices`` stand at the
+    head of every sheet.
     """
 
     title: str
@@ -71,6 +73,7 @@ class Exam:
     options: Mapping[str, Any] = field(default_factory=dict)
     qr: bool = True
     sort: str = NAME
+    notices: Notices = Notices()
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
@@ -143,6 +146,7 @@ def parse_exam(
         formats=formats,
         sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
+        notices=read_notices(top, language),
         tasks=_tasks(top, folders),
     )
     page.finish()

@@ -13,6 +13,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.families.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table, read_limited
 from variantgen.version import VERSION
@@ -94,7 +95,7 @@ def made_with(exam: Exam) -> dict[str, str]:
     """What the sheets of an exam depend on besides the manifest: versions, and hashes of templates and families."""
     used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
     found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
-    return {**found, **{f"family:{name}": folder_hash(used[name]) for name in sorted(used)}}
+    return {**found, **{f"family:{name}": family_hash(used[name]) for name in sorted(used)}}
 
 
 def read_record(folder: Path) -> Record:

@@ -8,7 +8,7 @@ import zlib
 from typing import Any
 
 from variantgen.errors import InputError, Problem, missing_package
-from variantgen.exam.roster.tables import Row, Sheet
+from variantgen.exam.roster.sheet import Row, Sheet
 from variantgen.limits import (
     ROSTER_COLUMNS,
     ROSTER_ROWS,
