@@ -26,8 +26,8 @@ from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.methods.compose import solution
-from variantgen.methods.settle import in_order
 from variantgen.methods.task import task_of
+from variantgen.methods.values import in_order
 from variantgen.single import one_variant
 from variantgen.variants.needed import given_names
 from variantgen.variants.variant import solve_variants

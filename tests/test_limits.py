@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import tracemalloc
 from pathlib import Path
 
 import pytest
 
 from tests.exam.test_blueprint import at_most
+from variantgen.builder.carried import Carried
 from variantgen.cli import main
+from variantgen.families.files import family_files, family_hash
 from variantgen.families.load import load_family
+from variantgen.outputs.formats import read_exam
 from variantgen.resources import catalog_dir
 
 EXAM = 'title = "Quiz"\nlanguage = "en"\n'
@@ -110,6 +115,67 @@ def test_derived_quantities_may_stand_in_any_order(tmp_path: Path) -> None:
         form = load_family(family(tmp_path, derived="\n".join(lines))).forms[""]
     assert list(form.derived) == [f"x{i}" for i in reversed(range(200))]
     assert float(form.values({"OA": 0.1})["x0"]) == pytest.approx(200 * 0.1)
+
+
+@pytest.mark.parametrize("name", ["family.toml", "cases.toml", "statement.en.j2", "statement.ru.j2"])
+@pytest.mark.parametrize("kind", ["link", "folder link", "dangling", "pipe"])
+def test_files_of_a_family_are_no_links(
+    name: str, kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = own_family(tmp_path)
+    secret = tmp_path / "secret"
+    secret.write_bytes((folder / name).read_bytes())
+    (folder / name).unlink()
+    if kind == "pipe":
+        os.mkfifo(folder / name)
+    else:
+        (folder / name).symlink_to({"link": secret, "folder link": tmp_path, "dangling": tmp_path / "none"}[kind])
+    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    if name == "family.toml" and kind != "link":
+        assert "unknown family (got own)" in told
+    else:
+        expected = "expected a file" if kind == "pipe" else "a file of a family may not be a link"
+        assert f"own/{name}: {expected}" in told
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", ["family.toml", "cases.toml", "statement.ru.j2"])
+def test_files_of_a_family_are_small(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = own_family(tmp_path)
+    os.truncate(folder / name, 3_000_000_000)
+    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert f"own/{name}: the file is larger than 200 kB" in told
+
+
+def test_other_files_in_the_folder_of_a_family_are_not_read(tmp_path: Path) -> None:
+    folder = own_family(tmp_path)
+    known = family_hash(folder)
+    (folder / "video.mp4").touch()
+    os.truncate(folder / "video.mp4", 3_000_000_000)
+    (folder / "passwd").symlink_to("/etc/passwd")
+    (folder / "deeper").mkdir()
+    (folder / "deeper" / "cases.toml").write_text("x")
+    assert family_hash(folder) == known
+    assert family_files(folder).keys() == {"cases.toml", "family.toml", "statement.en.j2", "statement.ru.j2"}
+    carried = Carried.of(read_exam(tmp_path / "exam.toml"), "1")
+    assert {name: files.keys() for name, files in carried.families.items()} == {"own": family_files(folder).keys()}
+    (folder / "cases.toml").write_bytes((folder / "cases.toml").read_bytes() + b"\n")
+    assert family_hash(folder) != known
+
+
+def test_no_family_has_hundreds_of_statements(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = own_family(tmp_path)
+    for number in range(60):
+        (folder / f"statement.{number}.j2").touch()
+    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "own: expected at most 50 files of a family (got 64)" in told
+
+
+def own_family(folder: Path) -> Path:
+    """A family ``own``, and an exam of it."""
+    shutil.copytree(catalog_dir() / "spool", folder / "own")
+    (folder / "exam.toml").write_text(EXAM + '[[problem]]\nfamily = "own"\n', "utf-8")
+    return folder / "own"
 
 
 def test_no_family_of_the_catalogue_is_near_a_bound() -> None:

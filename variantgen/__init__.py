@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from variantgen.families.load import family_names, load_family
     from variantgen.mechanism.scene import Scene
     from variantgen.mechanism.solve import solve
-    from variantgen.mechanism.verify import recompute
+    from variantgen.outputs.explanation import explain
+    from variantgen.outputs.picture import picture
     from variantgen.single import answers, solution_document
     from variantgen.variants.draw import draw
     from variantgen.version import VERSION as __version__  # noqa: N811  (the name that tools look for)
@@ -35,10 +36,11 @@ _HOMES = {
     "build": "builder",
     "check_family": "check.family",
     "draw": "variants.draw",
+    "explain": "outputs.explanation",
     "family_names": "families.load",
     "load_family": "families.load",
+    "picture": "outputs.picture",
     "read_roster": "exam.roster",
-    "recompute": "mechanism.verify",
     "solution_document": "single",
     "solve": "mechanism.solve",
 }
@@ -53,10 +55,11 @@ __all__ = [
     "build",
     "check_family",
     "draw",
+    "explain",
     "family_names",
     "load_family",
+    "picture",
     "read_roster",
-    "recompute",
     "solution_document",
     "solve",
 ]

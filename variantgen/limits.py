@@ -14,6 +14,8 @@ KEY_PARTS = 50
 # 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.
 FORMS = 50
 PARAMETERS = 100  # each is moved by itself to see how the answers depend on it
+VALUES = 10_000  # of one parameter
+GRID = 50_000  # values of all parameters of a form together: they are in memory as they are printed
 DERIVED = 200
 PARTS = 200  # points, bodies, joints, drivers, conditions, and what is required of the data
 MARKS = 60  # of one kind in a figure: every label looks for a place between all others
@@ -22,11 +24,17 @@ FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
 # An exam: problems of one sheet. A hundred pages for one student are a book.
 PROBLEMS = 100
 
+# What is unpacked of one stream of a PDF that is read back (the table of objects of half a million students), and what
+# one page may need of them with its fonts.
+PDF_STREAM_BYTES = 256_000_000
+PDF_PAGE_BYTES = 64_000_000
+
 # A class list. As a CSV a million students have some 40 MB; the worksheets of a workbook, unpacked, have 4 MB for
 # 20 000 students, its styles and other parts 20 kB (overgrown ones 1 MB); spreadsheets have no more rows than these.
 ROSTER_BYTES = 50_000_000
 WORKBOOK_BYTES = 50_000_000
 WORKBOOK_LOOKS = 2_000_000
+WORKBOOK_MARKS = 100_000  # tags in those other parts: the reader of workbooks takes 0.08 ms for each
 WORKSHEETS = 500  # one for each group
 ROSTER_ROWS = 1_048_576
 ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left

@@ -17,7 +17,8 @@ from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
-from variantgen.variants.attempts import FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Tally
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants

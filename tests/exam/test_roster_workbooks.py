@@ -79,6 +79,13 @@ def styles(text: str) -> Iterator[str]:
     yield "</cellXfs>" + tail
 
 
+def many_styles(text: str) -> Iterator[str]:
+    head, tail = text.split("</cellXfs>")
+    yield head
+    yield from repeated("<xf/>", 390_000)
+    yield "</cellXfs>" + tail
+
+
 def run(path: Path) -> tuple[int, str, float]:
     """Build with this roster in a process of bounded memory: exit code, message, seconds."""
     exam = path.with_name("exam.toml")
@@ -102,6 +109,7 @@ def run(path: Path) -> tuple[int, str, float]:
         (SHEET, far_row, ["Sheet", "a row has a number above 1048576"]),
         (SHEET, empty_rows, ["the worksheets of the workbook unpack to 72 MB, more than 50 MB"]),
         ("xl/styles.xml", styles, ["styles and other parts", "more than 2 MB"]),
+        ("xl/styles.xml", many_styles, ["styles and other parts", "too many entries"]),
     ],
 )
 def test_a_workbook_beyond_all_bounds(

@@ -15,10 +15,14 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.restrict import restrict
 from variantgen.mechanism.solve import solve
+from variantgen.outputs.key_content import equation
 from variantgen.single import one_variant
+from variantgen.variants.draw import draw
 from variantgen.wording.formula import to_plain, to_typst
 from variantgen.wording.language import load_language
+from variantgen.wording.plain import plain_problem
 from variantgen.wording.statement import sign_notes
 
 V, A = 3.0 - 4.0j, 2.0 + 1.0j
@@ -94,3 +98,27 @@ def test_what_the_data_do_not_determine_cannot_be_asked() -> None:
     form = load_family("plate_acceleration_centre").forms["square"]
     with pytest.raises(InputError, match="the data of this problem do not determine it"):
         read_ask(form, ["v_B"])
+
+
+def test_a_direction_along_an_axis_has_no_noise() -> None:
+    """B is guided along an axis of the paper: its acceleration has a whole number of right angles."""
+    family = load_family("slider_crank")
+    variants = draw(restrict(family, forms=("central",)), ["a_B.angle"], [("noise", str(n)) for n in range(24)])
+    found = [answers[0].value for answers in answer_variants(variants, [("a_B.angle",)] * 24, Tolerance())]
+    assert set(map(str, found)) <= {"0.0", "90.0", "-90.0", "180.0", "-180.0"}
+    assert found.count(0.0) > 1
+    explained = str(variants[found.index(0.0)].explain("en", ask=["a_B.angle"]))
+    assert "∠(a_B, x) = 0°." in explained
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_sense_is_a_whole_number(language: str) -> None:
+    for seed in range(4):
+        variant = one_variant("four_bar", seed=str(seed), ask=["omega_AB.sense"])
+        (answer,) = answer_variants([variant], [("omega_AB.sense",)], Tolerance())[0]
+        told = f"sgn ω_AB = {'1' if answer.value > 0 else '−1'}"
+        words = load_language(language)
+        said = plain_problem(variant, [answer.quantity], [(answer.value, answer.unit, answer.surd)], words)
+        assert f"{told}." in said
+        assert to_plain(equation(answer, words, variant.form.symbols)).strip() == told
+        assert f"{told}." in str(variant.explain(language, ask=["omega_AB.sense"]))

@@ -19,9 +19,9 @@ from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry
-from variantgen.methods.settle import parts
 from variantgen.methods.step import Derived, Sentence, Statement
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.values import parts
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 

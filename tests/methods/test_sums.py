@@ -6,9 +6,10 @@ import pytest
 
 from variantgen.methods.angles import AngleForm, between, normal_angle
 from variantgen.methods.expression import Constant, Times, Total, Value
+from variantgen.methods.legs import Leg, collected
 from variantgen.methods.lines import Lines
 from variantgen.methods.name import Name
-from variantgen.methods.sums import Leg, collected, positive, summed
+from variantgen.methods.sums import positive, summed
 
 
 def length(symbol: str, number: float) -> Value:

@@ -18,6 +18,7 @@ from variantgen.methods.points import vector
 from variantgen.methods.step import Sentence, Term
 from variantgen.methods.style import Style
 from variantgen.methods.velocity_centre import distance
+from variantgen.outputs.explanation import explain
 from variantgen.single import one_variant
 
 STYLE = Style("velocity_centre", "pole")
@@ -207,8 +208,8 @@ def test_by_one_velocity_and_the_rate() -> None:
 
 
 def test_the_check_tells_the_corner_from_which_a_direction_follows() -> None:
-    text = str(one_variant("crank_and_disc", form="relative", seed="17").explain(language="en")).replace("\xa0", " ")
+    text = str(explain(one_variant("crank_and_disc", form="relative", seed="17"), language="en")).replace("\xa0", " ")
     check = text[text.index("\nCheck") :]
     assert check.index("∠AMP = ") < check.index("v_M cos")
-    wheel = str(one_variant("rolling_wheel", seed="17").explain(language="en"))
+    wheel = str(explain(one_variant("rolling_wheel", seed="17"), language="en"))
     assert "∠OAP = 45°" in wheel

@@ -128,12 +128,24 @@ def close(one: Variant, other: Variant, groups: Sequence[str] = ("", "")) -> boo
 
 
 def test_what_is_nearly_the_same() -> None:
-    base = changed(OA="20", AB="80", phi="40")
+    base = changed(OA="20", AB="60", phi="120")
     assert close(base, base)
-    assert close(base, changed(OA="20.5", AB="78", phi="41.9"))  # 2.5 %, 2.6 %, less than two degrees
-    assert not close(base, changed(OA="20.7", AB="80", phi="40"))  # 3.5 %
-    assert not close(base, changed(OA="20", AB="80", phi="42.1"))
+    assert close(base, changed(OA="20.5", AB="58.5", phi="121.9"))  # 2.5 %, 2.6 %, less than two degrees
+    assert not close(base, changed(OA="20.7", AB="60", phi="120"))  # 3.5 %
+    assert not close(base, changed(OA="20", AB="60", phi="122.1"))
     assert not close(base, base, ("A", "B")), "only within a group"
+    # The figure shows another branch: the answers are others.
+    assert not close(base, changed(OA="20", AB="60", phi="120", side=str(-base.printed["side"])))
+
+
+def test_the_other_sense_has_the_same_words_and_numbers() -> None:
+    base, other = changed(OA="20", AB="60", phi="120"), changed(sense=str(-BASE.printed["sense"]))
+    found = traits([base, other], [VELOCITIES] * 2, ["", ""])
+    assert found.room[0] == found.room[1]
+    assert np.array_equal(found.place[0], found.place[1])
+    assert found.identity[0] == found.identity[1], "v_B has no sign"
+    rates = traits([base, other], [read_ask(BASE.form, ["omega_BC"])] * 2, ["", ""])
+    assert rates.identity[0] != rates.identity[1], "omega_BC has the other sign"
     assert CLOSE == 0.03
     assert CLOSE_ANGLE == 2.0
 

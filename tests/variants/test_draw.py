@@ -13,7 +13,7 @@ from variantgen.errors import InputError
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.variants.attempts import Tally
+from variantgen.variants.batch import Tally
 from variantgen.variants.distinct import TooFewError, settle
 from variantgen.variants.draw import Drawing, draw, too_few
 from variantgen.variants.likeness import Traits, traits

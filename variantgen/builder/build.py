@@ -38,7 +38,8 @@ class Built:
 
     ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``alike`` says of
     problems how many sheets have nearly the data of another of their group, because there was no room to keep them
-    apart; ``notes`` are messages of the formats; ``kept`` counts the parts that an earlier try had finished.
+    apart; ``notes`` are messages of the formats; ``kept`` counts the parts that an earlier try had finished; ``cut``
+    counts the problems that were drawn again for the ceiling that the exam sets to tolerances.
     """
 
     folder: Path
@@ -48,6 +49,7 @@ class Built:
     notes: tuple[str, ...] = ()
     alike: Mapping[str, int] = field(default_factory=dict)
     kept: int = 0
+    cut: int = 0
 
 
 def build(
@@ -164,6 +166,6 @@ def _put_together(
     notes: list[str] = []
     for name in exam.formats:
         formats()[name].finish(Whole(exam, sheets, carried.seed, folder, engine, pieces[name], notes))
-    redrawn, alike = parts.settled()
+    redrawn, alike, cut = parts.settled()
     write_records(folder, exam, carried.seed, carried.made_with, redrawn, pieces[RECORDS])
-    return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike)
+    return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

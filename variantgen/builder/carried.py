@@ -17,6 +17,7 @@ from variantgen.errors import VariantgenError
 from variantgen.exam.assembly import Drawer
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.record import made_with
+from variantgen.families.files import family_files
 from variantgen.outputs.formats import parse_exam
 from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.resources import catalog_dir
@@ -94,8 +95,7 @@ def _own_families(exam: Exam) -> Iterator[tuple[str, dict[str, bytes]]]:
     for family in (family for task in exam.tasks for family in task.families):
         folder = family.folder
         if folder is not None and catalog_dir().resolve() not in folder.resolve().parents:
-            files = sorted(path for path in folder.rglob("*") if path.is_file())
-            yield family.name, {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+            yield family.name, family_files(folder)
 
 
 def _tasks(exam: Exam) -> str:

@@ -37,7 +37,7 @@ def draw_all(
     if parts.is_settled([(start, problem) for start, problem, _ in wishes.batches()]):
         return
     check_room([drawer.drawing(wish) for wish in wishes])
-    first = _first(drawer, wishes, carried, parts, workers, progress)
+    first, cut = _first(drawer, wishes, carried, parts, workers, progress)
 
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
         again = [replace(wishes[i], used=done) for i, done in zip(owners, used, strict=True)]
@@ -46,7 +46,7 @@ def draw_all(
 
     settled = keep_apart(drawer, wishes, first, more)
     _change(exam, again_of(wishes, settled), carried, parts, workers)
-    parts.settle(redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike))
+    parts.settle(redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike), cut)
 
 
 class _Wishes(Sequence[Wish]):
@@ -74,14 +74,17 @@ class _Wishes(Sequence[Wish]):
 
 def _first(
     drawer: Drawer, wishes: _Wishes, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
-) -> Traits:
-    """What is compared of the first draws of all wishes, in their order."""
+) -> tuple[Traits, int]:
+    """What is compared of the first draws of all wishes, in order, and how many of them the exam's ceiling changed."""
     found: list[Traits] = []
+    cut = 0
     order: list[int] = []
     todo: list[tuple[tuple[int, int, list[int]], Draw]] = []
     for start, problem, places in wishes.batches():
         if parts.has_drawn(start, problem):
-            found.append(_kept(drawer, parts, start, problem, [wishes[i] for i in places]))
+            kept, changed = _kept(drawer, parts, start, problem, [wishes[i] for i in places])
+            found.append(kept)
+            cut += changed
             order += places
         else:
             todo.append(((start, problem, places), Draw(tuple(wishes[i] for i in places))))
@@ -89,16 +92,18 @@ def _first(
     for (start, problem, places), drawn in workers.run(carried, todo):
         parts.put_drawn(start, problem, drawn.parts)
         found.append(drawn.traits)
+        cut += drawn.cut
         order += places
         progress("drawing variants", len(order) // wishes.problems, len(wishes.students))
-    return Traits.joined(found).take(np.argsort(np.array(order)))
+    return Traits.joined(found).take(np.argsort(np.array(order))), cut
 
 
-def _kept(drawer: Drawer, parts: Unfinished, start: int, problem: int, wishes: Sequence[Wish]) -> Traits:
-    """What is compared of a problem that was drawn before."""
+def _kept(drawer: Drawer, parts: Unfinished, start: int, problem: int, wishes: Sequence[Wish]) -> tuple[Traits, int]:
+    """What is compared of a problem that was drawn before, and how many the exam's ceiling has changed."""
     chosen = range(start // STUDENTS_PER_PART, -(-(start + len(wishes)) // STUDENTS_PER_PART))
     items = [item for part in chosen for item in unpack(drawer.exam, parts.first(part, problem))]
-    return drawer.traits(wishes, [item.variant for item in items])
+    variants = [item.variant for item in items]
+    return drawer.traits(wishes, variants), drawer.cut(wishes, variants)
 
 
 def _change(exam: Exam, again: Mapping[int, Wish], carried: Carried, parts: Unfinished, workers: Workers) -> None:

@@ -43,10 +43,13 @@ def perform(carried: Carried, job: Job) -> Any:
 
 @dataclass(frozen=True)
 class Drawn:
-    """Packed problems by parts of students, and what is compared of their variants."""
+    """Packed problems by parts of students, what is compared of their variants, and how many were drawn again for the
+    exam's ceiling of tolerances.
+    """
 
     parts: tuple[bytes, ...]
     traits: Traits
+    cut: int = 0
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,9 @@ class Draw:
         variants = setting.drawer.variants(self.wishes)
         items = setting.drawer.items(self.wishes, variants)
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
-        return Drawn(tuple(pack(setting.exam, part) for part in parts), setting.drawer.traits(self.wishes, variants))
+        packed = tuple(pack(setting.exam, part) for part in parts)
+        drawer = setting.drawer
+        return Drawn(packed, drawer.traits(self.wishes, variants), drawer.cut(self.wishes, variants))
 
 
 @dataclass(frozen=True)
@@ -71,7 +76,9 @@ class Compare:
 
     def run(self, setting: Setting) -> Traits:
         """Draw."""
-        return setting.drawer.traits(self.wishes, setting.drawer.variants(self.wishes))
+        found = setting.drawer.traits(self.wishes, setting.drawer.variants(self.wishes))
+        setting.drawer.forget()
+        return found
 
 
 @dataclass(frozen=True)

@@ -134,22 +134,24 @@ class Unfinished:
                 path.unlink()
         return whole
 
-    def settle(self, redrawn: Sequence[str], alike: Mapping[str, int]) -> None:
-        """Note who had to draw again, and how many sheets have data like others; all changed parts are there."""
-        told = {"redrawn": list(redrawn), "alike": dict(alike), "changed": sorted(self._changed)}
+    def settle(self, redrawn: Sequence[str], alike: Mapping[str, int], cut: int) -> None:
+        """Note who had to draw again, how many sheets have data like others, and how many problems the exam's ceiling
+        of tolerances has changed; all changed parts are there.
+        """
+        told = {"redrawn": list(redrawn), "alike": dict(alike), "cut": cut, "changed": sorted(self._changed)}
         write(self.folder, SETTLED, json.dumps(told).encode(), self._key)
 
-    def settled(self) -> tuple[tuple[str, ...], dict[str, int]]:
+    def settled(self) -> tuple[tuple[str, ...], dict[str, int], int]:
         """What was noted."""
         found = self._settled()
-        return tuple(found["redrawn"]), found["alike"]
+        return tuple(found["redrawn"]), found["alike"], found["cut"]
 
     def _settled(self) -> dict[str, Any]:
         return _checked(
             read(self.folder, SETTLED, self._key),
             lambda found: (
                 all(isinstance(one, str) for one in found["redrawn"])
-                and all(isinstance(number, int) for number in found["alike"].values())
+                and all(isinstance(number, int) for number in (*found["alike"].values(), found["cut"]))
                 and all(isinstance(number, int) for place in found["changed"] for number in place)
             ),
             SETTLED,

@@ -75,10 +75,10 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
             if value:
                 raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
         return None
-    from variantgen.outputs.explanation import explanation
+    from variantgen.outputs.explanation import explain
 
     depth = arguments.depth or "full"
-    return explanation(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
+    return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
 
 
 def settings(arguments: argparse.Namespace) -> dict[str, str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.ceiling import within
 from variantgen.exam.confirm import confirm
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
@@ -63,8 +64,28 @@ class Drawer:
 
     def variants(self, wishes: Sequence[Wish]) -> list[Variant]:
         """The next valid variant of each wish. Raises InputError where the ranges of a problem leave none."""
+        ceiling, first = self.exam.tolerance.ceiling, self._drawn(wishes, [wish.used for wish in wishes])
+        if ceiling is None:
+            return first
+        return within(
+            ceiling,
+            self._margins,
+            first,
+            lambda i, variant: self.drawing(wishes[i]).asked[variant.form.name],
+            [self.exam.tasks[wish.place].number for wish in wishes],
+            lambda owners, used: self._drawn([wishes[i] for i in owners], used),
+        )
+
+    def cut(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> int:
+        """How many of the wishes would have another variant if the exam set no ceiling to tolerances."""
+        if self.exam.tolerance.ceiling is None:
+            return 0
+        first = self._drawn(wishes, [wish.used for wish in wishes])
+        return sum(one.attempt != other.attempt for one, other in zip(first, variants, strict=True))
+
+    def _drawn(self, wishes: Sequence[Wish], used: Sequence[int]) -> list[Variant]:
         drawings, keys = [self.drawing(wish) for wish in wishes], [self._key(wish) for wish in wishes]
-        return drawn(drawings, keys, [wish.used for wish in wishes])
+        return drawn(drawings, keys, used)
 
     def items(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> list[Item]:
         """The problems with their answers. Raises VerificationError if a method disagrees with the solver."""
@@ -73,8 +94,12 @@ class Drawer:
         solved = solve_all(variants, asked)
         confirm(variants, asked, solved, [self._key(wish) for wish in wishes])
         answers = answers_of(variants, asked, solved, self._margins)
-        self._margins.forget()
+        self.forget()
         return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
+
+    def forget(self) -> None:
+        """Forget what is known of variants that were drawn."""
+        self._margins.forget()
 
     def traits(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
         """What is compared of drawn variants."""

@@ -11,9 +11,11 @@ from typing import Any, cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
+from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, check_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
@@ -38,7 +40,7 @@ class Task:
 
     number: int
     families: tuple[Family, ...]
-    ask: tuple[str, ...] | None
+    ask: Ask
     points: int | None
     methods: tuple[str, ...] = ()
     nice: bool = False
@@ -50,7 +52,7 @@ class Exam:
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them.
+    to be made, and ``options`` what the file says of each of them. ``notices`` stand at the head of every sheet.
     """
 
     title: str
@@ -68,6 +70,7 @@ class Exam:
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
     qr: bool = True
+    notices: Notices = Notices()
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
@@ -139,6 +142,7 @@ def parse_exam(
         notation=_notation(top.table("notation")),
         formats=formats,
         options=_options(top, formats, readers),
+        notices=read_notices(top, language),
         tasks=_tasks(top, folders),
     )
     page.finish()
@@ -201,9 +205,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("ask", "families")
-    ask = table.strings("ask") if "ask" in table.data else None
-    unread = ask == () and table.data["ask"] != []
+    table.expect("families")
+    ask = read_asked(table)
     nice = table.take("nice", bool, False)
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
@@ -218,21 +221,9 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
-            _check_ask(family, None if unread else ask)
+            check_ask(family, ask, load_family(name, folders))
             families.append(family)
+    check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
     return Task(number, tuple(families), ask, points or None, methods, nice)
-
-
-def _check_ask(family: Family, ask: tuple[str, ...] | None) -> None:
-    if ask is None:
-        return
-    problems: list[Problem] = []
-    for form in family.forms.values():
-        try:
-            read_ask(form, ask)
-        except InputError as error:
-            problems += error.problems
-    if problems:
-        raise InputError(dict.fromkeys(problems))

@@ -9,6 +9,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.book import Book
 from variantgen.methods.evaluation import AGREES, deviations
 from variantgen.methods.group import Group
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.task import task_of
 from variantgen.methods.walk import velocities
 from variantgen.variants.attempts import VerificationError
@@ -43,7 +44,10 @@ def _groups(variant: Variant, motion: Motion, place: int, asked: tuple[Quantity,
     """The groups of a solution. They follow from names alone, so the form remembers them."""
     known = variant.form.remembered
     if ("groups", asked) not in known:
-        known["groups", asked] = velocities(Book(task_of(variant, motion, place, asked)))
+        try:
+            known["groups", asked] = velocities(Book(task_of(variant, motion, place, asked)))
+        except NO_WAY:  # what needs no groups is confirmed all the same
+            known["groups", asked] = []
     found: list[Group] = known["groups", asked]
     return found
 
@@ -52,5 +56,5 @@ def _disagreement(variant: Variant, method: str, deviation: float, key: tuple[ob
     data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
     return VerificationError(
         f"{variant.family.name}: the method {method} deviates from the solver by {deviation:.1e}"
-        f" (seed, student, problem: {', '.join(map(str, key))}) for {data}"
+        f" (seed, student, problem: {', '.join(map(str, key))})" + (f" for {data}" if data else "")
     )

@@ -1,10 +1,13 @@
 """The tolerance of each answer: what a careful hand calculation with three significant digits needs, and no mistake.
 
 The tolerance of an answer is the exam's ``floor`` or, where rounding in a worked solution leads further from the exact
-answer (:mod:`variantgen.methods.rounding`), that much. A variant that would need more than the ``ceiling`` punishes
-rounding, and one on which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that
-it touches lets a wrong way pass: neither is drawn. Where a mistake is seen in some answers only, the key says which of
-the others do not show it.
+answer (:mod:`variantgen.methods.rounding`), that much. Where a mistake is seen in some answers only, the key says which
+of the others do not show it.
+
+A variant on which rounding leads further than the ``ceiling`` of the screens of its family punishes rounding, and one
+on which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that it touches lets a
+wrong way pass: neither is drawn. These screens know nothing of the exam's marking: with another floor the same variants
+are drawn.
 """
 
 from __future__ import annotations
@@ -22,7 +25,8 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.methods.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Tally
 from variantgen.variants.mistakes import distances, wrong_answers
 from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
@@ -35,27 +39,28 @@ Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed
 # sensitivity of the answers to the data.
 _OF_DATA = 0.004
 _STEP = 0.001  # to which a tolerance above the floor is rounded up
+_USUAL = Tolerance()
 
 
 @dataclass
 class Margins:
-    """The tolerances of answers, and the screens that follow from them.
+    """The tolerances of answers by an exam's ``tolerance``, and the screens of draws.
 
-    What has been found for a variant is kept.
+    What has been found for a variant that passed the screens is kept until :meth:`forget`.
     """
 
-    tolerance: Tolerance = Tolerance()
-    _found: dict[tuple[object, ...], Table] = field(default_factory=dict)
+    tolerance: Tolerance = _USUAL
+    _errors: dict[tuple[object, ...], Table] = field(default_factory=dict)
     _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
 
     def __call__(
         self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
     ) -> Screened:
-        """The screens of a batch of attempts at a form; see :class:`variantgen.variants.attempts.Judging`."""
+        """The screens of a batch of attempts at a form; see :class:`variantgen.variants.batch.Judging`."""
         wrong = _Wrong((), np.empty((0, len(asked), motion.size)))
         if self.tolerance.mistakes:
             wrong = _wrong(form, parameters, on_paper, asked, motion)
-        return Screened(self, asked, motion, wrong)
+        return Screened(self, form, asked, motion, wrong)
 
     def unnoticed(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -74,15 +79,12 @@ class Margins:
             self._marks.update(zip((keys[i] for i in new), wrong.within(needed), strict=True))
         return [self._marks[key] for key in keys]
 
-    def needed(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], batch: Screened, places: list[int]
-    ) -> Table:
-        """The tolerances of variants at places of a batch of attempts; their marks are kept as well."""
-        needed = self.tolerances(variants, asked, batch.motion, places)
-        if batch.wrong.names:
-            marks = batch.wrong.at(places).within(needed)
-            self._marks.update(zip(_keys(variants, asked), marks, strict=True))
-        return needed
+    def keep(self, variants: Sequence[Variant], asked: Sequence[Quantity], errors: Table, wrong: _Wrong) -> None:
+        """Keep what the screens have found of variants that passed them."""
+        keys = _keys(variants, asked)
+        self._errors.update(zip(keys, errors.T, strict=True))
+        if wrong.names:
+            self._marks.update(zip(keys, wrong.within(_at_least(errors, self.tolerance.floor)), strict=True))
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -93,41 +95,49 @@ class Margins:
         infinity has the floor.
         """
         keys = _keys(variants, asked)
-        new = [i for i, key in enumerate(keys) if key not in self._found]
+        new = [i for i, key in enumerate(keys) if key not in self._errors]
         if new:
-            table = self._new_tolerances([variants[i] for i in new], asked, motion, [places[i] for i in new])
-            self._found.update((keys[i], column) for i, column in zip(new, table.T, strict=True))
-        return np.stack([self._found[key] for key in keys], axis=1)
+            table = hand_errors([variants[i] for i in new], asked, motion, [places[i] for i in new])
+            self._errors.update((keys[i], column) for i, column in zip(new, table.T, strict=True))
+        return _at_least(np.stack([self._errors[key] for key in keys], axis=1), self.tolerance.floor)
 
     def forget(self) -> None:
         """Forget what was found for variants, once their answers are known; what is known of forms is kept."""
-        self._found.clear()
+        self._errors.clear()
         self._marks.clear()
 
-    def _new_tolerances(
-        self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
-    ) -> Table:
-        errors = _calculation(variants[0], asked).errors(variants, motion, places)
-        chosen = np.array(places, dtype=int)
-        found = []
-        for quantity, error in zip(asked, errors, strict=True):
-            if quantity.is_angle:
-                relative = np.radians(error)
-            else:
-                unit = quantity.unit(variants[0].family.length_unit)
-                value = np.abs(unit.from_si(quantity.value(motion)[chosen]))
-                usual = (value > 0) & np.isfinite(value)
-                relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)
-            found.append(relative)
-        table = np.array(found)
-        if np.any(~np.isfinite(table)):
-            table = np.where(np.isfinite(table), table, _OF_DATA * self._gain(variants, asked, motion.take(chosen)))
-        steps = np.ceil(table / _STEP - 1e-6) * _STEP
-        return np.asarray(np.where(table > self.tolerance.floor, steps, self.tolerance.floor))
 
-    def _gain(self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
-        on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-        return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
+def _at_least(errors: Table, floor: float) -> Table:
+    """The tolerances for relative errors of a hand calculation: the floor, or the errors rounded up."""
+    steps = np.ceil(errors / _STEP - 1e-6) * _STEP
+    return np.asarray(np.where(errors > floor, steps, floor))
+
+
+def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Table:
+    """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
+    errors = _calculation(variants[0], asked).errors(variants, motion, places)
+    chosen = np.array(places, dtype=int)
+    found = []
+    for quantity, error in zip(asked, errors, strict=True):
+        if quantity.is_angle:
+            relative = np.radians(error)
+        else:
+            unit = quantity.unit(variants[0].family.length_unit)
+            value = np.abs(unit.from_si(quantity.value(motion)[chosen]))
+            usual = (value > 0) & np.isfinite(value)
+            relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)
+        found.append(relative)
+    table = np.array(found)
+    if np.any(~np.isfinite(table)):
+        gain = _gain(variants, asked, motion.take(chosen))
+        by_data = np.where(np.isfinite(gain), _OF_DATA * gain, 0.0)  # no number where a change of data leads nowhere
+        table = np.where(np.isfinite(table), table, by_data)
+    return table
+
+
+def _gain(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
+    on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
+    return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
 
 
 _MISTAKES = "plausible mistakes outside the tolerance"
@@ -161,26 +171,29 @@ class _Wrong:
 
 @dataclass(frozen=True)
 class Screened:
-    """A batch of attempts with what mistakes make of their answers."""
+    """A batch of attempts at a form with what mistakes make of their answers."""
 
     margins: Margins
+    form: Form
     asked: Sequence[Quantity]
     motion: Motion
     wrong: _Wrong
 
     def screens(self) -> dict[str, NDArray[np.bool_]]:
-        """What a mistake rules out at the floor already need not be worked out."""
-        return {_MISTAKES: self.wrong.seen(self.margins.tolerance.floor)}
+        """What a mistake rules out already, however well the answers can be worked out."""
+        return {_MISTAKES: self.wrong.seen(self.form.screens.mistakes)}
 
     def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
-        """Whether tolerances are within the ceiling and tell the mistakes; the tolerances are kept."""
-        chosen = list(places)
-        needed = self.margins.needed(variants, self.asked, self, chosen)
-        ceiling = self.margins.tolerance.ceiling * (1 + 1e-9)
-        return {
-            _MISTAKES: self.wrong.at(chosen).seen(needed),
-            "rounding by hand within the ceiling": np.all(needed <= ceiling, axis=0),
-        }
+        """Whether hand calculations keep within the ceiling and tell the mistakes; what passes is kept."""
+        chosen, screens = list(places), self.form.screens
+        errors, wrong = hand_errors(variants, self.asked, self.motion, chosen), self.wrong.at(chosen)
+        needed = _at_least(errors, _USUAL.floor)
+        seen = wrong.seen(np.maximum(needed, screens.mistakes))
+        within = np.all(needed <= screens.ceiling * (1 + 1e-9), axis=0)
+        good = np.flatnonzero(seen & within).tolist()
+        if good:
+            self.margins.keep([variants[i] for i in good], self.asked, errors[:, good], wrong.at(good))
+        return {_MISTAKES: seen, "rounding by hand within the ceiling": within}
 
 
 def _keys(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[tuple[object, ...]]:

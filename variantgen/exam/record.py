@@ -13,6 +13,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.families.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table, read_limited
 from variantgen.version import VERSION
@@ -62,7 +63,10 @@ class RecordedSheet:
 
 @dataclass(frozen=True)
 class Record:
-    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder."""
+    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
+
+    ``exam_id`` is the short name of the build that QR codes have.
+    """
 
     path: Path
     made_with: Mapping[str, str]
@@ -73,6 +77,7 @@ class Record:
     seed: str
     sheets: tuple[RecordedSheet, ...]
     files: Mapping[str, str]
+    exam_id: str = ""
 
     def differences(self, exam: Exam) -> list[str]:
         """What a sheet depends on and is not as it was when the exam was made, in words."""
@@ -90,7 +95,7 @@ def made_with(exam: Exam) -> dict[str, str]:
     """What the sheets of an exam depend on besides the manifest: versions, and hashes of templates and families."""
     used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
     found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
-    return {**found, **{f"family:{name}": folder_hash(used[name]) for name in sorted(used)}}
+    return {**found, **{f"family:{name}": family_hash(used[name]) for name in sorted(used)}}
 
 
 def read_record(folder: Path) -> Record:
@@ -136,6 +141,7 @@ def _record(top: Table, path: Path) -> Record:
         top.need("seed", str, ""),
         tuple(_sheet(table) for table in top.tables("students")),
         _strings(top.table("files")),
+        exam.take("id", str, ""),
     )
 
 

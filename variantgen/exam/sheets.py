@@ -11,7 +11,7 @@ from variantgen.exam.blueprint import Task
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, read_ask
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.mechanism.closed_form import square_fractions
@@ -144,7 +144,7 @@ def _with_mistakes(
 ) -> list[tuple[Answer, ...]]:
     """The answers with the mistakes that go unnoticed in them."""
     found = list(answers)
-    for (_, quantities), members in _groups(asked, solved).items():
+    for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         every = margins.unnoticed([variants[i] for i in members], quantities, motion, places)
         for i, own in zip(members, every, strict=True):
@@ -153,7 +153,7 @@ def _with_mistakes(
     return found
 
 
-def _groups(
+def batches_of(
     asked: Sequence[Sequence[Quantity]], solved: Sequence[tuple[Motion, int]]
 ) -> dict[tuple[int, tuple[Quantity, ...]], list[int]]:
     """Indices of variants that share a batch and the questions."""
@@ -163,9 +163,7 @@ def _groups(
     return groups
 
 
-def answer_variants(
-    variants: Sequence[Variant], asks: Sequence[tuple[str, ...] | None], tolerance: Tolerance
-) -> list[tuple[Answer, ...]]:
+def answer_variants(variants: Sequence[Variant], asks: Sequence[Ask], tolerance: Tolerance) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     return _answers(variants, asked, solve_all(variants, asked), Margins(tolerance))
@@ -178,7 +176,7 @@ def _answers(
     margins: Margins,
 ) -> list[tuple[Answer, ...]]:
     found: dict[int, tuple[Answer, ...]] = {}
-    for (_, quantities), members in _groups(asked, solved).items():
+    for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         needed = margins.tolerances([variants[i] for i in members], quantities, motion, places)
         length = variants[members[0]].family.length_unit
@@ -196,7 +194,7 @@ def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> li
     roots = square_fractions(computed)[0].tolist()  # zero where there is none
     found = []
     for number, root, margin in zip(computed.tolist(), roots, needed.tolist(), strict=True):
-        value = recorded(number)
+        value = recorded(quantity, number)
         own = 0.0 if quantity.component == "sense" else margin  # a sense is right or wrong
         exact = surd(number) if root else None
         found.append(Answer(quantity, unit, value, _tolerance(quantity, value, own), own, exact))

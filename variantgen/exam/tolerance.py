@@ -15,13 +15,13 @@ _LARGEST = 0.2
 class Tolerance:
     """Relative tolerances of answers (of an angle in radians).
 
-    ``floor``: the least one. ``ceiling``: a variant on which a careful hand calculation with three significant digits
-    would need more is not drawn. ``mistakes``: nor one on which a plausible mistake leads to an answer within the
-    tolerance.
+    ``floor``: the least one. ``ceiling``, if there is one: a variant on which what is asked would need more in a
+    careful hand calculation with three significant digits is drawn again. ``mistakes``: nor is one drawn on which a
+    plausible mistake goes unnoticed. What a draw must bear anyway is said by the screens of its family.
     """
 
     floor: float = 0.01
-    ceiling: float = 0.03
+    ceiling: float | None = None
     mistakes: bool = True
 
 
@@ -34,16 +34,17 @@ def read_tolerance(table: Table) -> Tolerance:
         if not 0 < floor <= _LARGEST:
             table.problem(f"expected a number between 0 and {_LARGEST:g}", "tolerance", floor)
             return usual
-        return Tolerance(floor, max(floor, usual.ceiling))
+        return Tolerance(floor)
     inner = table.table("tolerance")
     floor = float(inner.number("floor", Decimal(str(usual.floor))))
-    ceiling = float(inner.number("ceiling", Decimal(str(max(floor, usual.ceiling)))))
+    ceiling = float(inner.number("ceiling", 0)) if "ceiling" in inner.data else None
+    inner.expect("ceiling")
     mistakes = inner.take("mistakes", bool, usual.mistakes)
     inner.finish()
     if not 0 < floor <= _LARGEST:
         inner.problem(f"expected a number between 0 and {_LARGEST:g}", "floor", floor)
         return usual
-    if not floor <= ceiling <= _LARGEST:
+    if ceiling is not None and not floor <= ceiling <= _LARGEST:
         inner.problem(f"expected a number between the floor, {floor:g}, and {_LARGEST:g}", "ceiling", ceiling)
         return usual
     return Tolerance(floor, ceiling, mistakes)

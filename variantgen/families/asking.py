@@ -1,24 +1,71 @@
-"""Which quantities may be asked of a form."""
+"""Which quantities may be asked of a form, by their names or by words for all of a kind."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.family import Form
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, parse_quantity
 
+# What a form asks by itself: the answers of one order (1: velocities are enough to know it), or all.
+WORDS = {"velocities": (1,), "accelerations": (2,), "all": (1, 2)}
 
-def read_ask(form: Form, ask: Sequence[str] | None = None, key: str = "ask") -> list[Quantity]:
-    """The asked quantities by name (None: those of the form).
+
+@dataclass(frozen=True)
+class ByForm:
+    """What is asked of each form, by its name; the others are asked what they ask by themselves."""
+
+    forms: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+Ask = Sequence[str] | ByForm | None  # None: what each form asks by itself
+
+
+def read_ask(form: Form, ask: Ask = None, key: str = "ask") -> list[Quantity]:
+    """The asked quantities of a form, by names and by the ``WORDS``.
 
     Raises InputError with every unknown quantity, every one that is given, repetition, and an empty list.
     """
+    if isinstance(ask, ByForm):
+        own = dict(ask.forms).get(form.name)
+        ask, key = own, f"{key}.{form.name}"
     names = tuple(form.ask if ask is None else ask)
     known = form.remembered.get(("asked", names))
     if known is None:
         known = form.remembered["asked", names] = tuple(_read(form, names, key))
     return list(known)
+
+
+def check_ask(family: Family, ask: Ask, whole: Family) -> None:
+    """Raise InputError where a form cannot be asked for this; it names the forms of the ``whole`` family that can."""
+    problems: list[Problem] = []
+    for form in family.forms.values():
+        try:
+            read_ask(form, ask)
+        except InputError as error:
+            problems += [_placed(problem, form, whole) for problem in error.problems]
+    if problems:
+        raise InputError(dict.fromkeys(problems))
+
+
+def _placed(problem: Problem, form: Form, whole: Family) -> Problem:
+    """A problem with what is asked of a form, with the forms on which it is none."""
+    able = [name for name, other in whole.forms.items() if name != form.name and _answers(other, problem.value)]
+    if not able:
+        return problem
+    names = " or ".join(f'"{name}"' for name in able)
+    remedy = f'choose  form = {names},  or ask each form by itself:  ask = {{ {able[0]} = ["{problem.value}"] }}'
+    return replace(problem, message=f"{problem.message} in the form {form.name}", remedy=remedy)
+
+
+def _answers(form: Form, text: str) -> bool:
+    """Whether a form can be asked for a quantity, or for a kind of them."""
+    try:
+        return bool(text and read_ask(form, [text]))
+    except InputError:
+        return False
 
 
 def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
@@ -29,20 +76,33 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
     if len(set(names)) < len(names):
         problems.append(Problem("a quantity is asked twice", key=key, value=", ".join(names)))
     given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
-    found = []
+    found: list[Quantity] = []
     for i, text in enumerate(names):
         place = f"{key}[{i + 1}]"
+        if text in WORDS:
+            own = _of_order(form, text)
+            if not own:
+                problem = f"a problem like this asks for no {text} by itself"
+                problems.append(Problem(problem, key=place, value=text, remedy="name the quantities"))
+            found += [quantity for quantity in own if quantity not in found]
+            continue
         if text in given or text.removesuffix(".abs").removesuffix(".sense") in given:
             problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy="remove it"))
             continue
         try:
-            quantity = parse_quantity(text, form.sample, place, form.askable)
+            quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
             if text not in form.askable:
                 problem = "the data of this problem do not determine it"
                 problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
-            found.append(quantity)
+            if quantity not in found:  # a word may have named it
+                found.append(quantity)
         except InputError as error:
             problems += error.problems
     if problems:
         raise InputError(problems)
     return found
+
+
+def _of_order(form: Form, word: str) -> list[Quantity]:
+    """What a form asks by itself and the word means."""
+    return [quantity for quantity in read_ask(form) if quantity.order in WORDS[word]]

@@ -10,6 +10,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.amounts import amount
 from variantgen.families.family import Family, Form
+from variantgen.families.files import CASES
 from variantgen.families.quantities import parse_quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
@@ -60,7 +61,7 @@ class Case:
 
 def load_cases(family: Family) -> list[Case]:
     """The worked cases of a family, none if it has no file of them. Raises InputError."""
-    path = family.folder / "cases.toml" if family.folder else None
+    path = family.folder / CASES if family.folder else None
     if path is None or not path.is_file():
         return []
     problems: list[Problem] = []

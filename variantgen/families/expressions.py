@@ -56,11 +56,16 @@ _MAX_LENGTH, _MAX_POWER = 200, 8
 
 @dataclass(frozen=True)
 class Expression:
-    """A parsed expression; ``names`` are the quantities it uses."""
+    """A parsed expression; ``names`` are the quantities it uses.
+
+    ``measures`` says of a number that stands alone (``distance = 60``) what it measures: its value is in SI. Numbers
+    within a formula are plain.
+    """
 
     text: str
     tree: ast.expr
     names: frozenset[str]
+    measures: str = ""
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
@@ -110,9 +115,9 @@ def parse(text: str) -> Expression:
     return Expression(text, tree, frozenset(names))
 
 
-def number(value: float) -> Expression:
-    """A constant as an expression."""
-    return Expression(str(value), ast.Constant(float(value)), frozenset())
+def number(value: float, measures: str = "") -> Expression:
+    """A constant in SI as an expression."""
+    return Expression(str(value), ast.Constant(float(value)), frozenset(), measures)
 
 
 def _refuse(text: str, what: str) -> InputError:

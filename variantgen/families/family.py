@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from variantgen.families.expressions import Expression
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.quantities import quantity_names
-from variantgen.families.soundness import Demand, demands
 from variantgen.families.units import Unit
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
@@ -124,7 +123,8 @@ class Screens:
     hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides;
     ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
     ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
-    change of the data.
+    change of the data; ``ceiling``: the largest relative error that a careful hand calculation may lead to;
+    ``mistakes``: how far a plausible mistake must lead from the right answer, relative, to be noticed.
     """
 
     transmission: float = float(np.radians(30))
@@ -132,6 +132,8 @@ class Screens:
     aspect: float = 4.0
     trivial: float = 0.04
     sensitivity: float = 10.0
+    ceiling: float = 0.03
+    mistakes: float = 0.01
     inside: tuple[tuple[str, str, str], ...] = ()
     require: tuple[Comparison, ...] = ()
 
@@ -258,11 +260,6 @@ class Form:
     def plan(self) -> Plan:
         """The structure of the scene; the same for all variants."""
         return analyse(self.sample)
-
-    @cached_property
-    def demands(self) -> list[Demand]:
-        """What must hold of its expressions for a variant to have a meaning."""
-        return demands(self)
 
     @property
     def bars(self) -> list[tuple[str, str, str]]:

@@ -19,9 +19,10 @@ from variantgen.families.nice import read_nice
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
+from variantgen.families.soundness import demands
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
-from variantgen.limits import DERIVED, PARAMETERS, PARTS
+from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
@@ -51,6 +52,7 @@ class FormReader:
         self.derived: dict[str, Expression] = {}
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
+        self._values = 0
         self._templates = TemplateReader(self.expression, unit(length))
 
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
@@ -61,7 +63,7 @@ class FormReader:
         if len(self.problems) > before:
             return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
-        self.parameters = parameters.each(lambda key, value: read_parameter(parameters, key, value))
+        self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
@@ -112,6 +114,17 @@ class FormReader:
             _ = form.plan
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _read_parameter(self, table: Table, name: str, value: Any) -> Parameter | None:
+        """A parameter, as long as there is room for the values of all of them."""
+        if self._values > GRID:
+            return None  # that is noted already
+        parameter = read_parameter(table, name, value)
+        self._values += len(parameter.printed) if parameter else 0
+        if self._values > GRID:
+            remedy = "take larger steps, or fewer parameters"
+            table.problem(f"more than {GRID} values of parameters together", name, self._values, remedy)
+        return parameter
 
     def _check_names(self, section: str, names: Collection[str]) -> None:
         """Names of points and bodies are parts of the names of quantities: letters and digits only."""
@@ -268,7 +281,7 @@ class FormReader:
 
 def _check_constants(form: Form) -> None:
     """Raise InputError for fixed numbers that cannot be right (a side that is neither left nor right)."""
-    wrong = [d for d in form.demands if not d.expression.names and not d.met({})]
+    wrong = [d for d in demands(form) if not d.expression.names and not d.met({})]
     if wrong:
         raise InputError(
             [Problem(f"expected {demand.expects}", key=demand.key, value=demand.expression.text) for demand in wrong]

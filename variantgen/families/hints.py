@@ -24,7 +24,7 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
     """The screens; numbers that are not given keep their defaults."""
     screens = Screens()
     numbers: dict[str, float] = {}
-    table.expect("transmission", "spacing", "aspect", "trivial", "sensitivity")
+    table.expect("transmission", "spacing", "aspect", "trivial", "sensitivity", "ceiling", "mistakes")
     for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
         if key in table.data:
             value = float(table.number(key, 0))
@@ -32,6 +32,12 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
                 table.problem("expected a number above 0", key, value)
                 continue
             numbers[key] = math.radians(value) if key == "transmission" else value
+    # Both can only be made tighter: no family may let through what the program would not.
+    for key, low, high in (("ceiling", 0.001, screens.ceiling), ("mistakes", screens.mistakes, 0.2)):
+        if key in table.data:
+            numbers[key] = float(table.number(key, 0))
+            if not low <= numbers[key] <= high:
+                table.problem(f"expected a number from {low:g} to {high:g}", key, numbers[key])
     inside = []
     table.bounded("inside", PARTS)
     for i, item in enumerate(table.take("inside", list, [], "a list of [point, end, end]")):

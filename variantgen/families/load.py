@@ -10,6 +10,7 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
+from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.solving import check_methods
 from variantgen.families.units import unit
@@ -22,7 +23,7 @@ SCHEMA = 1
 
 def family_names(folders: Sequence[Path] = ()) -> list[str]:
     """Names of the families in the given folders and in the catalogue, sorted."""
-    return sorted({path.parent.name for folder in (*folders, catalog_dir()) for path in folder.glob("*/family.toml")})
+    return sorted({path.parent.name for folder in (*folders, catalog_dir()) for path in folder.glob(f"*/{FAMILY}")})
 
 
 @cache
@@ -34,13 +35,13 @@ def load_family(name_or_path: str, folders: tuple[Path, ...] = ()) -> Family:
     known = family_names(folders)
     if name_or_path in known:
         for folder in (*folders, catalog_dir()):
-            if (folder / name_or_path / "family.toml").is_file():
-                return read_family(folder / name_or_path / "family.toml")
+            if (folder / name_or_path / FAMILY).is_file():
+                return read_family(folder / name_or_path / FAMILY)
     path = Path(name_or_path)
     found: Path | None = None
     with suppress(OSError, ValueError):  # a name no file can have is just unknown
-        if (path / "family.toml").is_file():
-            found = path / "family.toml"
+        if (path / FAMILY).is_file():
+            found = path / FAMILY
         elif path.suffix == ".toml" or path.is_file():
             found = path
     if found is not None:
@@ -50,6 +51,8 @@ def load_family(name_or_path: str, folders: tuple[Path, ...] = ()) -> Family:
 
 def read_family(path: Path) -> Family:
     """Read and check a family file. Raises InputError with every problem found."""
+    if path.name == FAMILY:
+        check_files(path.parent)
     try:
         return parse_family(read_toml(path), path)
     except InputError as error:
@@ -92,7 +95,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     _check_symbols(forms, problems)
     if problems:
         raise InputError(dict.fromkeys(problems))
-    is_family = path.name == "family.toml"
+    is_family = path.name == FAMILY
     return Family(
         path.resolve().parent.name if is_family else path.stem,
         titles,

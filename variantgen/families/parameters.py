@@ -13,10 +13,10 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.expressions import CONSTANTS, FUNCTIONS
 from variantgen.families.family import Parameter
 from variantgen.families.units import UNITS, sound, unit
+from variantgen.limits import VALUES
 from variantgen.tables import Table
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
-_MAX_GRID = 10_000
 
 
 def read_parameter(parent: Table, name: str, value: Any) -> Parameter | None:
@@ -113,8 +113,8 @@ def _stepped(table: Table) -> tuple[Decimal, ...]:
         )
         return (low,)
     count = int((high - low) / step) + 1
-    if count > _MAX_GRID:
-        table.problem(f"more than {_MAX_GRID} values", "step", str(step), "take a larger step")
+    if count > VALUES:
+        table.problem(f"more than {VALUES} values", "step", str(step), "take a larger step")
         return (low,)
     return tuple(low + i * step for i in range(count))
 

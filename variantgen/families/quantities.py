@@ -37,6 +37,8 @@ _PATTERN = re.compile(
 )
 _ORDER = {"v": 1, "omega": 1, "v_rel": 1, "P": 1, "a": 2, "epsilon": 2, "a_rel": 2, "a_cor": 2, "Q": 2, "mu": 2}
 _RECORDED = 8  # significant digits
+# An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.
+_NO_ANGLE = 1e-9
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
 
@@ -150,8 +152,13 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     return split_name(text)
 
 
-def recorded(value: float) -> float:
-    """A value as keys and manifests have it: with so many digits that the last bits of a machine change no byte."""
+def recorded(quantity: Quantity, value: float) -> float:
+    """A value in its printed unit as keys and manifests have it.
+
+    It has so many digits that the last bits of a machine change no byte; what is left of an angle of zero is zero.
+    """
+    if quantity.is_angle and abs(value) < _NO_ANGLE:
+        return 0.0
     return float(f"{value:.{_RECORDED - 1}e}")
 
 

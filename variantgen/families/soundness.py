@@ -8,16 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from variantgen.families.expressions import Expression
+from variantgen.families.family import Form, Template
 from variantgen.mechanism.arithmetic import Flags, Real
 from variantgen.mechanism.component import field_specs
-
-if TYPE_CHECKING:
-    from variantgen.families.family import Form, Template
 
 
 @dataclass(frozen=True)

@@ -80,9 +80,9 @@ class TemplateReader:
     def _number(self, spec: FieldSpec, value: int | Decimal | str) -> Expression:
         default = self._printed_unit(spec.dimension)
         if not isinstance(value, str):
-            return number(default.to_si(sound(Decimal(value), "")))
+            return number(default.to_si(sound(Decimal(value), "")), default.measures)
         if is_number(value):
-            return number(default.to_si(parse_value(value, default, "")))
+            return number(default.to_si(parse_value(value, default, "")), default.measures)
         return self._expression(value, spec.dimension)
 
     def _printed_unit(self, dimension: str) -> Unit:

@@ -131,13 +131,20 @@ class Drifts:
         self._closed: dict[Step, tuple[Complex, Real]] = {}
 
     def own(self, step: Step) -> Complex:
-        """What a step adds: ``-omega^2 arm`` along a body, the term of the constraint where that leads the point."""
+        """What a step adds: ``-omega^2 arm`` along a body, the term of the constraint where that leads the point.
+
+        Of a point that slides on a curved guide: its normal acceleration ``-(v^2 / d) e``, from ``e.a + v^2 / d = 0``.
+        """
         if step not in self._own:
             match step:
                 case Carry(_, body, _):
                     self._own[step] = self._squares[body] * self._velocities.arm(step)
                 case Lead(_, constraint, number, _):
                     self._own[step] = self._extra[constraint][number]
+                case Slide(point, constraint, number, _, _) if np.any(self._extra[constraint][number]):
+                    row = self._rows[constraint][number]
+                    assert isinstance(row, ScalarRow)
+                    self._own[step] = -np.real(self._extra[constraint][number]) * row.points[point]
                 case _:
                     self._own[step] = 0.0
         return self._own[step]

@@ -119,7 +119,8 @@ def invariants(motion: Motion) -> Field:
             defects += [np.where(centre.finite, np.abs(x) / far, 0.0) for x in (cosine, turned / size)]
             for other in members[: members.index(point)]:
                 line = motion.z[point] - motion.z[other]
-                defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / np.abs(line))
+                length = np.where(np.abs(line) > 0, np.abs(line), 1.0)  # two names of one place move alike anyway
+                defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / length)
     for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
         relative = relative_motion(motion, slide.point, slide.body)
         ray = slide.tangent(motion.z)

@@ -10,10 +10,12 @@ from __future__ import annotations
 import math
 
 from variantgen.methods.book import Book
-from variantgen.methods.centre import Centre, Ray, named_place, reach, turned_by
+from variantgen.methods.carriers import is_translating
+from variantgen.methods.centre import named_place, reach, turned_by
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio, Value, root
 from variantgen.methods.name import Name
-from variantgen.methods.points import is_translating, known_point, renamed, vector
+from variantgen.methods.points import known_point, renamed, vector
+from variantgen.methods.rays import Centre, Ray
 from variantgen.methods.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.whole_vector import whole
 
@@ -93,7 +95,7 @@ def _found(book: Book, body: str, pole: str) -> Centre:
     assert term.size is not None
     arm = book.derive(centre.length(pole), "length", term.size / _intensity(book, body))
     centre.rays[pole] = Ray(arm, ahead)
-    centre.at = named_place(book, centre.place(book))
+    centre.at = named_place(book, centre.place(book.task))
     if centre.at:
         book.say("acceleration_centre.named", True, at=Point(centre.at), **facts)
     return centre

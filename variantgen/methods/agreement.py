@@ -32,4 +32,4 @@ def confirm(book: Book) -> None:
         variant = book.task.variant
         data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
         what = f"the solution deviates from the solver by {found:.1e}"
-        raise VerificationError(f"{variant.family.name}: {what} for {data}")
+        raise VerificationError(f"{variant.family.name}: {what}" + (f" for {data}" if data else ""))

@@ -18,7 +18,7 @@ from variantgen.methods.expression import (
     cos,
     sin,
 )
-from variantgen.methods.settle import parts
+from variantgen.methods.values import parts
 
 Maybe = Expression | None
 _ONE = Constant(1.0)

@@ -17,12 +17,14 @@ from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinate_model import Model, changing
 from variantgen.methods.coordinate_places import locate
+from variantgen.methods.equations import model_of
 from variantgen.methods.expression import Constant, Expression, Ratio, Value, hypotenuse
 from variantgen.methods.linear_system import ZERO, enter
 from variantgen.methods.name import Name
-from variantgen.methods.settle import parts
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Derived, Point, Statement
 from variantgen.methods.task import Task
+from variantgen.methods.values import parts
 
 _INNER = ("x", "y")  # coordinates that are replaced by their functions; angles and ways keep their names
 _WAYS = ("slide", "arc")  # coordinates that have to be introduced
@@ -42,9 +44,9 @@ def applies(task: Task) -> bool:
     book = Book(task)
     with book.step("analytical.functions"):
         try:
-            model = Model(book)
+            model = model_of(book)
             return _functions(model) is not None
-        except LookupError:
+        except NO_WAY:
             return False
 
 
@@ -52,7 +54,7 @@ def solve(book: Book) -> None:
     """Write the steps of the method. Raises LookupError for a mechanism to which it does not apply."""
     book.order = 1
     with book.step("analytical.functions") as first:
-        model = Model(book)
+        model = model_of(book)
         functions = _functions(model)
         if functions is None:
             raise LookupError("analytical")

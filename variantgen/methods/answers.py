@@ -6,10 +6,11 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.methods import acceleration_centre, velocity_centre
 from variantgen.methods.book import Book, Known, resultant
+from variantgen.methods.carriers import is_translating
 from variantgen.methods.expression import Applied, Constant, Ratio, Total, Value
 from variantgen.methods.geometry import Geometry, degrees
 from variantgen.methods.name import Name
-from variantgen.methods.points import components, is_translating, modulus, vector
+from variantgen.methods.points import components, modulus, vector
 from variantgen.methods.step import Body, Derived, Point, VectorOf
 
 

@@ -7,17 +7,15 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
+from variantgen.methods.rays import Centre
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence, Step, Term
 from variantgen.methods.style import Style
 from variantgen.methods.task import Task
-
-if TYPE_CHECKING:
-    from variantgen.methods.centre import Centre
 
 Known = tuple[Term, ...]
 

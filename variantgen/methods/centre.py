@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from variantgen.methods.book import Book
 from variantgen.methods.expression import (
@@ -26,71 +26,12 @@ from variantgen.methods.expression import (
 )
 from variantgen.methods.geometry import Geometry, between, normal_angle
 from variantgen.methods.name import Name
-from variantgen.methods.step import CentreOf, Derived, Fact, Point, Segment, Shown
+from variantgen.methods.rays import Centre, Ray
+from variantgen.methods.step import Derived, Fact, Point, Segment, Shown
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
 SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
 _NO_LENGTH = 1e-12  # of the sides of a triangle: a shorter leg is none
-
-
-@dataclass(frozen=True, slots=True)
-class Ray:
-    """The way from a point to the centre: its length, and its angle with the x axis."""
-
-    arm: Value
-    angle: Value
-
-
-@dataclass
-class Centre:
-    """The centre of ``body``: ``kind`` P of velocities, Q of accelerations.
-
-    ``at`` is the named point with which it coincides, if it does; ``infinite``: the body is in translation, and there
-    is none. ``rays`` by point; a point at the centre has none.
-    """
-
-    body: str
-    kind: str = "P"
-    at: str = ""
-    infinite: bool = False
-    rays: dict[str, Ray] = field(default_factory=dict)
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """The key among the centres of a book."""
-        return self.kind, self.body
-
-    @property
-    def fact(self) -> CentreOf:
-        """The centre in a sentence."""
-        return CentreOf(self.body, self.kind)
-
-    def segment(self, point: str) -> Segment:
-        """The ray of a point in a sentence, ``AP``."""
-        return Segment(point, self.kind, self.body)
-
-    def length(self, point: str) -> Name:
-        """The name of the distance of a point, ``AP``."""
-        return Name("length", point, self.kind, "centre", self.body)
-
-    def direction(self, point: str) -> Name:
-        """The name of the direction of the ray from a point."""
-        return Name("direction", point, self.kind, "centre", self.body)
-
-    def corner(self, point: str, other: str) -> Name:
-        """The name of the angle at a point between the sides to another point and to the centre."""
-        return Name("angle", point, f"{other} {self.kind}", "centre", self.body)
-
-    def vertex(self, first: str, second: str) -> Name:
-        """The name of the angle at the centre between the rays to two points."""
-        return Name("angle", self.kind, f"{first} {second}", "vertex", self.body)
-
-    def place(self, book: Book) -> complex:
-        """Where the centre is, as the known rays say (printed unit of length)."""
-        if self.at:
-            return book.task.now.z[self.at]
-        point, ray = next(iter(self.rays.items()))
-        return book.task.now.z[point] + cmath.rect(ray.arm.exact, math.radians(ray.angle.exact))
 
 
 def is_near(book: Book, first: complex, second: complex) -> bool:
@@ -176,7 +117,7 @@ def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray |
     """
     if point in centre.rays:
         return centre.rays[point]
-    if is_near(book, book.task.now.z[point], centre.place(book)):
+    if is_near(book, book.task.now.z[point], centre.place(book.task)):
         centre.at = centre.at or point
         return None
     triangle = _simplest(book, centre, point)
@@ -224,7 +165,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
         return Ray(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
     corner = Value(centre.corner(point, base), "angle", *_corner(shape, ray.arm, side, spread))
     back = Geometry.turned(there, 180.0)
-    goal = math.degrees(cmath.phase(centre.place(book) - book.task.now.z[point]))
+    goal = math.degrees(cmath.phase(centre.place(book.task) - book.task.now.z[point]))
     sign = min((1, -1), key=lambda s: abs(normal_angle(back.exact + s * corner.exact - goal)))
     angle = turned_by(centre.direction(point), back, sign, corner)
     if with_direction:

@@ -12,9 +12,9 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.book import Book
 from variantgen.methods.expression import Constant, Value, cos
 from variantgen.methods.name import Name
-from variantgen.methods.settle import in_order
 from variantgen.methods.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
 from variantgen.methods.task import Task
+from variantgen.methods.values import in_order
 from variantgen.methods.vector_equation import share_of
 
 

@@ -9,6 +9,7 @@ from functools import lru_cache
 from variantgen.errors import InputError, Problem
 from variantgen.methods import analytical, coordinates, graphical, three_rates, walk
 from variantgen.methods.book import Book
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Sentence
 from variantgen.methods.style import Accelerations, Style, Velocities
 from variantgen.methods.task import Task
@@ -98,11 +99,21 @@ def applicable(task: Task) -> list[str]:
 
     A method for groups of links applies where a solution that prefers it has a step or a sentence of it.
     """
-    found = {name for name, method in WHOLE.items() if method.applies(task)}
+    found = {name for name, method in WHOLE.items() if _applies(method, task)}
     for style in (Style(), Style("projections", "acceleration_centre"), Style("pole")):
-        keys = _keys(task, style)
+        try:
+            keys = _keys(task, style)
+        except NO_WAY:
+            continue
         found |= {name for name, starts in _MARKS.items() if any(key.startswith(starts) for key in keys)}
     return sorted(found)
+
+
+def _applies(method: WholeMethod, task: Task) -> bool:
+    try:
+        return method.applies(task)
+    except NO_WAY:
+        return False
 
 
 def _keys(task: Task, style: Style) -> set[str]:

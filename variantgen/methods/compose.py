@@ -10,22 +10,42 @@ from variantgen.methods.agreement import confirm
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
 from variantgen.methods.check import all_constraints, by_links, equal_projections
-from variantgen.methods.choice import WHOLE, WholeMethod, choose
+from variantgen.methods.choice import WHOLE, Choice, WholeMethod, choose
 from variantgen.methods.expression import Value
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.position import with_position
 from variantgen.methods.settle import DIGITS, items_values, settle
-from variantgen.methods.step import Listing, Solution
+from variantgen.methods.step import Item, Listing, Solution
 from variantgen.methods.task import Task
 from variantgen.methods.used import used_steps
+from variantgen.variants.attempts import VerificationError
+
+_NOT_LED: tuple[type[Exception], ...] = (*NO_WAY, VerificationError)
+_FOR_ALL = "coordinates"  # the method that needs no order of the links
 
 
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
 
-    Raises InputError for a method that does not apply, LookupError where the methods do not lead to what is asked,
-    VerificationError where they lead to other numbers than the solver.
+    A mechanism that cannot be gone through link by link is solved by the coordinate method. Raises InputError for a
+    method that does not apply, one of NO_WAY where no method leads to what is asked, VerificationError where the
+    methods lead to other numbers than the solver.
     """
     choice = choose(task, wished)
+    try:
+        return _chosen(task, choice)
+    except _NOT_LED:
+        if wished or choice.whole == _FOR_ALL:
+            raise
+        try:
+            return _by_one_method(Book(task), WHOLE[_FOR_ALL])
+        except _NOT_LED:
+            pass  # what is said is why the natural methods fail
+        raise
+
+
+def _chosen(task: Task, choice: Choice) -> Solution:
+    """The solution by the methods of a choice."""
     book = Book(task, style=choice.style)
     if choice.whole:
         return _by_one_method(book, WHOLE[choice.whole])
@@ -55,10 +75,21 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     # A program comes last, after what answers still needed.
     told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, told, found.values())
-    check = tuple(by_links(work_out(Book(book.task))))
+    check = tuple(_checked_by_links(book.task))
     digits = (method.digits + 1,) if method.digits else DIGITS
     settle([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
     return Solution(tuple(steps), tuple(found.items()), check, method.digits)
+
+
+def _checked_by_links(task: Task) -> list[Item]:
+    """The check by going through the links; nothing where that does not lead to the answers."""
+    book = Book(task)
+    try:
+        found = work_out(book)
+        confirm(book)
+    except _NOT_LED:
+        return []
+    return by_links(found)
 
 
 def work_out(book: Book) -> dict[str, Value]:

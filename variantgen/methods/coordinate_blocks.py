@@ -9,7 +9,7 @@ from variantgen.methods.algebra import Maybe
 from variantgen.methods.coordinate import Coordinate, Equation
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Value
-from variantgen.methods.settle import parts
+from variantgen.methods.values import parts
 
 
 @dataclass(frozen=True, eq=False)

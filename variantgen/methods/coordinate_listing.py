@@ -16,8 +16,8 @@ from variantgen.methods.coordinate_blocks import Block, given_coordinates
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Expression, Value
 from variantgen.methods.program import enclosed, identifier, number, written
-from variantgen.methods.settle import in_order, parts
 from variantgen.methods.step import Listing
+from variantgen.methods.values import in_order, parts
 
 _WIDTH = 100
 _PAIR = 80  # columns of two equations in a line

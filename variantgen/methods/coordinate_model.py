@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from variantgen.mechanism.rows import Constraint
-from variantgen.methods import equations
 from variantgen.methods.algebra import Maybe, added, forward, product
 from variantgen.methods.book import Book
 from variantgen.methods.coordinate import Coordinate, Equation
@@ -19,8 +18,8 @@ from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.geometry import degrees
 from variantgen.methods.heading import Heading, fixed_number
 from variantgen.methods.name import Name
-from variantgen.methods.settle import parts
 from variantgen.methods.step import Fact
+from variantgen.methods.values import parts
 
 _LEVEL = 1e-9  # of the size, or of a unit vector: what is smaller is none
 _RATES = {"length": ("velocity", "acceleration"), "angle": ("angular velocity", "angular acceleration")}
@@ -39,7 +38,6 @@ class Model:
         self._angles: dict[str, Value] = {}
         self._slides: dict[tuple[str, str], Value] = {}
         self._references: dict[str, tuple[str, str] | None] = {}
-        self._build()
 
     # What takes part.
 
@@ -54,9 +52,10 @@ class Model:
     @property
     def relevant(self) -> list[Constraint]:
         """Joints and drivers of points and bodies on the way to what is asked."""
-        return [c for c in self.task.scene.constraints if self._is_relevant(c)]
+        return [c for c in self.task.scene.constraints if self.is_relevant(c)]
 
-    def _is_relevant(self, constraint: Constraint) -> bool:
+    def is_relevant(self, constraint: Constraint) -> bool:
+        """Whether a joint or driver is on the way to what is asked."""
         points = {p for shape in constraint.shapes()[:1] for p in shape.points}
         bodies = {b for shape in constraint.shapes()[:1] for b in shape.bodies}
         needed = self.task.needed
@@ -66,25 +65,9 @@ class Model:
     @property
     def translating(self) -> frozenset[str]:
         """Bodies that are kept from turning."""
-        joints = self.task.scene.joints
-        return frozenset(
-            body for j in joints for s in j.shapes() if not s.points and len(s.bodies) == 1 for body in s.bodies
-        )
+        return self.task.linkage.translating
 
-    def _build(self) -> None:
-        """Drivers and joints that make coordinates known come first, then what others say, then rigid bodies."""
-        drivers = list(zip(self.task.scene.drivers, self.task.form.drivers, strict=True))
-        contributions = [(d, t) for d, t in drivers if self._is_relevant(d)]
-        joints = [(j, None) for j in self.task.scene.joints if self._is_relevant(j)]
-        for stage in (equations.PREPARE, equations.STATE):
-            for constraint, template in (*contributions, *joints):
-                equations.contribute(stage, self, constraint, template)
-            if stage == equations.PREPARE:
-                self._hold_translating()
-        for body in self.task.scene.bodies:
-            equations.state_body(self, body)
-
-    def _hold_translating(self) -> None:
+    def hold_translating(self) -> None:
         """A body in translation along an axis keeps the other coordinate of all its points."""
         for body in self.translating:
             members = self.task.scene.bodies[body]
@@ -265,15 +248,7 @@ class Model:
 
     def radius(self, centre: str, exact: float) -> Expression:
         """A radius of that length about a point: of the disc of the drawing, or a number."""
-        for disc in self.task.form.figure.discs:
-            if (
-                disc.centre == centre
-                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < 1e-9 * exact
-            ):
-                found = self.task.expressed(disc.radius)
-                if found is not None:
-                    return found
-        return fixed_number("length", exact)
+        return self.task.drawn_radius(centre, exact) or fixed_number("length", exact)
 
     # Numbers.
 

@@ -6,8 +6,9 @@ from variantgen.methods.algebra import added, product, pruned
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.expression import Constant, Expression, Value
 from variantgen.methods.name import Name
-from variantgen.methods.settle import in_order, items_values
+from variantgen.methods.settle import items_values
 from variantgen.methods.step import Derived, Sentence, Statement, Step
+from variantgen.methods.values import in_order
 
 
 def locate(model: Model, step: Step) -> None:
@@ -51,7 +52,7 @@ def _slid(model: Model, value: Value, name: Name) -> Expression:
     """The way from the pole of the body, or the angle on it."""
     body = next(body for (point, body), own in model.slides.items() if own is value)
     if name.kind == "arc":
-        joint = next(s for j in model.task.scene.joints if (s := j.sliding()) and s.point == name.of and s.body == body)
+        joint = model.task.linkage.slide(name.of, body)
         turn = model.rotation(body)
         ray = model.geometry.direction(joint.centre, name.of)
         found = pruned(added((1, ray), (-1, turn)))

@@ -14,8 +14,10 @@ from variantgen.methods.coordinate_blocks import Block, blocks_for, given_coordi
 from variantgen.methods.coordinate_listing import listing
 from variantgen.methods.coordinate_model import Model
 from variantgen.methods.coordinate_places import locate
+from variantgen.methods.equations import model_of
 from variantgen.methods.expression import Constant, Ratio, Value
 from variantgen.methods.linear_system import ZERO, coefficients, enter, enter_solution, system_of
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Derived, Sentence, Statement
 from variantgen.methods.task import Task
 
@@ -27,9 +29,9 @@ def applies(task: Task) -> bool:
     book = Book(task)
     with book.step("coordinates.equations"):
         try:
-            model = Model(book)
+            model = model_of(book)
             blocks_for(model, results.targets(model))
-        except LookupError:
+        except NO_WAY:
             return False
     return True
 
@@ -39,7 +41,7 @@ def solve(book: Book) -> None:
     book.order = 1
     with book.step("coordinates.equations") as first:
         book.say("coordinates.idea", True)
-        model = Model(book)
+        model = model_of(book)
         targets = results.targets(model)
         blocks = blocks_for(model, targets)
         _state(model, blocks, given_coordinates(model, blocks, targets))

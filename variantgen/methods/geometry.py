@@ -8,16 +8,18 @@ and once.
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable, Sequence
 
 from variantgen.methods import trigonometry
 from variantgen.methods.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.layout import Layout
+from variantgen.methods.legs import Leg, collected
 from variantgen.methods.name import Name
-from variantgen.methods.placed import ORIGIN, Pair, placed
+from variantgen.methods.place import ORIGIN, Pair, Place
 from variantgen.methods.step import Derived, Fact, Item, Segment, Sentence
-from variantgen.methods.sums import Leg, Signed, collected, summed
+from variantgen.methods.sums import Signed, summed
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.ways import Ways
 
@@ -38,8 +40,16 @@ class Geometry(Layout):
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
         plan = task.form.plan
-        self.read({name: placed(self, name) for name in (*plan.placing, *plan.together, *plan.later)})
+        self.read({name: self._placed(name) for name in (*plan.placing, *plan.together, *plan.later)})
         self._ways = Ways(self, self.places)
+
+    def _placed(self, point: str) -> Place:
+        """The point as its construction tells it; the module has the stem of the construction."""
+        template = self.task.form.points[point]
+        stem = template.component.__module__.rpartition(".")[2]
+        module = importlib.import_module(f"variantgen.methods.placing.{stem}")
+        found: Place = module.Construction(self, point, template.fields)
+        return found
 
     # What is known.
 

@@ -90,7 +90,9 @@ def amount(book: Book, template: Template, key: str, measure: str) -> Value:
         return Value(None, measure, number)
     if book.order == 1:
         _say_law(book, template, source)
-    expression = simplified(expression)
+    simple = unsigned(simplified(expression))
+    assert simple is not None
+    expression = simple if simple.number(True) >= 0 else -simple  # a magnitude: the figure shows the sense
     return book.derive(_name_of(book, template, key), measure, expression)
 
 

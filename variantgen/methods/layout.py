@@ -13,9 +13,10 @@ from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import Line
 from variantgen.methods.angles import AngleForm, Angles, Atom, degrees, normal_angle
 from variantgen.methods.expression import Constant, Expression, Total
+from variantgen.methods.legs import Leg, collected
 from variantgen.methods.lines import Lines
-from variantgen.methods.placed import ORIGIN, Placed, Ray
-from variantgen.methods.sums import Leg, collected, summed
+from variantgen.methods.place import ORIGIN, Place, Ray
+from variantgen.methods.sums import summed
 from variantgen.methods.task import CLOSE, Task
 
 _NOTHING = 1e-10  # of the size: a length below it is none
@@ -30,13 +31,13 @@ class Layout:
         self.task = task
         self.angles = Angles(task)
         self.nothing = _NOTHING * task.size
-        self.places: dict[str, Placed] = {}
+        self.places: dict[str, Place] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
 
-    def read(self, places: Mapping[str, Placed]) -> None:
+    def read(self, places: Mapping[str, Place]) -> None:
         """Note what the constructions, the conditions and the figure give."""
         for name, place in places.items():
             self.places[name] = place

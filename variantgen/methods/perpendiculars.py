@@ -11,19 +11,11 @@ import math
 from collections.abc import Iterator
 
 from variantgen.methods.book import Book
-from variantgen.methods.centre import (
-    Centre,
-    Ray,
-    difference,
-    is_angle,
-    is_near,
-    named_place,
-    note_angle,
-    say_rays,
-)
+from variantgen.methods.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
 from variantgen.methods.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.methods.geometry import Geometry, between, normal_angle
 from variantgen.methods.name import Name
+from variantgen.methods.rays import Centre, Ray
 from variantgen.methods.step import Body, Fact, Point, Segment, Term, VectorOf
 
 _PARALLEL = 1e-7  # degrees between two perpendiculars within which they never meet
@@ -34,7 +26,7 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
 
     Raises ArithmeticError where both are across the line of their points: it takes their magnitudes then.
     """
-    a, b = first.name.of, second.name.of
+    a, b = first.point, second.point
     facts = facts_of_two(body, first, second)
     book.say("perpendiculars.directions", True, **facts)
     if are_parallel(first, second):
@@ -66,7 +58,7 @@ def are_parallel(first: Term, second: Term) -> bool:
 
 def is_across(book: Book, term: Term, other: str) -> bool:
     """Whether a vector of a point is across the line from it to another point."""
-    line = book.geometry.vector(term.name.of, other)
+    line = book.geometry.vector(term.point, other)
     return is_angle(between(term.angle.exact, math.degrees(cmath.phase(line))), 90.0)
 
 
@@ -86,7 +78,7 @@ def _unit(term: Term) -> complex:
 
 def facts_of_two(body: str, first: Term, second: Term) -> dict[str, Fact]:
     """What the sentences about two velocities need."""
-    a, b = first.name.of, second.name.of
+    a, b = first.point, second.point
     centre = Centre(body)
     facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "segment": Segment(a, b)}
     facts |= {"point": Point(a), "vector": VectorOf(Name("v", a)), "way": first.way, "ray": centre.segment(a)}

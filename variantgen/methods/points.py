@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.methods.book import Book, Known, Rate, along
+from variantgen.methods.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos, hypotenuse
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.name import Name
 from variantgen.methods.step import Body, Point, Share, Term, VectorOf
-from variantgen.methods.task import Task
 from variantgen.methods.vector_equation import shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
@@ -60,25 +60,6 @@ def vector(book: Book, point: str) -> Known:
     return book.vectors[point]
 
 
-def carrier_of(book: Book, point: str) -> tuple[str, str]:
-    """A body with a known motion that has the point, and its pole: a fixed point, or one that is known."""
-    bodies = book.task.scene.bodies
-    owners = [body for body, members in bodies.items() if point in members and is_moved(book, body)]
-    for body in owners:
-        fixed = [p for p in bodies[body] if p in book.task.fixed]
-        if fixed:
-            return body, fixed[0]
-    for body in owners:
-        known = [p for p in bodies[body] if p in book.vectors]
-        return body, next((p for p in known if p in _driven(book.task)), known[0])
-    for body, members in bodies.items():
-        if point in members and (body in book.rates or is_translating(book, body)):
-            reachable = (p for p in members if p != point and _is_carried(book, p, body))
-            if pole := next(reachable, None):
-                return body, pole
-    raise LookupError(f"the motion of {point} is not known")
-
-
 def known_point(book: Book, body: str) -> str:
     """A point of a body whose vector is written; the first that can be is written down where none is.
 
@@ -87,43 +68,9 @@ def known_point(book: Book, body: str) -> str:
     members = book.task.scene.bodies[body]
     written = next((p for p in members if p in book.vectors), None)
     if written is None:
-        written = next((p for p in members if _is_carried(book, p, body)), members[0])
+        written = next((p for p in members if is_carried(book, p, body)), members[0])
         vector(book, written)
     return written
-
-
-def _driven(task: Task) -> set[str]:
-    """Points whose motion the statement gives: the poles that one takes first."""
-    return {p for driver in task.scene.drivers for s in driver.shapes() if len(s.points) == 1 for p in s.points}
-
-
-def is_within_reach(book: Book, point: str) -> bool:
-    """Whether the vector of a point is written, or follows from a body whose motion is known."""
-    if point in book.vectors:
-        return True
-    try:
-        carrier_of(book, point)
-    except LookupError:
-        return False
-    return True
-
-
-def _is_carried(book: Book, point: str, but: str) -> bool:
-    """Whether a point belongs to another body whose motion is known."""
-    return any(
-        point in members and body != but and is_moved(book, body) for body, members in book.task.scene.bodies.items()
-    )
-
-
-def is_moved(book: Book, body: str) -> bool:
-    """Whether the motion of a body is known at the order that is being worked out."""
-    members = book.task.scene.bodies[body]
-    return (body in book.rates or is_translating(book, body)) and any(p in book.vectors for p in members)
-
-
-def is_translating(book: Book, body: str) -> bool:
-    """Whether a body is kept from turning."""
-    return body in book.task.translating
 
 
 def _carry(book: Book, point: str, body: str, pole: str) -> None:

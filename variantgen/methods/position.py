@@ -6,10 +6,11 @@ from collections.abc import Iterable, Sequence
 
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
-from variantgen.methods.settle import in_order, items_values
+from variantgen.methods.settle import items_values
 from variantgen.methods.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, VectorLine
 from variantgen.methods.task import CLOSE, Task
 from variantgen.methods.used import read
+from variantgen.methods.values import in_order
 from variantgen.variants.needed import shown_points
 
 _RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis

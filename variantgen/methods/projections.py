@@ -60,7 +60,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
 
 def _equate(book: Book, first: Term, path: Term, facts: dict[str, Fact]) -> None:
     """Project both velocities on their line, to the side where the projections are positive."""
-    pole, point = first.name.of, path.name.of
+    pole, point = first.point, path.point
     ahead = book.geometry.direction(pole, point)
     back = between(ahead.exact, first.angle.exact) > 90.0
     axis = Geometry.turned(ahead, 180.0) if back else ahead

@@ -12,20 +12,13 @@ from dataclasses import dataclass, replace
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.methods.book import Book, Known
+from variantgen.methods.carriers import is_translating
 from variantgen.methods.expression import Constant, Value
 from variantgen.methods.geometry import Geometry
 from variantgen.methods.given import amount, as_stated
 from variantgen.methods.group import Slid
 from variantgen.methods.name import Name
-from variantgen.methods.points import (
-    RIGHT,
-    across,
-    is_translating,
-    modulus,
-    rotation,
-    summed,
-    vector,
-)
+from variantgen.methods.points import RIGHT, across, modulus, rotation, summed, vector
 from variantgen.methods.pole import about_pole, enter_rate
 from variantgen.methods.step import Body, Fact, Point, Segment, Term, VectorOf, Word
 from variantgen.methods.tracks import on_track, settled
@@ -266,7 +259,7 @@ def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> 
     slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
     _sum_up_slip(book, point, slips[point, carrier])
     if sides.carried is not None and group.carried is not None:
-        known = tuple(t for t in sides.right if t.name.of == group.carried.point and t.size is not None)
+        known = tuple(t for t in sides.right if t.point == group.carried.point and t.size is not None)
         book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
     if sides.path is not None:
         known = tuple(t for t in sides.left if t.size is not None)

@@ -31,8 +31,9 @@ from variantgen.methods.book import Book
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.expression import Total, Value
-from variantgen.methods.settle import in_order
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.values import in_order
 from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]
@@ -202,16 +203,18 @@ class HandCalculation:
                     if not left.any():
                         return found
             for i in np.flatnonzero(left).tolist():
-                found[:, i] = self._alone(variants[i], motion, places[i], _cut(data, slice(i, i + 1)))
+                found[:, i] = self._alone(variants[i], motion, places[i], _cut(data, slice(i, i + 1)), exact[:, i])
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers) -> Table:
-        """The errors of a variant by its own steps."""
+    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Table) -> Table:
+        """The errors of a variant by its own steps; infinite for an answer to which they do not lead."""
         try:
             worked = Worked.of(task_of(variant, motion, place, self._asked))
-        except LookupError:
+        except NO_WAY:
             return np.full(len(self._asked), np.inf)
-        return worked.errors(data)[:, 0]
+        pairs = zip(self._asked, worked.repeat(data)[:, 0], exact, strict=True)
+        right = [bool(_leads(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
+        return np.where(right, worked.errors(data)[:, 0], np.inf)
 
     def _models(self) -> Iterator[_Model]:
         """The steps of the model variants, worked out one after the other as they are needed.
@@ -242,7 +245,7 @@ class HandCalculation:
         assert motion is not None, "there are variants"
         try:
             return Worked.of(task_of(variants[number], motion, number, self._asked))
-        except LookupError:
+        except NO_WAY:
             return None
 
     @property
@@ -266,15 +269,19 @@ class HandCalculation:
         good = left
         for quantity, place, steps, number in zip(self._asked, model.answers, model.steps, exact, strict=True):
             self._common.run(numbers, steps)
-            if quantity.is_angle:
-                turn = np.abs((numbers[place] - number + 180.0) % 360.0 - 180.0)
-                good = good & (turn <= np.degrees(_SAME))
-            elif quantity.component != "sense":
-                size = np.abs(number)
-                good = good & (np.abs(np.abs(numbers[place]) - size) <= _SAME * size)
+            good = good & _leads(quantity, numbers[place], number)
             if not good.any():
                 break
         return good
+
+
+def _leads(quantity: Quantity, found: Any, exact: Any) -> Any:
+    """Whether numbers are those of the solver, but for their signs."""
+    if quantity.component == "sense":
+        return np.True_
+    if quantity.is_angle:
+        return np.abs((found - exact + 180.0) % 360.0 - 180.0) <= np.degrees(_SAME)
+    return np.abs(np.abs(found) - np.abs(exact)) <= _SAME * np.abs(exact)
 
 
 class _Model:

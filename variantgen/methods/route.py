@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
@@ -11,9 +10,9 @@ from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
-from variantgen.mechanism.rows import ScalarRow, Sliding
+from variantgen.mechanism.rows import Sliding
 from variantgen.methods.book import Book
-from variantgen.methods.contact import Touch
+from variantgen.methods.carriers import is_within_reach
 from variantgen.methods.group import (
     Composed,
     Coupled,
@@ -30,47 +29,15 @@ from variantgen.methods.group import (
     Turned,
 )
 from variantgen.methods.joined import joined
-from variantgen.methods.law import touches
-from variantgen.methods.points import is_within_reach
+from variantgen.methods.reached import Reached
 
 
-class Route:
+class Route(Reached):
     """Looks for the next group of a book whose velocities are being worked out."""
 
     def __init__(self, book: Book) -> None:
-        self.book = book
-        self.task = book.task
-        self.scene = book.task.scene
+        super().__init__(book)
         self.taken: list[Group] = []
-
-    @cached_property
-    def touches(self) -> dict[int, Touch]:
-        """The contacts and threads of the scene."""
-        return touches(self.task)
-
-    @property
-    def translating(self) -> frozenset[str]:
-        """Bodies that do not turn."""
-        return self.task.translating
-
-    def is_known(self, point: str) -> bool:
-        """Whether the velocity of a point is known or can be had from a body whose motion is known."""
-        return point in self.book.velocity or any(self.is_moved(body) for body in self.owners(point))
-
-    def owners(self, point: str) -> list[str]:
-        """Bodies of a point."""
-        return [body for body, members in self.scene.bodies.items() if point in members]
-
-    def is_moved(self, body: str) -> bool:
-        """Whether the motion of a body is known: its rate and one of its points."""
-        turning = body in self.book.omega or body in self.translating
-        return turning and any(point in self.book.velocity for point in self.scene.bodies[body])
-
-    def known_point(self, body: str) -> str | None:
-        """A point of a body that is known: a fixed one, one whose vector is written already, or one that can be had."""
-        members = self.scene.bodies[body]
-        written = [p for p in members if p in self.task.fixed] + [p for p in members if p in self.book.velocity]
-        return next(iter(written), None) or next((p for p in members if self.is_known(p)), None)
 
     def next(self) -> Group | None:
         """The next group that adds something that is needed, or None when nothing does."""
@@ -93,16 +60,6 @@ class Route:
             self.taken.append(found)
         return found
 
-    @property
-    def open_bodies(self) -> list[str]:
-        """Needed bodies whose rate is not known."""
-        needed = self.task.needed.bodies
-        return [
-            body
-            for body in self.scene.bodies
-            if body in needed and body not in self.book.omega and body not in self.translating
-        ]
-
     def _composed(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
             if (
@@ -115,7 +72,7 @@ class Route:
     def _turned(self) -> Iterator[Group]:
         for body in self.open_bodies:
             members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
+            pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and p in self.book.velocity]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])
@@ -130,44 +87,6 @@ class Route:
                 continue
             if (group.centre in self.book.velocity) != (group.body in self.book.omega):
                 yield group
-
-    def track(self, point: str, but: str = "") -> Track | None:
-        """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
-        for joint in self.scene.joints:
-            shapes = joint.shapes()
-            for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
-                if shape.points != (point,) or shape.bodies or shape.lead is not None:
-                    continue
-                if joint.landmarks():
-                    return Track(point, centre=joint.landmarks()[0])
-                assert isinstance(row, ScalarRow)
-                normal = complex(row.points[point])
-                return Track(point, line=-1j * normal / abs(normal))
-            if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
-                arm = self.task.now.z[point] - self.task.now.z[joint.contact]
-                return Track(point, line=1j * arm / abs(arm))
-            if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
-                return Track(point, centre=joint.around)
-        for body in self.owners(point):
-            members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
-            if body != but and pivot is not None:
-                return Track(point, centre=pivot, body=body)
-            if body != but and body in self.translating:
-                guided = next((t for p in members if p != point and (t := self._guided(p))), None)
-                if guided is not None:
-                    return Track(point, line=guided)
-        return None
-
-    def _guided(self, point: str) -> complex:
-        """The direction of the straight guide of a point, or 0."""
-        for joint in self.scene.joints:
-            for shape, row in zip(joint.shapes(), joint.rows(self.task.at), strict=True):
-                if shape.points == (point,) and not shape.bodies and shape.lead is None and not joint.landmarks():
-                    assert isinstance(row, ScalarRow)
-                    normal = complex(row.points[point])
-                    return -1j * normal / abs(normal)
-        return 0j
 
     def _dyads(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -188,9 +107,8 @@ class Route:
                     yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
 
     def _slid(self) -> Iterator[Group]:
-        for joint in self.scene.joints:
-            path = joint.sliding()
-            if path is None or path.point not in self.task.needed.points:
+        for path in self.task.linkage.slides:
+            if path.point not in self.task.needed.points:
                 continue
             if (path.point, path.body) not in self.book.relative and (group := self._sliding(path)) is not None:
                 yield group
@@ -215,7 +133,7 @@ class Route:
         if not self.is_known(point):
             return None
         if carrier in self.translating:
-            ends = ((p, self._guided(p)) for p in self.scene.bodies[carrier])
+            ends = ((p, self.guided(p)) for p in self.scene.bodies[carrier])
             track = next((Track(p, line=way) for p, way in ends if way), None)
             return None if track is None else Slid(path, carrier, "", False, carried=track)
         known = self.known_point(carrier)
@@ -237,7 +155,7 @@ class Route:
                 continue
             for point, base in ((driver.end, driver.start), (driver.start, driver.end)):
                 for body in self.owners(point):
-                    pivot = next((p for p in self.scene.bodies[body] if p in self.task.fixed), None)
+                    pivot = self.task.linkage.pivot(body)
                     if pivot is not None and self.is_known(base) and body in self.open_bodies:
                         yield Extended(number, body, pivot, point, base)
 
@@ -245,7 +163,7 @@ class Route:
         """Bodies about a fixed point of which another point can be had from a neighbour."""
         for body in self.open_bodies:
             members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
+            pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
-from variantgen.methods.expression import Expression, Value, rounded
+from variantgen.methods.expression import Value, rounded
 from variantgen.methods.name import Name
 from variantgen.methods.step import (
     ChainGraph,
@@ -20,6 +20,7 @@ from variantgen.methods.step import (
     TermTable,
     VectorLine,
 )
+from variantgen.methods.values import in_order, parts
 
 FEWEST, MOST = 5, 9  # significant digits of intermediate results
 DIGITS = range(FEWEST, MOST + 1)
@@ -43,29 +44,6 @@ def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int]
 
 def _agrees(answer: Value) -> bool:
     return rounded(answer.shown, ANSWER_DIGITS) == rounded(answer.exact, ANSWER_DIGITS)
-
-
-def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:
-    """The values and all that they are computed from, each after those that it needs; without what is ``known``."""
-    found: dict[Value, None] = {}
-
-    def visit(item: Expression) -> None:
-        if not isinstance(item, Value):
-            for operand in item.operands():
-                visit(operand)
-        elif item not in found and item not in known:
-            if item.expression is not None:
-                visit(item.expression)
-            found[item] = None
-
-    for value in values:
-        visit(value)
-    return list(found)
-
-
-def parts(item: Expression) -> list[Value]:
-    """The values in an expression."""
-    return [item] if isinstance(item, Value) else [value for operand in item.operands() for value in parts(operand)]
 
 
 def items_values(items: Iterable[Item]) -> list[Value]:

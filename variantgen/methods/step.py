@@ -110,6 +110,12 @@ class Term:
     angle: Value
     way: Sentence
 
+    @property
+    def point(self) -> str:
+        """The point whose vector it is, also where the data give the vector a letter of its own."""
+        fact = self.way.facts.get("point")
+        return fact.name if self.name.kind == "parameter" and isinstance(fact, Point) else self.name.of
+
 
 @dataclass(frozen=True, slots=True)
 class VectorLine:

@@ -1,26 +1,12 @@
-"""Sums of lengths and of vectors of known direction, collected and simplified before they are shown."""
+"""Sums of lengths and of other expressions, collected and simplified before they are shown."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from variantgen.methods.angles import AngleForm
 from variantgen.methods.expression import Constant, Expression, Ratio, Times, Total
 
 Signed = tuple[int, Expression]
-
-
-@dataclass(frozen=True)
-class Leg:
-    """A vector: its length (printed unit; a negative one points backwards) and its direction on paper."""
-
-    length: Expression
-    form: AngleForm
-
-    def reversed(self) -> Leg:
-        """The opposite vector."""
-        return Leg(self.length, self.form.turned(180.0))
 
 
 def terms_of(item: Expression, sign: int = 1) -> list[Signed]:
@@ -82,27 +68,6 @@ def _is_zero(count: float, item: Expression) -> bool:
 
 def _multiple(count: float, item: Expression) -> Expression:
     return item if count == 1 else Constant(count) * item
-
-
-def collected(legs: Iterable[Leg], nothing: float) -> list[Leg]:
-    """Legs along the same line added, each of positive length; what is below ``nothing`` is left out."""
-    groups: list[tuple[AngleForm, list[Signed]]] = []
-    for leg in legs:
-        if abs(leg.length.number(True)) <= nothing:
-            continue
-        for form, terms in groups:
-            if form.is_along(leg.form):
-                same = abs((leg.form.constant - form.constant + 90.0) % 360.0 - 90.0) < 1.0
-                terms.append((1 if same else -1, leg.length))
-                break
-        else:
-            groups.append((leg.form, [(1, leg.length)]))
-    found = []
-    for form, terms in groups:
-        sign, length = positive(summed(terms))
-        if abs(length.number(True)) > nothing:
-            found.append(Leg(length, form if sign > 0 else form.turned(180.0)))
-    return found
 
 
 def squared(parts: Iterable[Expression]) -> Expression:

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
-from variantgen.families.expressions import CONSTANTS
 from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
-from variantgen.mechanism.scene import Scene, fixed_points
-from variantgen.methods.expression import Applied, Constant, Expression, Pi, SquareRoot, Total, Value
+from variantgen.mechanism.scene import Scene
+from variantgen.methods.expression import Constant, Expression, Pi, Value
 from variantgen.methods.instant import Instant, instant
 from variantgen.methods.name import Name
 from variantgen.methods.needed import Needed, needed_for
+from variantgen.methods.translated import Translator
 from variantgen.variants.variant import Variant
 
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
@@ -54,10 +54,14 @@ class Task:
         return Placement(self.now.z, self.scene.frame)
 
     @cached_property
+    def linkage(self) -> Linkage:
+        """The mechanism as a reader of the figure sees it."""
+        return Linkage(self.scene)
+
+    @property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
-        resting = {name for joint in self.scene.joints for name in joint.resting()}
-        return frozenset(fixed_points(self.form.sample) | resting)
+        return self.linkage.resting
 
     @cached_property
     def needed(self) -> Needed:
@@ -72,10 +76,8 @@ class Task:
     @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
-        held = {
-            b for j in self.scene.joints for s in j.shapes() if not s.points for b in s.bodies if len(s.bodies) == 1
-        }
-        return frozenset(held | {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)})
+        cranked = {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)}
+        return self.linkage.translating | cranked
 
     def _is_on_parallel_cranks(self, body: str) -> bool:
         """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
@@ -149,58 +151,31 @@ class Task:
         """The value of an expression of the family in SI."""
         return float(expression.value(self.si))
 
-    def expressed(self, expression: FamilyExpression) -> Expression | None:
-        """An expression of the family as one of the solution, if every part of it can be shown; choices are signs."""
-        return self._expressed(expression.tree)
+    def expressed(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+        """An expression of the family as one of the solution, if every part of it can be shown; choices are signs.
 
-    def _expressed(self, node: ast.expr) -> Expression | None:
-        match node:
-            case ast.Constant(value=int() | float() as number):
-                return Constant(float(number))
-            case ast.Name(id=name):
-                return self._named(name)
-            case ast.UnaryOp(op=op, operand=operand):
-                inner = self._expressed(operand)
-                return None if inner is None else (-inner if isinstance(op, ast.USub) else inner)
-            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
-                base = self._expressed(left)
-                return None if base is None else base**power
-            case ast.BinOp(left=left, op=op, right=right):
-                return self._combined(op, self._expressed(left), self._expressed(right))
-            case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
-                inner = self._expressed(arg)
-                return None if inner is None else SquareRoot(inner)
-            case ast.Call(func=ast.Name(id="cos" | "sin" | "tan" as function), args=[arg]):
-                inner = self._expressed(arg)
-                return None if inner is None else Applied(function, inner)
+        An angle is a plain number, or in ``degrees``.
+        """
+        return self._translator.translate(expression, degrees)
+
+    def drawn_radius(self, centre: str, exact: float) -> Expression | None:
+        """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""
+        for disc in self.form.figure.discs:
+            near = abs(self.read(disc.radius) / self.length_unit - exact) <= CLOSE * exact
+            if disc.centre == centre and near and (found := self.expressed(disc.radius)) is not None:
+                return found
         return None
 
+    @cached_property
+    def _translator(self) -> Translator:
+        return Translator(self._named, self.form.derived.get, self.unit_of)
+
     def _named(self, name: str) -> Expression | None:
-        """A parameter as its value, a choice as its number, a unit of angles as one, a derived quantity written out."""
-        if name == "deg":
-            return Constant(1.0)
-        if name in CONSTANTS:
-            value, (length, _) = CONSTANTS[name]
-            return Constant(value / self.length_unit, "length") if length else Pi() if name == "pi" else None
+        """A parameter as its value, a choice as its number."""
         parameter = self.form.parameters.get(name)
         if parameter is None:
-            derived = self.form.derived.get(name)
-            return None if derived is None else self._expressed(derived.tree)
-        return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
-
-    @staticmethod
-    def _combined(op: ast.operator, left: Expression | None, right: Expression | None) -> Expression | None:
-        """An operation, with factors of plus or minus one written as signs."""
-        if left is None or right is None:
             return None
-        if isinstance(op, ast.Mult):
-            for one, other in ((left, right), (right, left)):
-                if isinstance(one, Constant) and abs(one.value) == 1:
-                    return other if one.value > 0 else -other
-            return left * right
-        if isinstance(op, ast.Div):
-            return left / right
-        return Total(((1, left), (-1 if isinstance(op, ast.Sub) else 1, right)))
+        return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
 
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from variantgen.methods import closed_chain, walk
 from variantgen.methods.book import Book
 from variantgen.methods.group import Dyad
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.style import Style
 from variantgen.methods.task import Task
 
@@ -22,7 +23,7 @@ def applies(task: Task) -> bool:
     book = Book(task, style=STYLE)
     try:
         groups = walk.velocities(book)
-    except LookupError:  # the rest of the mechanism cannot be solved group by group
+    except NO_WAY:  # the rest of the mechanism cannot be solved group by group
         return False
     return any(isinstance(group, Dyad) and closed_chain.applies(book, group) for group in groups)
 

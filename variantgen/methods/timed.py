@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Form
-from variantgen.methods.expression import Constant, Expression, Pi, Ratio, Total
+from variantgen.methods.expression import Expression, Total
 from variantgen.methods.monomial import simplified
 
 if TYPE_CHECKING:
@@ -31,16 +31,16 @@ def law_behind(task: Task, source: FamilyExpression) -> Expression | None:
 
 
 def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:
-    """The angle (degrees) that a law of time in radians gives: its sign, and its magnitude as an expression.
+    """The angle (degrees) that a law of time gives: its sign, and its magnitude as an expression.
 
     None for a derived quantity that is no law, or one that cannot be written out.
     """
     if name not in laws(task.form):
         return None
-    law = task.expressed(task.form.derived[name])
+    law = task.expressed(task.form.derived[name], degrees=True)
     if law is None:
         return None
     sign, law = 1, simplified(law)
     while isinstance(law, Total) and len(law.terms) == 1:
         sign, law = sign * law.terms[0][0], law.terms[0][1]
-    return sign, Ratio(simplified(Constant(180.0) * law), Pi())
+    return sign, law

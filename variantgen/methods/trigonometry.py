@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from variantgen.methods.angles import AngleForm, normal_angle, tidy
-from variantgen.methods.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total
-from variantgen.methods.sums import Leg, Signed, positive, squared, summed
-
-if TYPE_CHECKING:
-    from variantgen.methods.geometry import Geometry
+from variantgen.methods.angles import AngleForm, Atom, normal_angle, tidy
+from variantgen.methods.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value
+from variantgen.methods.legs import Leg
+from variantgen.methods.sums import Signed, positive, squared, summed
 
 _NOTHING = 1e-11  # a cosine or sine below it is zero but for rounding
 _QUARTERS = {
@@ -20,7 +18,26 @@ _QUARTERS = {
 }
 
 
-def angle_of(geometry: Geometry, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
+class Angular(Protocol):
+    """What gives the angles that forms are made of, in degrees (:class:`variantgen.methods.geometry.Geometry`)."""
+
+    def without_numbers(self, form: AngleForm) -> AngleForm:
+        """A form in which parts that are plain numbers are added to the constant."""
+
+    def atom(self, atom: Atom) -> Value:
+        """The value of a given angle or of the direction of a ray."""
+
+    def number(self, form: AngleForm) -> float:
+        """The angle between -180 and 180 degrees."""
+
+    def total(self, form: AngleForm) -> float:
+        """The sum of the parts, whole turns with it."""
+
+    def is_nothing(self, length: Expression) -> bool:
+        """Whether a length is zero but for rounding."""
+
+
+def angle_of(geometry: Angular, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
     """A sum of angles and of further terms as an expression between -180 and 180 degrees."""
     form = geometry.without_numbers(form)
     terms = [*_terms(geometry, form), *extra]
@@ -28,7 +45,7 @@ def angle_of(geometry: Geometry, form: AngleForm, extra: Sequence[Signed] = ()) 
     return _sum_of(terms, form.constant + 360.0 * round((normal_angle(total) - total) / 360.0))
 
 
-def _terms(geometry: Geometry, form: AngleForm) -> list[Signed]:
+def _terms(geometry: Angular, form: AngleForm) -> list[Signed]:
     return [(1 if c > 0 else -1, _part(geometry.atom(atom), abs(c))) for atom, c in form.parts]
 
 
@@ -50,7 +67,7 @@ def _part(value: Expression, count: float) -> Expression:
     return value if count == 1 else Constant(count) * value
 
 
-def reduced(geometry: Geometry, function: str, form: AngleForm) -> tuple[int, Expression | None]:
+def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Expression | None]:
     """A cosine or sine as a sign and the function of an acute or given angle; None stands for one, sign 0 for zero."""
     number = math.radians(geometry.number(form))
     value, other = (math.cos(number), math.sin(number))[:: 1 if function == "cos" else -1]
@@ -77,7 +94,7 @@ def _is_backwards(form: AngleForm, terms: Sequence[Signed]) -> bool:
     return form.constant + sum(side * term.number(True) for side, term in terms) < 0
 
 
-def projected(geometry: Geometry, function: str, legs: Iterable[Leg], axis: AngleForm) -> list[Signed]:
+def projected(geometry: Angular, function: str, legs: Iterable[Leg], axis: AngleForm) -> list[Signed]:
     """Projections of legs on an axis (``cos``) or on the one 90 degrees to its left (``sin``), without zeros."""
     found: list[Signed] = []
     for leg in legs:
@@ -87,7 +104,7 @@ def projected(geometry: Geometry, function: str, legs: Iterable[Leg], axis: Angl
     return found
 
 
-def direction_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
+def direction_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
     """The direction of the sum of legs: that of a leg, turned by an angle of the triangle (arc tangent)."""
     axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
@@ -104,7 +121,7 @@ def direction_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
     return angle_of(geometry, axis.turned(180.0), ((-left, corner),))
 
 
-def length_of(geometry: Geometry, legs: Sequence[Leg]) -> Expression:
+def length_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
     """The length of the sum of legs: law of cosines or of Pythagoras."""
     if not legs:
         return Constant(0.0)

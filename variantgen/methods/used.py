@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 
 from variantgen.methods.expression import Value
 from variantgen.methods.name import Name
-from variantgen.methods.settle import facts_values, in_order, items_values
+from variantgen.methods.settle import facts_values, items_values
 from variantgen.methods.step import Derived, Item, Projection, Step, TermTable
+from variantgen.methods.values import in_order
 
 
 def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:

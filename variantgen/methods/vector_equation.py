@@ -8,6 +8,7 @@ from variantgen.methods.book import Book
 from variantgen.methods.directions import pointed, side_of
 from variantgen.methods.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry import Geometry, normal_angle
+from variantgen.methods.no_way import NoWayError
 from variantgen.methods.step import Derived, Fact, Projection, Sentence, Share, Term, TermTable, VectorLine, VectorOf
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
@@ -74,7 +75,8 @@ def _projected(
                 flip = -side * share.sign
             else:
                 parts.append((side * share.sign, _share(share)))
-    assert own is not None, "the axis is not across the wanted vector"
+    if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
+        raise NoWayError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     expression = _quotient([(flip * sign, part) for sign, part in parts], own.angle)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
@@ -96,7 +98,8 @@ def _quotient(parts: Sequence[tuple[int, Expression]], angle: Value | None) -> E
 
 def _share(share: Share) -> Expression:
     """A known projection as an expression, without its sign."""
-    assert share.term.size is not None, "more than one unknown vector is left on the axis"
+    if share.term.size is None:
+        raise NoWayError(f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}")
     return share.term.size if share.angle is None else share.term.size * cos(share.angle)
 
 

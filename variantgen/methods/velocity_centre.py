@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from variantgen.methods.book import Book, Rate, resultant
-from variantgen.methods.centre import Centre, reach
+from variantgen.methods.centre import reach
 from variantgen.methods.expression import Value
 from variantgen.methods.geometry import Geometry, between
 from variantgen.methods.group import Dyad
@@ -13,6 +13,7 @@ from variantgen.methods.known_centre import centre_of, sense_about
 from variantgen.methods.name import Name
 from variantgen.methods.perpendiculars import meet
 from variantgen.methods.points import known_point, renamed, vector
+from variantgen.methods.rays import Centre
 from variantgen.methods.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.tracks import on_track
 from variantgen.methods.whole_vector import whole

@@ -5,23 +5,39 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from variantgen.methods.placed import ORIGIN, Placed
-from variantgen.methods.sums import Leg
-
-if TYPE_CHECKING:
-    from variantgen.methods.geometry import Geometry
+from variantgen.methods.legs import Leg
+from variantgen.methods.place import ORIGIN, Place
+from variantgen.methods.task import Task
 
 # What a segment costs: itself, a length and a direction that have still to be worked out, a system of equations, an end
 # that the figure does not show, so that the text should not name it.
 _SEGMENT, _LENGTH, _DIRECTION, _SYSTEM, _UNSEEN = 1, 2, 4, 8, 5
 
 
+class Surveyed(Protocol):
+    """What is known of the segments between points (:class:`variantgen.methods.geometry.Geometry`)."""
+
+    task: Task
+
+    def legs_to(self, point: str, start: str) -> tuple[Leg, ...]:
+        """The way to a point from one before it."""
+
+    def has_coordinates(self, *points: str) -> bool:
+        """Whether coordinates are worked out."""
+
+    def has_direction(self, start: str, end: str) -> bool:
+        """Whether a direction is given or worked out."""
+
+    def has_length(self, start: str, end: str) -> bool:
+        """Whether a length is given or worked out."""
+
+
 class Ways:
     """Ways over points; ``places`` are in the order in which they can be placed."""
 
-    def __init__(self, geometry: Geometry, places: Mapping[str, Placed]) -> None:
+    def __init__(self, geometry: Surveyed, places: Mapping[str, Place]) -> None:
         self._geometry = geometry
         self._places = places
         self.rank = {name: i for i, name in enumerate((ORIGIN, *places))}
@@ -71,7 +87,7 @@ class Ways:
                 found.setdefault(other, []).append((name, price))
         return found
 
-    def _from(self, name: str, place: Placed) -> set[str]:
+    def _from(self, name: str, place: Place) -> set[str]:
         """Neighbours that were placed before; the origin too, once coordinates are known."""
         others = {other for other in place.neighbours() if self.rank[other] < self.rank[name]}
         return others | {ORIGIN} if self._geometry.has_coordinates(name) else others

@@ -1,4 +1,4 @@
-"""The worked solution of a variant at hand: printed as text, saved as a page (``variant.explain()``)."""
+"""The worked solution of a variant at hand: printed as text, saved as a page (``variantgen.explain(variant)``)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from variantgen.outputs.explained_page import write_explained
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.notation import notation_of
+from variantgen.wording.solution import explain as wording
 from variantgen.wording.solution.document import SolutionText
-from variantgen.wording.solution.explain import explain
 from variantgen.wording.solution.plain import plain_solution
 
 
@@ -39,7 +39,7 @@ class Explanation:
         write_explained(self.variant, self.asked, self.language, self.wish, Path(path), remark)
 
 
-def explanation(
+def explain(
     variant: Variant,
     language: str = "en",
     methods: Sequence[str] = (),
@@ -56,4 +56,4 @@ def explanation(
     wish = Wish(tuple(methods), cast(Depth, depth))
     spoken = load_language(language, notation_of(notation))
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    return Explanation(variant, asked, spoken, wish, explain(variant, motion, 0, asked, spoken, wish))
+    return Explanation(variant, asked, spoken, wish, wording.explain(variant, motion, 0, asked, spoken, wish))

@@ -49,7 +49,7 @@ def groups(sheets: Sequence[Sheet], exam: Exam, language: Language) -> dict[Plac
 
 def equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> Equation:
     """``v_B = 12.3 cm/s``."""
-    value = Measured(language.rounded(answer.value), language.unit(answer.unit))
+    value = Measured(language.answer(answer.quantity, answer.value), language.unit(answer.unit))
     return Equation(language.quantity(answer.quantity, symbols), value)
 
 

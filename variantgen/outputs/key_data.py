@@ -57,7 +57,7 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Wr
                     "name": sheet.student.name or sheet.student.id,
                     "values": [
                         {
-                            "value": language.rounded(a.value).text,
+                            "value": language.answer(a.quantity, a.value).text,
                             "margin": margin(a, exam, language),
                             "mark": mark(a),
                         }

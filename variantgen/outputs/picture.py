@@ -1,4 +1,4 @@
-"""A figure of a variant at hand: shown in notebooks, saved in any format (``variant.figure()``)."""
+"""A figure of a variant at hand: shown in notebooks, saved in any format (``variantgen.picture(variant)``)."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def write_single(
     language = load_language(language_name)
     said = statement(variant, asked, language)
     found = [
-        equals_data(Equation(symbol, Measured(language.rounded(a.value), language.unit(a.unit))), a.surd)
+        equals_data(Equation(symbol, Measured(language.answer(a.quantity, a.value), language.unit(a.unit))), a.surd)
         for symbol, a in zip(said.asked, answers, strict=True)
     ]
     data = {

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Protocol, TypeAlias
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.family import Family, Form, frame
+from variantgen.families.family import Family, Form, Screens, frame
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.variants.batch import Attempts, Judge, Tally, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
-    Values,
     motion_screens,
     parameter_screens,
     position_screens,
@@ -32,69 +29,15 @@ MAX_ATTEMPTS = 20_000  # of one student
 MAX_FRIENDLY_ATTEMPTS = 60_000  # where the answers, too, are chosen
 _CHUNK = 12
 _AT_LEAST, _AHEAD = 96, 4  # attempts whose answers are looked at together, where there are as many; most of one owner
-_MOST_AT_ONCE = 60_000  # attempts of a batch: they bound the memory where few are valid
+# Attempts of a batch, and points of them: they bound the memory where few are valid or scenes are large.
+_MOST_AT_ONCE, _POINTS_AT_ONCE = 60_000, 1_500_000
+# A batch of which nobody has a variant yet is given up after so many attempts, in those of one student, and so many
+# judged ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
+_HOPELESS, _HOPELESS_JUDGED = 2, 1000
 
 
 class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
-
-
-Flags: TypeAlias = Mapping[str, NDArray[np.bool_]]  # by screen, shape (N,)
-
-
-class Judging(Protocol):
-    """More screens for a batch of attempts at one form, the cheap ones apart from the dear ones."""
-
-    def screens(self) -> Flags:
-        """Of all attempts."""
-        ...
-
-    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> Flags:
-        """Of some of them: the variants at these places of the batch."""
-        ...
-
-
-# Judging of attempts at a form: SI values of their parameters, how they lie on paper, what is asked, their motion.
-Judge: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Judging]
-
-
-@dataclass
-class Tally:
-    """How many attempts were made, and how many each screen was the first to reject."""
-
-    attempts: int = 0
-    rejected: Counter[str] = field(default_factory=Counter)
-
-    def report(self) -> str:
-        """The screens that rejected most, in words."""
-        parts = [f"{name}: {count}" for name, count in self.rejected.most_common(4) if count]
-        return f"of {self.attempts} draws rejected by " + "; ".join(parts)
-
-
-@dataclass(frozen=True)
-class Attempts:
-    """A batch of attempts: grid indices per parameter, pose, which student each belongs to; its motion if solved."""
-
-    index: dict[str, NDArray[np.int64]]
-    pose: NDArray[np.int64]
-    owner: NDArray[np.int64]
-    number: NDArray[np.int64]
-    motion: Motion | None = None
-
-    def take(self, chosen: NDArray[np.int64]) -> Attempts:
-        """Those at the given places."""
-        return Attempts(
-            {name: i[chosen] for name, i in self.index.items()},
-            self.pose[chosen],
-            self.owner[chosen],
-            self.number[chosen],
-            self.motion.take(chosen) if self.motion is not None else None,
-        )
-
-
-def _starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Where the attempts of each owner begin; attempts are in the order of their owners."""
-    return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))
 
 
 class FormDrawing:
@@ -116,6 +59,8 @@ class FormDrawing:
         self.poses = form.pose.frames()
         self.order = max(q.order for q in self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
+        self._at_once = max(1, min(_MOST_AT_ONCE, _POINTS_AT_ONCE // len(form.points)))
+        self._made = self._looked_at = 0  # attempts, and those of them that were judged
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used.
@@ -146,10 +91,14 @@ class FormDrawing:
                 found[i] = variant
             used[pending] += chunk
             pending = [i for i in pending if i not in found]
-            chunk = min(2 * chunk, 2048, max(_CHUNK, _MOST_AT_ONCE // max(1, len(pending))))
-            if pending and min(used[pending] - np.array(done)[pending]) > self._most:
+            chunk = min(2 * chunk, 2048, max(_CHUNK, self._at_once // max(1, len(pending))))
+            if pending and (self._is_hopeless(len(found)) or min(used[pending] - np.array(done)[pending]) > self._most):
                 raise InputError(self._exhausted())
         return [found[i] for i in range(len(streams))]
+
+    def _is_hopeless(self, found: int) -> bool:
+        """Whether so many attempts were in vain that more of them would be, for whomever."""
+        return self._made > _HOPELESS * self._most * (1 + found) or self._looked_at > _HOPELESS_JUDGED * (1 + found)
 
     def _attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> Attempts:
         index = {
@@ -176,9 +125,9 @@ class FormDrawing:
         """
         promising = self._promising(attempts)
         while promising.owner.size:
-            size, starts = promising.owner.size, _starts(promising.owner)
-            rank = np.arange(size) - np.repeat(starts, np.diff(starts, append=size))
-            chosen = np.flatnonzero(rank < max(1, min(_AHEAD, _AT_LEAST // starts.size)))
+            size, begin = promising.owner.size, starts(promising.owner)
+            rank = np.arange(size) - np.repeat(begin, np.diff(begin, append=size))
+            chosen = np.flatnonzero(rank < max(1, min(_AHEAD, _AT_LEAST // begin.size)))
             heads = promising.take(chosen)
             good = np.flatnonzero(self._conditioned(heads))
             accepted = self._judged(heads.take(good)) if self.judge else self._firsts(heads.take(good))
@@ -198,6 +147,7 @@ class FormDrawing:
     def _promising(self, attempts: Attempts) -> Attempts:
         """Attempts that pass the cheap screens, in order."""
         self.tally.attempts += attempts.owner.size
+        self._made += attempts.owner.size
         parameters = self._si(attempts)
         values = self.form.values(parameters)
         passed = self._keep(parameter_screens(self.form, values, attempts.owner.size), attempts.owner.size)
@@ -230,7 +180,7 @@ class FormDrawing:
 
     def _firsts(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
         """The first attempt of each owner."""
-        for place in _starts(attempts.owner).tolist() if attempts.owner.size else []:
+        for place in starts(attempts.owner).tolist() if attempts.owner.size else []:
             yield self._variant(attempts, place), int(attempts.owner[place])
 
     def _judged(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
@@ -246,10 +196,11 @@ class FormDrawing:
         left = self._keep(judging.screens(), attempts.owner.size)
         while left.size:
             owner = attempts.owner[left]
-            firsts = _starts(owner)
+            firsts = starts(owner)
             places = left[firsts].tolist()
             variants = [self._variant(attempts, place) for place in places]
             passed = self._keep(judging.judge(variants, places), len(places))
+            self._looked_at += len(places)
             for i in passed.tolist():
                 yield variants[i], int(owner[firsts[i]])
             later = ~np.isin(owner, owner[firsts[passed]])
@@ -291,8 +242,11 @@ class FormDrawing:
     def _exhausted(self) -> Problem:
         narrow = [name for name, p in self.form.parameters.items() if p.given and len(p.printed) <= 2]
         which = ", ".join(narrow or [name for name, p in self.form.parameters.items() if p.given])
+        remedy = f"widen the range of one of: {which}" + (", ask for less, or leave nice out" if self._nice else "")
+        if self.form.screens.ceiling < Screens().ceiling:
+            remedy += f", or raise the ceiling of its screens ({self.form.screens.ceiling:g})"
         return Problem(
             "no valid variant found: " + self.tally.report(),
             key=f"{self.where}{'/' + self.form.name if self.form.name else ''}",
-            remedy=f"widen the range of one of: {which}" + (", ask for less, or leave nice out" if self._nice else ""),
+            remedy=remedy,
         )

@@ -9,7 +9,8 @@ import numpy as np
 
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
-from variantgen.variants.attempts import Attempts, FormDrawing, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Attempts, Tally
 from variantgen.variants.seeding import Stream, index_below
 
 # Grids up to this size are screened point by point (a second or so).

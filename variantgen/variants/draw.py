@@ -11,10 +11,12 @@ from collections import Counter
 from collections.abc import Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
-from variantgen.variants.attempts import FormDrawing, Judge, Tally
+from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Judge, Tally
 from variantgen.variants.distinct import TooFewError
+from variantgen.variants.examined import examined
 from variantgen.variants.needed import told_size
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
@@ -22,14 +24,16 @@ from variantgen.variants.variant import Variant
 
 def draw(
     family: Family,
-    ask: Sequence[str] | None,
+    ask: Ask,
     keys: Sequence[tuple[object, ...]],
     tally: Tally | None = None,
     judge: Judge | None = None,
 ) -> list[Variant]:
     """One variant per key, each depending on its key only (and on the family); keys may repeat variants.
 
-    ``ask`` names the asked quantities (None: those of each form). Raises InputError when the ranges leave nothing.
+    ``ask`` names the asked quantities (None: those of each form); it only matters whether accelerations are among them,
+    and what no form asks by itself (:mod:`variantgen.variants.examined`). Raises InputError when the ranges leave
+    nothing.
     """
     return Drawing(family, ask, tally, judge=judge).after(keys, [0] * len(keys))
 
@@ -82,7 +86,7 @@ class Drawing:
     def __init__(
         self,
         family: Family,
-        ask: Sequence[str] | None,
+        ask: Ask,
         tally: Tally | None = None,
         where: str = "",
         judge: Judge | None = None,
@@ -91,6 +95,7 @@ class Drawing:
         self.where = f"{where}: {family.name}" if where else family.name
         self.forms = list(family.forms.values())
         self.asked = {form.name: read_ask(form, ask) for form in self.forms}
+        self.examined = {form.name: examined(form, self.asked[form.name]) for form in self.forms}
         self.tally = tally or Tally()
 
     def after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
@@ -101,7 +106,7 @@ class Drawing:
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
             if members:
-                batch = FormDrawing(self.family, form, self.asked[form.name], self.tally, self.where, self.judge)
+                batch = FormDrawing(self.family, form, self.examined[form.name], self.tally, self.where, self.judge)
                 own = batch.run([streams[i] for i in members], [done[i] for i in members])
                 found.update(zip(members, own, strict=True))
         return [found[i] for i in range(len(keys))]

@@ -1,8 +1,12 @@
-"""When two variants are the same problem, and when they are nearly the same: what tells of it, as arrays.
+"""When two variants are the same problem on paper, and when they are nearly the same: what tells of it, as arrays.
 
-Two variants are nearly the same if they belong to one form, the same words are chosen, and every number that a sheet
-tells of one differs from that of the other by at most :data:`CLOSE` of it, every angle by at most :data:`CLOSE_ANGLE`:
-whoever sits beside could copy the answers with a small correction.
+Two variants are the same problem if their sheets print the same text and numbers and their keys the same answers. How
+the figure lies on paper (its mirror image, its turn, what is drawn but not printed) makes another problem only where it
+makes another answer.
+
+Two variants are nearly the same if their sheets print the same words, every number of one differs from that of the
+other by at most :data:`CLOSE` of it, every angle by at most :data:`CLOSE_ANGLE`, and the answers are of about the same
+size (:data:`CLOSE_ANSWER` times at most): whoever sits beside could copy them with a small correction.
 """
 
 from __future__ import annotations
@@ -15,12 +19,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
-from variantgen.variants.needed import told_names
+from variantgen.mechanism.motion import Motion
+from variantgen.variants.examined import examined
+from variantgen.variants.needed import given_names
 from variantgen.variants.seeding import digest
-from variantgen.variants.variant import Variant
+from variantgen.variants.variant import Variant, columns, solve_variants, speeding
 
 CLOSE = 0.03
 CLOSE_ANGLE = 2.0  # degrees
+# Answers change by at most ten times as much as the data (the screen of their sensitivity): if one is more than twice
+# the other, that has another cause, such as another branch of the mechanism.
+CLOSE_ANSWER = 2.0
+# Equal answers differ by rounding. They are compared as whole numbers of small steps; the shift keeps the ends of steps
+# away from the short numbers that answers often are.
+_STEPS, _SHIFT = 1e6, 0.3719
+_NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 
 
 @dataclass(frozen=True)
@@ -59,15 +72,23 @@ class Traits:
 
 
 def traits(variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], groups: Sequence[str]) -> Traits:
-    """The traits of variants: only what their sheets tell counts, only those of one group can be nearly the same."""
-    identities, rooms, places = [], [], []
-    for variant, quantities, group in zip(variants, asked, groups, strict=True):
-        told = told_names(variant, quantities)
-        alike, place = _place(variant, told)
-        values = [(name, str(variant.printed[name])) for name in sorted(told)]
-        identities.append(_number("identity", *alike[:2], *values))
-        rooms.append(_number("room", group, *alike))
-        places.append(place)
+    """The traits of variants: only what their sheets print counts, only those of one group can be nearly the same."""
+    batches: dict[tuple[int, tuple[Quantity, ...]], list[int]] = {}
+    for i, (variant, quantities) in enumerate(zip(variants, asked, strict=True)):
+        batches.setdefault((id(variant.form), tuple(quantities)), []).append(i)
+    identities, rooms, places = [0] * len(variants), [0] * len(variants), [list[float]()] * len(variants)
+    for (_, questions), members in batches.items():
+        own = [variants[i] for i in members]
+        looked_at = examined(own[0].form, questions)
+        motion = solve_variants(own, max(quantity.order for quantity in (*questions, *looked_at)))
+        answers, sizes = _answers(questions, motion), _sizes(looked_at, motion)
+        words = _words(own, questions)
+        for k, i in enumerate(members):
+            told = given_names(own[k], questions)
+            alike, place = _place(own[k], told)
+            identities[i] = _number("identity", *alike, *words[k], *_printed(own[k], told), *answers[k])
+            rooms[i] = _number("room", groups[i], *alike, *told, *words[k])
+            places[i] = place + sizes[k]
     width = max(map(len, places), default=0)
     return Traits(
         np.array(identities, dtype=np.uint64),
@@ -81,17 +102,58 @@ def _number(*parts: object) -> int:
     return int.from_bytes(digest(*parts)[:8], "big")
 
 
+def _words(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[list[bool]]:
+    """By variant of one form the words that differ on its sheets: whether each driver speeds up or slows down."""
+    if all(quantity.order == 1 for quantity in asked):
+        return [[] for _ in variants]
+    form = variants[0].form
+    flags = [np.broadcast_to(flag, (len(variants),)) for flag in speeding(form, form.values(columns(variants)))]
+    return [[bool(flag[k]) for flag in flags] for k in range(len(variants))]
+
+
+def _printed(variant: Variant, told: Sequence[str]) -> list[str]:
+    """The numbers of a sheet by name: of a rate its magnitude, as the figure shows its sense."""
+    parameters = variant.form.parameters
+    values = [(name, variant.printed[name], parameters[name].is_rate) for name in sorted(told)]
+    return [f"{name}={(abs(value) if unsigned else value).normalize()}" for name, value, unsigned in values]
+
+
+def _answers(asked: Sequence[Quantity], motion: Motion) -> list[list[str]]:
+    """By variant its answers, equal where they differ by rounding only."""
+    table = []
+    for quantity in asked:
+        value = np.asarray(quantity.value(motion), dtype=float)
+        if quantity.is_angle:
+            steps = np.floor(np.degrees(value) * _STEPS / 100.0 + _SHIFT) % (3.6 * _STEPS)
+        else:
+            size = np.abs(value)
+            usual = (size > _NOTHING) & np.isfinite(size)
+            steps = np.where(usual, np.floor(np.log(np.where(usual, size, 1.0)) * _STEPS + _SHIFT), np.inf)
+        told = zip(steps.tolist(), (value < -_NOTHING).tolist(), np.isinf(value).tolist(), strict=True)
+        table.append([f"{'-' if below else ''}{'far' if far else step}" for step, below, far in told])
+    return [list(row) for row in zip(*table, strict=True)]
+
+
+def _sizes(looked_at: Sequence[Quantity], motion: Motion) -> list[list[float]]:
+    """By variant coordinates in which a difference of 1 is the largest of answers of about the same size."""
+    table = []
+    for quantity in looked_at:
+        size = np.abs(np.asarray(quantity.value(motion), dtype=float))
+        usual = (size > _NOTHING) & np.isfinite(size) & (not quantity.is_angle)
+        table.append(np.where(usual, np.log(np.where(usual, size, 1.0)) / log(CLOSE_ANSWER), 0.0).tolist())
+    return [list(row) for row in zip(*table, strict=True)]
+
+
 def _place(variant: Variant, told: Sequence[str]) -> tuple[list[str], list[float]]:
     """What must be equal, and coordinates in which a difference of 1 is the largest of nearly the same data."""
-    alike, place = [variant.family.name, variant.form.name, *told], []
+    alike, place = [variant.family.name, variant.form.name], []
     for name in told:
-        unit, value = variant.form.parameters[name].unit, variant.printed[name]
-        if unit is None:
-            alike.append(str(value))
-        elif unit.measures == "angle":
+        parameter, value = variant.form.parameters[name], variant.printed[name]
+        assert parameter.unit is not None, "a choice is not printed"
+        if parameter.unit.measures == "angle":
             # Angles are compared by their difference: 2 and 4 degrees are no further from each other than 62 and 64.
             place.append(float(np.degrees(variant.si(name))) / CLOSE_ANGLE)
         else:
-            alike.append(str(value.compare(0)))
+            alike.append("" if parameter.is_rate else str(value.compare(0)))
             place.append(log(abs(value)) / log(1 + CLOSE) if value else 0.0)
     return alike, place

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.families.soundness import demands
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
 from variantgen.mechanism.constructions.line_circle import LineCircle
 from variantgen.mechanism.motion import Motion
@@ -123,7 +124,7 @@ def _by_positions(
         points[name] = replace(points[name], **{side: getattr(points[name], side) * other})  # type: ignore[type-var]
     wrong = solve(replace(scene, points=points), max(quantity.order for quantity in asked), form.plan)
     good = wrong.solved
-    for demand in form.demands:
+    for demand in demands(form):
         good = good & demand.met(values)
     names = [f"{name} in degrees for radians" for name in degrees] + [
         f"{name} on the other branch" for name in branches

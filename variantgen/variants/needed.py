@@ -15,22 +15,24 @@ def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     return list(_given(variant.form, _points_of(asked), _without(variant, asked)))
 
 
-def told_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
-    """Names of the parameters that a sheet tells: those that are printed, and choices, which the figure shows."""
-    points = _points_of(asked)
-    return [*_given(variant.form, points, _without(variant, asked)), *_chosen(variant.form, points)]
-
-
 def told_size(form: Form, asked: Sequence[Quantity]) -> int:
-    """How many different problems the grid of a form has at most, by what a sheet tells of it."""
+    """How many different problems the grid of a form has at most, by what its sheets print and what is answered."""
     idle = _unneeded(form, _points_of(asked))
     velocities_only = max((q.order for q in asked), default=1) == 1
-    size = len(form.ties.rows) if form.ties else 1
+    size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)
     for name in form.free_names:
         parameter = form.parameters[name]
         if name not in idle and not (parameter.of_second_order and velocities_only):
             size *= len(parameter.printed)
     return size
+
+
+def _ways_on_paper(form: Form, asked: Sequence[Quantity]) -> int:
+    """How many different answers the same mechanism has at most, as it is mirrored and turned on paper."""
+    if any(quantity.component in ("x", "y", "angle") for quantity in asked):
+        return len(form.pose.frames())
+    signed = any(quantity.is_rotation and quantity.component != "abs" for quantity in asked)
+    return 2 if signed and form.pose.mirror else 1
 
 
 def _rank(parameter: Parameter) -> int:
@@ -67,13 +69,6 @@ def _given(form: Form, asked: tuple[str, ...], without: frozenset[str]) -> tuple
     idle = _unneeded(form, asked) | without
     names = [name for name, parameter in form.parameters.items() if parameter.given and name not in idle]
     return tuple(sorted(names, key=lambda name: _rank(form.parameters[name])))
-
-
-@lru_cache(maxsize=1000)
-def _chosen(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
-    """The choices that a figure shows, the same for all variants of a form."""
-    idle = _unneeded(form, asked)
-    return tuple(name for name, parameter in form.parameters.items() if parameter.unit is None and name not in idle)
 
 
 def _points_of(asked: Sequence[Quantity]) -> tuple[str, ...]:

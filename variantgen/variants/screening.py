@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.exposed import exposed
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.families.soundness import demands
 from variantgen.mechanism.arithmetic import along
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
@@ -34,6 +36,7 @@ _OFF_LINKS, _BASE_OFF_LINKS = 0.75, 1.3
 _FAR_CENTRE = 4.0
 # Relative change of a parameter in the search for sensitive answers.
 _STEP = 1e-6
+_AT_ONCE = 1_000_000  # distances of points that are in memory together
 _MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
 
 
@@ -50,7 +53,7 @@ def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed
         f"require {item.text}": np.broadcast_to(np.asarray(item.holds(values)), (size,))
         for item in form.screens.require
     }
-    for demand in form.demands:
+    for demand in demands(form):
         if demand.expression.names:
             found[f"{demand.key} with a meaning"] = np.broadcast_to(np.asarray(demand.met(values)), (size,))
     return found
@@ -63,12 +66,10 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
     low, high = _box(form, motion, values, z)
     size = np.maximum(np.real(high - low), np.imag(high - low))
     safe = np.where(size > 0, size, 1.0)
-    first, second = np.triu_indices(len(shown), 1)
-    gaps = np.abs(z[first] - z[second]) / safe
     spacing = form.screens.spacing
     found = {
         "assembles": motion.solved,
-        "hinges apart": _at_least(np.min(gaps, axis=0, initial=np.inf), spacing),
+        "hinges apart": _at_least(_closest(z) / safe, spacing),
         "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, spacing),
         "aspect": _at_least(np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect, size),
     }
@@ -78,6 +79,19 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
         part = along(line, motion.z[point] - motion.z[start]) / square
         found[f"{point} inside {start}{end}"] = _at_least(part, _MARGIN) & _at_least(1 - part, _MARGIN)
     return found
+
+
+def _closest(z: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """The smallest distance of two of the points, shape (P, N), of each variant (m); infinite for a single point.
+
+    Pairs are looked at in parts, as scenes of hundreds of points have tens of thousands of them.
+    """
+    first, second = np.triu_indices(len(z), 1)
+    smallest, step = np.full(z.shape[1], np.inf), max(1, _AT_ONCE // max(1, z.shape[1]))
+    for start in range(0, len(first), step):
+        part = slice(start, start + step)
+        np.minimum(smallest, np.min(np.abs(z[first[part]] - z[second[part]]), axis=0), out=smallest)
+    return smallest
 
 
 def _box(
@@ -146,8 +160,16 @@ def sensitivity(
 
     ``sqrt(sum_p (d ln q / d ln p)^2)`` over the printed parameters p (an angle counts with d phi in rad), by forward
     differences of 1e-6; the quantities q of a variant that a rounded hand calculation would miss have large values.
+    Where no data are printed, the numbers that the scene states literally take their place.
     """
     moving = [name for name, parameter in form.parameters.items() if parameter.unit is not None]
+    if not moving:
+        form = exposed(form)
+        literal = {n: p for n, p in form.parameters.items() if n not in parameters}
+        parameters = {**parameters, **{n: np.full(motion.size, p.si[0]) for n, p in literal.items()}}
+        moving = list(literal)
+    if not moving:
+        return np.zeros(motion.size)
     moved = _moved_motion(form, parameters, moving, on_paper, asked, motion)
     silent = np.array([form.parameters[name].silent for name in moving])
     total = []

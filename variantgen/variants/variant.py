@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.family import Family, Form, frame
+from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
-
-if TYPE_CHECKING:
-    from variantgen.outputs.explanation import Explanation
-    from variantgen.outputs.picture import Picture
 
 
 @dataclass(frozen=True)
@@ -41,31 +38,6 @@ class Variant:
         told = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
         return self.family.name, self.form.name, tuple(sorted(told))
 
-    def figure(self, view: str = "statement", language: str = "en", ask: Sequence[str] = ()) -> Picture:
-        """The figure of the problem or, with ``view``, a plan or another kind of figure; a notebook shows it.
-
-        ``ask`` names the quantities asked (none: those of the form). Raises InputError.
-        """
-        # An import against the order of the layers: a notebook asks the variant for its figure.
-        from variantgen.outputs.picture import picture
-
-        return picture(self, view, language, ask)
-
-    def explain(
-        self,
-        language: str = "en",
-        methods: Sequence[str] = (),
-        depth: str = "full",
-        ask: Sequence[str] = (),
-    ) -> Explanation:
-        """The worked solution as text; a notebook shows it, and it can be saved as a page.
-
-        ``methods`` by name (none: the natural ones); ``depth``: ``answers``, ``short`` or ``full``. Raises InputError.
-        """
-        from variantgen.outputs.explanation import explanation
-
-        return explanation(self, language, methods, depth, ask)
-
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""
         found = self.form.parameters[parameter]
@@ -82,6 +54,15 @@ def columns(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
     """SI values of the parameters of variants of one form, shape (N,) each."""
     parameters = variants[0].form.parameters
     return {name: p.in_si(v.printed[name] for v in variants) for name, p in parameters.items()}
+
+
+def speeding(form: Form, values: Mapping[str, Real]) -> list[Any]:
+    """By driver whether the motion that it gives gets faster: its velocity and acceleration have the same sense.
+
+    ``values`` are those of a variant or, as arrays of the shape (N,), of several.
+    """
+    rates = [(driver.rates(1)[0], driver.rates(2)[0]) for driver in (t.build(values) for t in form.drivers)]
+    return [np.real(velocity) * np.real(acceleration) > 0 for velocity, acceleration in rates]
 
 
 def solve_variants(variants: Sequence[Variant], order: int) -> Motion:

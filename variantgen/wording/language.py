@@ -64,6 +64,10 @@ class Language:
         """A computed value with the given number of significant digits, never in exponent form."""
         return self.written(round_text(value, digits))
 
+    def answer(self, quantity: Quantity, value: float) -> Number:
+        """The value of an answer; a sense is a whole number."""
+        return self.rounded(value, 1 if quantity.component == "sense" else ANSWER_DIGITS)
+
     def unit(self, measured: Unit) -> UnitText:
         """A unit as it is printed."""
         return _unit_text(self.tables["units"][measured.name])

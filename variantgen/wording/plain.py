@@ -25,8 +25,8 @@ def plain_problem(
     words, key = language.words("sheet"), language.words("key")
     text = "".join(part if isinstance(part, str) else to_plain(part) for part in said.text)
     found = [
-        to_plain(with_surd(Equation(symbol, Measured(language.rounded(value), language.unit(unit))), exact))
-        for symbol, (value, unit, exact) in zip(said.asked, values, strict=True)
+        to_plain(with_surd(Equation(symbol, Measured(language.answer(quantity, value), language.unit(unit))), exact))
+        for quantity, symbol, (value, unit, exact) in zip(asked, said.asked, values, strict=True)
     ]
     paragraphs = [
         variant.family.title(language.name),

@@ -285,11 +285,11 @@ def test_a_wrong_ending_or_folder_is_said(tmp_path: Path) -> None:
 
 
 def test_a_variant_shows_itself() -> None:
-    shown = one_variant("rolling_wheel", seed="3").figure(language="ru", ask=["v_A"])
+    shown = picture(one_variant("rolling_wheel", seed="3"), language="ru", ask=["v_A"])
     assert shown._repr_svg_().startswith("<svg")
     assert {"A", "O"} <= {label.formula.base for label in shown.drawing.labels if isinstance(label.formula, Symbol)}
     with pytest.raises(InputError, match="kind of figure"):
-        one_variant("rolling_wheel").figure("velocity_pln")
+        picture(one_variant("rolling_wheel"), "velocity_pln")
 
 
 def test_letters_have_the_size_that_placement_counted_with() -> None:
@@ -312,6 +312,6 @@ def test_a_page_of_one_figure_says_its_language(language: str, tmp_path: Path) -
     import pikepdf
 
     path = tmp_path / "figure.pdf"
-    one_variant("four_bar").figure(language=language).save(path)
+    picture(one_variant("four_bar"), language=language).save(path)
     with pikepdf.open(path) as document:
         assert str(document.Root.Lang) == language

@@ -143,6 +143,15 @@ def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:
     assert both > 2
 
 
+def test_a_direction_along_an_axis_is_a_short_number(tmp_path: Path) -> None:
+    body = '[[problem]]\nfamily = "slider_crank"\nform = ["central"]\nask = ["a_B.angle"]\n'
+    out = built(tmp_path, MOODLE + NO_SOLUTIONS + body, 24)
+    written = re.findall(r"NUMERICAL:=([^:]*):", (out / "moodle.xml").read_text("utf-8"))
+    assert set(written) <= {"0", "90", "-90", "180", "-180"}
+    assert "0" in written
+    assert {row["value"] for rows in key_rows(out).values() for row in rows} == {f"{number}.0" for number in written}
+
+
 @pytest.mark.parametrize("form", ["svg", "png"])
 def test_every_text_has_its_figures_with_words(form: str, tmp_path: Path) -> None:
     body = f'[moodle]\nfigures = "{form}"\n[[problem]]\nfamily = "four_bar"\n'

@@ -11,6 +11,7 @@ import json
 import re
 import uuid
 import xml.etree.ElementTree as ET
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -96,7 +97,9 @@ def test_every_variant_has_the_answers_of_the_key(language: str, tmp_path: Path)
             page = question.page(data)
             inputs = list(page.iter("pl-number-input"))
             assert [element.get("answers-name") for element in inputs] == list(data["correct_answers"])
-            assert [float(element.get("atol", "")) for element in inputs] == [float(row["tolerance"]) for row in rows]
+            for element, row in zip(inputs, rows, strict=True):
+                more = float(element.get("atol", "")) - float(row["tolerance"])
+                assert 0 < more <= 1.1e-9 * max(abs(float(row["value"])), float(row["tolerance"]))
             assert all(re.fullmatch(r"\\\(.+\\\) =", element.get("label", "")) for element in inputs)
             units = ["".join(re.findall(r"\\text\{(.*?)\}", element.get("suffix", ""))) for element in inputs]
             assert all(units)
@@ -164,6 +167,23 @@ def test_answers_are_graded(tmp_path: Path) -> None:
     assert question.score(data, wrong)[0] == pytest.approx((len(right) - 1) / len(right))
     for text in ("1,2,3", "1,2.3", "x,y", "nan,", "", ","):
         assert list(question.score(data, {**right, "a1": text})[1]) == ["a1"], text
+
+
+def test_what_stands_at_the_end_of_the_tolerance_is_right(tmp_path: Path) -> None:
+    out = built(tmp_path, FORMAT + NO_SOLUTIONS + TWO, 12)
+    key, count = key_rows(out), 0
+    for question in questions(out):
+        for seed in range(len(json.loads((question.folder / "variants.json").read_text("utf-8")))):
+            data = question.generated(seed)
+            rows = key[data["params"]["code"], number_of(question)]
+            for side in (-1, 1):
+                ends = [Decimal(row["value"]) + side * Decimal(row["tolerance"]) for row in rows]
+                beyond = [Decimal(row["value"]) + side * Decimal("1.0001") * Decimal(row["tolerance"]) for row in rows]
+                answers = list(data["correct_answers"])
+                assert question.score(data, dict(zip(answers, map(str, ends), strict=True))) == (1.0, {})
+                assert question.score(data, dict(zip(answers, map(str, beyond), strict=True))) == (0.0, {})
+                count += len(rows)
+    assert count > 40
 
 
 def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:

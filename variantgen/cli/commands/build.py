@@ -142,6 +142,8 @@ def _report(made: Built, seconds: float) -> None:
     if made.redrawn:
         told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
         tell(f"drawn again to keep variants distinct: {told}")
+    if made.cut:
+        tell(f"drawn again for tolerance.ceiling: {counted(made.cut, 'problem')}")
     if made.unexplained:
         tell(f"answers only, no worked solution: {', '.join(made.unexplained)}")
     for note in made.notes:

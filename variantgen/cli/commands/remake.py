@@ -18,7 +18,12 @@ DESCRIPTION = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
-    parser.add_argument("--student", required=True, metavar="ID", help="the id of the student")
+    parser.add_argument(
+        "--student",
+        required=True,
+        metavar="WHO",
+        help="the code of the sheet, the text of its QR code, the name or a part of it, or the id",
+    )
     parser.add_argument("--solutions", action="store_true", help="the worked solutions instead of the sheet")
     parser.add_argument("--out", type=Path, metavar="FILE.pdf", help="default: the code of the sheet, here")
     parser.add_argument("--anyway", action="store_true", help="write it although something differs")
@@ -29,15 +34,18 @@ def run(arguments: argparse.Namespace) -> int:
     """Make the sheet."""
     from variantgen.exam.record import read_record
     from variantgen.families.folders import family_folders
-    from variantgen.finished.remake import SHEETS, SOLUTIONS, find, remake
+    from variantgen.finished.find import find
+    from variantgen.finished.remake import SHEETS, SOLUTIONS, remake
     from variantgen.finished.restore import restore
     from variantgen.outputs.figures import write_whole
     from variantgen.outputs.typesetter import typesetter
 
-    finished = restore(read_record(arguments.folder), family_folders(arguments.families))
+    record = read_record(arguments.folder)
+    place = find(record, arguments.student)
+    finished = restore(record, family_folders(arguments.families))
     target = SOLUTIONS if arguments.solutions else SHEETS
     with typesetter() as engine:
-        made = remake(finished, find(finished, arguments.student), target, arguments.folder, engine)
+        made = remake(finished, place, target, arguments.folder, engine)
     for difference in finished.differences:
         tell(f"not as when the exam was made: {difference}")
     for fault in made.faults:

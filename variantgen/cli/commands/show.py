@@ -50,7 +50,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
     if arguments.figure:
-        variant.figure(arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
+        from variantgen.outputs.picture import picture
+
+        picture(variant, arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
         tell(f"written: {arguments.figure}")
     solution = explained(arguments, variant)
     remark = f"{variant.family.name}  ·  seed {arguments.seed}"

@@ -10,8 +10,9 @@ from pathlib import Path
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.roster.columns import Columns, cell_of, find_columns, told_unused
+from variantgen.exam.roster.sheet import Sheet
 from variantgen.exam.roster.student import Student
-from variantgen.exam.roster.tables import Sheet, read_sheets
+from variantgen.exam.roster.tables import read_sheets
 
 
 @dataclass(frozen=True)

@@ -5,23 +5,13 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.roster.columns import known_in
+from variantgen.exam.roster.sheet import Row, Sheet
 from variantgen.limits import ROSTER_BYTES, ROSTER_ROWS, TITLE_ROWS
 from variantgen.tables import read_limited
-
-Row = tuple[int, Sequence[str]]  # its number in the file, its cells
-
-
-@dataclass(frozen=True)
-class Sheet:
-    """A table with the rows that are not empty; ``title`` is that of a worksheet."""
-
-    rows: tuple[Row, ...]
-    title: str = ""
 
 
 def read_sheets(path: Path) -> list[Sheet]:

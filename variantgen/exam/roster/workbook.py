@@ -8,12 +8,13 @@ import zlib
 from typing import Any
 
 from variantgen.errors import InputError, Problem, missing_package
-from variantgen.exam.roster.tables import Row, Sheet
+from variantgen.exam.roster.sheet import Row, Sheet
 from variantgen.limits import (
     ROSTER_COLUMNS,
     ROSTER_ROWS,
     WORKBOOK_BYTES,
     WORKBOOK_LOOKS,
+    WORKBOOK_MARKS,
     WORKSHEETS,
 )
 
@@ -44,23 +45,24 @@ def workbook_sheets(content: bytes) -> list[Sheet]:
 
 def _check_size(content: bytes) -> None:
     """Raise InputError for a workbook that would not fit into the memory. What is unpacked is never more than told."""
-    table = looks = sheets = 0
     with zipfile.ZipFile(io.BytesIO(content)) as parts:
-        for part in parts.infolist():
-            is_sheet = "/worksheets/" in part.filename
-            sheets += is_sheet
-            if is_sheet or part.filename.endswith("sharedStrings.xml"):
-                table += part.file_size
-            elif part.filename.endswith((".xml", ".rels")):
-                looks += part.file_size
-    for size, most, what in (
-        (table, WORKBOOK_BYTES, "worksheets"),
-        (looks, WORKBOOK_LOOKS, "styles and other parts"),
-    ):
-        if size > most:
-            problem = f"the {what} of the workbook unpack to {size // 1_000_000} MB, more than {most // 1_000_000} MB"
-            raise InputError(Problem(problem, remedy=_SIMPLER))
-    if sheets > WORKSHEETS:
+        infos = parts.infolist()
+        sheets = [part for part in infos if "/worksheets/" in part.filename]
+        table = [*sheets, *(part for part in infos if part.filename.endswith("sharedStrings.xml"))]
+        looks = [part for part in infos if part.filename.endswith((".xml", ".rels")) and part not in table]
+        for found, most, what in (
+            (table, WORKBOOK_BYTES, "worksheets"),
+            (looks, WORKBOOK_LOOKS, "styles and other parts"),
+        ):
+            size = sum(part.file_size for part in found)
+            if size > most:
+                problem = f"the {what} of the workbook unpack to {size // 1_000_000} MB"
+                raise InputError(Problem(f"{problem}, more than {most // 1_000_000} MB", remedy=_SIMPLER))
+        if sum(parts.read(part).count(b"<") for part in looks) > WORKBOOK_MARKS:
+            raise InputError(
+                Problem("the styles and other parts of the workbook have too many entries", remedy=_SIMPLER)
+            )
+    if len(sheets) > WORKSHEETS:
         raise InputError(Problem(f"the workbook has more than {WORKSHEETS} worksheets", remedy=_SIMPLER))
 
 

@@ -8,21 +8,38 @@ adds equations. ``template`` is the entry of the family for a driver, None for a
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from variantgen.families.family import Template
+from variantgen.mechanism.rows import Constraint
+from variantgen.methods.book import Book
+from variantgen.methods.coordinate_model import Model
 from variantgen.methods.equations.body import state_body
-
-if TYPE_CHECKING:
-    from variantgen.families.family import Template
-    from variantgen.mechanism.rows import Constraint
-    from variantgen.methods.coordinate_model import Model
 
 PREPARE, STATE = "prepare", "state"
 
-__all__ = ["PREPARE", "STATE", "contribute", "state_body"]
+
+def model_of(book: Book) -> Model:
+    """The mechanism of a book in coordinates.
+
+    Drivers and joints that make coordinates known come first, then what others say, then rigid bodies. Raises
+    LookupError where the geometry of a joint cannot be worked out.
+    """
+    model, task = Model(book), book.task
+    drivers = list(zip(task.scene.drivers, task.form.drivers, strict=True))
+    said = [*drivers, *((joint, None) for joint in task.scene.joints)]
+    speaking = [(constraint, template) for constraint, template in said if model.is_relevant(constraint)]
+    for constraint, template in speaking:
+        _contribute(PREPARE, model, constraint, template)
+    model.hold_translating()
+    for constraint, template in speaking:
+        _contribute(STATE, model, constraint, template)
+    for body in task.scene.bodies:
+        state_body(model, body)
+    return model
 
 
-def contribute(stage: str, model: Model, constraint: Constraint, template: Template | None) -> None:
+def _contribute(stage: str, model: Model, constraint: Constraint, template: Template | None) -> None:
     """Let a joint or driver say what it has to say at a stage. ImportError if it has no module."""
     stem = type(constraint).__module__.rpartition(".")[2]
     module: Any = importlib.import_module(f"{__name__}.{stem}")

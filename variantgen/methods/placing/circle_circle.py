@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 from variantgen.methods.expression import Applied, Constant, Expression, Ratio
 from variantgen.methods.name import Name
-from variantgen.methods.placed import Pair, Placed
+from variantgen.methods.place import Pair
+from variantgen.methods.placed import Placed
 from variantgen.methods.step import Point, Segment, Statement
 from variantgen.methods.sums import squared, summed
 

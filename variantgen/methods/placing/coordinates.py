@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from variantgen.methods.angles import AngleForm
-from variantgen.methods.placed import ORIGIN, Placed
-from variantgen.methods.sums import Leg
+from variantgen.methods.legs import Leg
+from variantgen.methods.place import ORIGIN
+from variantgen.methods.placed import Placed
 
 
 class Construction(Placed):

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from variantgen.methods.expression import Expression
-from variantgen.methods.placed import Placed, Ray
+from variantgen.methods.place import Ray
+from variantgen.methods.placed import Placed
 from variantgen.methods.sums import positive, summed
 
 

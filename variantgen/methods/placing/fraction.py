@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from variantgen.methods.expression import Constant, Expression, Ratio, Value
 from variantgen.methods.name import Name
-from variantgen.methods.placed import Pair, Placed, Ray
+from variantgen.methods.place import Pair, Ray
+from variantgen.methods.placed import Placed
 from variantgen.methods.sums import positive, summed
 
 

@@ -6,8 +6,10 @@ from collections.abc import Mapping
 
 from variantgen.methods.angles import between
 from variantgen.methods.expression import Applied, Expression, Ratio, SquareRoot
-from variantgen.methods.placed import Placed, Ray
-from variantgen.methods.sums import Leg, Signed, positive, summed
+from variantgen.methods.legs import Leg
+from variantgen.methods.place import Ray
+from variantgen.methods.placed import Placed
+from variantgen.methods.sums import Signed, positive, summed
 
 
 class Construction(Placed):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from variantgen.methods.angles import AngleForm
 from variantgen.methods.expression import Expression, Ratio
-from variantgen.methods.placed import Placed, Ray
+from variantgen.methods.place import Ray
+from variantgen.methods.placed import Placed
 from variantgen.methods.sums import positive, summed
 
 

@@ -9,10 +9,12 @@ from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import Line
 from variantgen.methods.angles import AngleForm
 from variantgen.methods.expression import Constant, Expression, Value, cos, sin
+from variantgen.methods.legs import Leg
 from variantgen.methods.name import Name
-from variantgen.methods.placed import ORIGIN, Pair, Placed
+from variantgen.methods.place import ORIGIN, Pair
+from variantgen.methods.placed import Placed
 from variantgen.methods.step import Derived, Point, Statement
-from variantgen.methods.sums import Leg, squared, summed
+from variantgen.methods.sums import squared, summed
 
 
 class Construction(Placed):

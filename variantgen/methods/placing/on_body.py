@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from variantgen.methods.placed import Placed, Ray
-from variantgen.methods.sums import Leg
+from variantgen.methods.legs import Leg
+from variantgen.methods.place import Ray
+from variantgen.methods.placed import Placed
 
 
 class Construction(Placed):

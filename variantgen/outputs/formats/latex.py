@@ -143,6 +143,7 @@ def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]
     """What comes from outside, with where it stands."""
     yield "title", exam.title
     yield "course", exam.course
+    yield from exam.notices.words
     for student in students:
         yield f"student {student.id}", student.name or student.id
         yield f"group of student {student.id}", student.group

@@ -142,12 +142,17 @@ def _variant(question: Question, exam: Exam, told: _Figures) -> dict[str, Any]:
 
 
 def _part(asked: Asked) -> dict[str, Any]:
-    """One number to be entered; ``also`` are other intervals of right answers than that around the answer."""
+    """One number to be entered; ``also`` are other intervals of right answers than that around the answer.
+
+    PrairieLearn compares the difference of two doubles with the tolerance: what stands right at the end of the interval
+    may miss it by the last bit, so the tolerance has a billionth of the answer more.
+    """
+    value, tolerance = (Decimal(repr(number)) for number in (asked.answer.value, asked.answer.tolerance))
     return {
         "name": asked.name,
         "label": f"{to_mathjax(asked.symbol)} =",
         "suffix": to_mathjax(asked.unit) if asked.unit.parts else "",
-        "tolerance": plain(Decimal(repr(asked.answer.tolerance))),
+        "tolerance": plain(tolerance + max(abs(value), tolerance).scaleb(-9)),
         "also": [list(window) for window in asked.answer.windows[1:]],
     }
 

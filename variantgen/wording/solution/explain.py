@@ -8,6 +8,7 @@ from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
+from variantgen.methods.no_way import NO_WAY
 from variantgen.methods.step import Sentence, Solution
 from variantgen.methods.task import CLOSE, Task, task_of
 from variantgen.methods.wish import Wish
@@ -43,8 +44,11 @@ def explain(
     task = task_of(variant, motion, index, asked)
     try:
         found = solution(task, wish.methods)
-    except LookupError as error:
-        raise UnexplainedError(f"no method leads to what is asked of {variant.family.name}: {error}") from error
+    except NO_WAY as error:
+        what = ", ".join(quantity.name for quantity in asked)
+        raise UnexplainedError(
+            f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
+        ) from error
     return written(task, found, language, wish.depth == "short")
 
 
@@ -113,7 +117,7 @@ def _answer(
     for position, (quantity, value) in enumerate(values):
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
-        number = language.rounded(value, digits) if digits else language.rounded(recorded(value))
+        number = language.rounded(value, digits) if digits else language.answer(quantity, recorded(quantity, value))
         exact = None if digits else surd(value)
         parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")

@@ -95,7 +95,8 @@ class Formulas:
             case Value():
                 return self._value(item) if numbers else self.symbol(item)
             case Constant(value, measure):
-                return Measured(self.number(value), self.language.unit(unit("deg"))) if measure else self.number(value)
+                degrees = measure == "angle"
+                return Measured(self.number(value), self.language.unit(unit("deg"))) if degrees else self.number(value)
             case Pi():
                 return Symbol("pi")
             case Total(terms):

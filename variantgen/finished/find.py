@@ -1,0 +1,77 @@
+"""Which student of a finished exam is meant: by what stands on the sheet, or by what one knows of the student."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.exam.order import base, in_order
+from variantgen.exam.record import Record, RecordedSheet
+
+_QR = "variantgen:1:"
+_LISTED = 20
+
+
+def find(record: Record, text: str) -> int:
+    """The place of the student meant: by the id, the code of the sheet, the text of its QR code, the name or a part.
+
+    Raises InputError if there is none, with names and ids that are close, or if there are several, with a list.
+    """
+    wanted = " ".join(text.split())
+    if wanted.casefold().startswith(_QR):
+        wanted = _code_of(record, wanted)
+    ways: Sequence[Callable[[RecordedSheet], bool]] = (
+        lambda sheet: sheet.student.id == wanted,
+        lambda sheet: _is_code(sheet.code, wanted),
+        lambda sheet: _words(sheet.student.name) == _words(wanted) != [],
+        lambda sheet: _has_words(sheet.student.name, wanted),
+    )
+    for way in ways:
+        found = [place for place, sheet in enumerate(record.sheets) if way(sheet)]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise _several(record, [record.sheets[place] for place in found], text)
+    ids, names = ([s.student.id for s in record.sheets], [s.student.name for s in record.sheets if s.student.name])
+    close = nearest(wanted, {*ids, *names, *(sheet.code for sheet in record.sheets)})
+    if not close.startswith("did you mean"):
+        close = "give the code of the sheet, the text of its QR code, the name or a part of it, or the id"
+    raise InputError(Problem("the exam has no such student", key="--student", value=text, remedy=close))
+
+
+def _code_of(record: Record, text: str) -> str:
+    """The code in the text of a QR code. Raises InputError if the sheet is of another build."""
+    exam, _, code = text[len(_QR) :].partition(":")
+    if record.exam_id and exam.casefold() != record.exam_id.casefold():
+        remedy = f"this folder is the exam {record.exam_id.upper()}: look for the folder of the other one"
+        raise InputError(Problem("the sheet is of another exam", key="--student", value=text, remedy=remedy))
+    return code
+
+
+def _is_code(code: str, text: str) -> bool:
+    """Whether a text is a code, in large or small letters, with or without dashes."""
+    return bool(text) and code.casefold().replace("-", "") == text.casefold().replace("-", "").replace(" ", "")
+
+
+def _words(text: str) -> list[str]:
+    return base(text).split()
+
+
+def _has_words(name: str, text: str) -> bool:
+    """Whether every word of a text begins a word of the name, or the text is somewhere in it."""
+    words, wanted = _words(name), _words(text)
+    begun = all(any(word.startswith(part) for word in words) for part in wanted)
+    return bool(wanted) and (begun or " ".join(wanted) in " ".join(words))
+
+
+def _several(record: Record, found: Sequence[RecordedSheet], text: str) -> InputError:
+    """The list to choose from."""
+    own = {sheet.student.id: sheet for sheet in found}
+    lines = []
+    for student in in_order([sheet.student for sheet in found])[:_LISTED]:
+        who = ", ".join(filter(None, (student.name, student.group)))
+        lines.append(f"{own[student.id].code}  {who}" + (f"  (id {student.id})" if student.id != who else ""))
+    if len(found) > _LISTED:
+        lines.append(f"... and {len(found) - _LISTED} more")
+    remedy = "give the code of one of them:\n      " + "\n      ".join(lines)
+    return InputError(Problem(f"{len(found)} students may be meant", key="--student", value=text, remedy=remedy))

@@ -1,0 +1,75 @@
+"""A batch of attempts at a form, what judges it, and the count of what was rejected."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.rows import Frame
+from variantgen.variants.screening import Values
+from variantgen.variants.variant import Variant
+
+Flags: TypeAlias = Mapping[str, NDArray[np.bool_]]  # by screen, shape (N,)
+
+
+class Judging(Protocol):
+    """More screens for a batch of attempts at one form, the cheap ones apart from the dear ones."""
+
+    def screens(self) -> Flags:
+        """Of all attempts."""
+        ...
+
+    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> Flags:
+        """Of some of them: the variants at these places of the batch."""
+        ...
+
+
+# Judging of attempts at a form: SI values of their parameters, how they lie on paper, what is asked, their motion.
+Judge: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Judging]
+
+
+@dataclass
+class Tally:
+    """How many attempts were made, and how many each screen was the first to reject."""
+
+    attempts: int = 0
+    rejected: Counter[str] = field(default_factory=Counter)
+
+    def report(self) -> str:
+        """The screens that rejected most, in words."""
+        parts = [f"{name}: {count}" for name, count in self.rejected.most_common(4) if count]
+        return f"of {self.attempts} draws rejected by " + "; ".join(parts)
+
+
+@dataclass(frozen=True)
+class Attempts:
+    """A batch of attempts: grid indices per parameter, pose, which student each belongs to; its motion if solved."""
+
+    index: dict[str, NDArray[np.int64]]
+    pose: NDArray[np.int64]
+    owner: NDArray[np.int64]
+    number: NDArray[np.int64]
+    motion: Motion | None = None
+
+    def take(self, chosen: NDArray[np.int64]) -> Attempts:
+        """Those at the given places."""
+        return Attempts(
+            {name: i[chosen] for name, i in self.index.items()},
+            self.pose[chosen],
+            self.owner[chosen],
+            self.number[chosen],
+            self.motion.take(chosen) if self.motion is not None else None,
+        )
+
+
+def starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where the attempts of each owner begin; attempts are in the order of their owners."""
+    return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))
