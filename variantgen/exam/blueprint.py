@@ -53,8 +53,8 @@ class Exam:
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets. ``notices`` stand at the
-    head of every sheet.
+    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
+    ``notices`` stand at the head of each.
     """
 
     title: str

@@ -39,6 +39,7 @@ FILES = tuple(
     for more in ("", "/*")
     for ending in ("tex", "pdf")
 )
+TARGETS = "sheets|key|solutions"
 _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
 
