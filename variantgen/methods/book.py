@@ -58,9 +58,10 @@ class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
     A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
-    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is worked out with this
-    book: 1 velocities, 2 accelerations; :meth:`at` gives the same book for another one. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
-    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is worked out with
+    this book: 1 velocities, 2 accelerations; :meth:`at` gives the same book for another one. ``centres`` are the
+    velocity (P) and acceleration (Q) centres found so far, by letter and body; ``carry`` is how a further point of a
+    body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
