@@ -78,7 +78,7 @@ def build(
         formats()[name].check(exam, students)
     with terminable(), typesetter() as engine:
         carried = Carried.of(exam, exam.seed if seed is None else seed)
-        with writing(out), unfinished(out, _plan(carried, students), resume) as parts:
+        with writing(out), unfinished(out, _plan(carried, students), resume, (RECORDS, *exam.formats)) as parts:
             with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
                 try:
                     draw_all(exam, students, carried, parts, workers, progress)

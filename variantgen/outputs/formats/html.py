@@ -28,6 +28,7 @@ FILES = (
     "html/sheets/*.html",
     "html/solutions/*.html",
 )
+TARGETS = "sheets|key|solutions|rows-.*"
 JOINED, STUDENTS = "joined", "students"
 _FEW = 3  # students whose page needs no contents
 

@@ -24,6 +24,7 @@ from variantgen.tables import Table, shown
 
 HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
 FILES = tuple(f"latex/{name}.{ending}" for name in ("sheets", "key", "solutions") for ending in ("tex", "pdf"))
+TARGETS = "sheets|key|solutions"
 _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
 

@@ -21,6 +21,7 @@ __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
 FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "solutions/*.pdf")
+TARGETS = "sheets|key|solutions"
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:
