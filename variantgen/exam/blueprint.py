@@ -13,6 +13,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.asked import check_forms, read_asked
 from variantgen.exam.notices import Notices, read_notices
+from variantgen.exam.order import NAME, SORTS
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
 from variantgen.families.asking import Ask, check_ask
@@ -53,7 +54,8 @@ class Exam:
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``notices`` stand at the head of every sheet.
+    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
+    ``notices`` stand at the head of each.
     """
 
     title: str
@@ -71,6 +73,7 @@ class Exam:
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
     qr: bool = True
+    sort: str = NAME
     notices: Notices = Notices()
 
     def build_id(self, seed: str) -> str:
@@ -147,6 +150,7 @@ def parse_exam(
         solutions=read_solutions(top.table("solutions"), language),
         notation=_notation(top.table("notation")),
         formats=formats,
+        sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
         tasks=_tasks(top, folders, tolerance),

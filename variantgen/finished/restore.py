@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
 from functools import cached_property
@@ -36,7 +36,7 @@ class Finished:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
         return [[variant for variant in own if variant is not None] for own in found]
 
-    def sheets(self, places: range) -> tuple[Sheet, ...]:
+    def sheets(self, places: Sequence[int]) -> tuple[Sheet, ...]:
         """The sheets of some students, by their places, with answers computed anew."""
         chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
         tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
