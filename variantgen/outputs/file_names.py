@@ -20,9 +20,14 @@ def file_stem(sheet: Sheet, naming: str) -> str:
     end: so names differ, and none is one that Windows keeps for its devices.
     """
     text = {"code": "", "id": sheet.student.id, "name": sheet.student.name}[naming]
-    kept = "".join(letter if _is_plain(letter) else "-" for letter in unicodedata.normalize("NFC", text))
-    short = re.sub("-+", "-", kept).strip("-_").encode()[:_LONGEST].decode(errors="ignore").rstrip("-_")
+    short = plain_part(text)
     return f"{short}-{sheet.code}" if short else sheet.code
+
+
+def plain_part(text: str) -> str:
+    """A text as part of a name of a file: letters and digits, with dashes between; perhaps nothing."""
+    kept = "".join(letter if _is_plain(letter) else "-" for letter in unicodedata.normalize("NFC", text))
+    return re.sub("-+", "-", kept).strip("-_").encode()[:_LONGEST].decode(errors="ignore").rstrip("-_")
 
 
 def _is_plain(letter: str) -> bool:
