@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from contextlib import suppress
-from itertools import count
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
@@ -20,7 +19,7 @@ from variantgen.figure.build import statement_figure
 from variantgen.mechanism.outcome import Outcome
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.figures.svg import render
-from variantgen.outputs.file_names import plain_part
+from variantgen.outputs.file_names import file_names
 from variantgen.single import one_variant
 from variantgen.tables import read_limited
 from variantgen.variants.variant import Variant, solve_variants
@@ -39,10 +38,13 @@ class FigureFolder:
     def __init__(self, folder: Path, names: Sequence[str], folders: tuple[Path, ...]) -> None:
         self.count = 0
         self._folder, self._folders = folder, folders
-        self._paths: dict[tuple[str, str], Path] = {}
+        forms: list[tuple[str, str, str]] = []
         for name in dict.fromkeys(names):
             with suppress(InputError):  # the check itself tells what is wrong with it
-                self._plan(name, load_family(name, folders))
+                family = load_family(name, folders)
+                forms += [(name, form, "-".join(filter(None, (family.name, form)))) for form in family.forms]
+        stems = file_names([stem for _, _, stem in forms])
+        self._paths = {(name, form): folder / f"{stem}.svg" for (name, form, _), stem in zip(forms, stems, strict=True)}
         _check_folder(folder)
         foreign = [path for path in self._paths.values() if not _is_free(path)]
         if foreign:
@@ -64,18 +66,6 @@ class FigureFolder:
             write_whole(self._paths[name, form.name], content, "--figures")
             self.count += 1
         return remarks
-
-    def _plan(self, name: str, family: Family) -> None:
-        """Files for the forms of a family; families of the same name get numbers."""
-        for form in family.forms:
-            stem = "-".join(filter(None, map(plain_part, (family.name, form)))) or "figure"
-            taken = {path.stem.casefold() for path in self._paths.values()}
-            number = next(i for i in count(1) if _numbered(stem, i).casefold() not in taken)
-            self._paths[name, form] = self._folder / f"{_numbered(stem, number)}.svg"
-
-
-def _numbered(stem: str, number: int) -> str:
-    return stem if number == 1 else f"{stem}-{number}"
 
 
 def _one_or_middle(name: str, family: Family, form: Form, folders: tuple[Path, ...]) -> Variant:
