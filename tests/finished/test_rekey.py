@@ -15,6 +15,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
+from variantgen.exam.blueprint import Exam
 from variantgen.exam.tolerance import Tolerance
 from variantgen.finished import rekey as module
 from variantgen.finished.rekey import marking
@@ -207,9 +208,61 @@ def test_other_answers_are_no_ground_for_a_key(out: Path, capsys: pytest.Capture
 
 
 def test_the_ceiling_of_the_build_is_kept_where_it_can_be() -> None:
-    old = Tolerance(0.01, 0.02, False)
-    assert marking(old, 0.015, None) == Tolerance(0.015, 0.02, False)
-    assert marking(old, 0.05, None) == Tolerance(0.05, None, False)
-    assert marking(old, None, 0.1) == Tolerance(0.01, 0.1, False)
+    old = Exam("T", "", "en", (), tolerance=Tolerance(0.01, 0.02, False))
+    assert marking(old, {None: 0.015}).tolerance == Tolerance(0.015, 0.02, False)
+    assert marking(old, {None: 0.05}).tolerance == Tolerance(0.05, None, False)
+    assert marking(old, {}, 0.1).tolerance == Tolerance(0.01, 0.1, False)
     with pytest.raises(InputError):
-        marking(old, None, None)
+        marking(old, {})
+
+
+def test_a_problem_can_have_its_own(out: Path, built: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rekey", str(out), "--tolerance", "2=0.07"]) == 0
+    own = {
+        p["problem"]: {a["relative_tolerance"] for a in p["answers"]} for p in manifest(out)["students"][0]["problems"]
+    }
+    assert own[2] == {0.07}
+    assert 0.07 not in own[1]
+    # It stays when the others get another one, and is what  remake  and  verify  know.
+    assert main(["rekey", str(out), "--tolerance", "0.05"]) == 0
+    assert manifest(out)["students"][0]["problems"][1]["answers"][0]["relative_tolerance"] == 0.07
+    assert manifest(out)["exam"]["problem_tolerances"] == {"2": 0.07}
+    assert main(["verify", str(out)]) == 0
+    capsys.readouterr()
+    for wrong, said in (("5=0.02", "no such problem"), ("2=x", "expected a number"), ("a=0.02", "expected a number")):
+        assert main(["rekey", str(out), "--tolerance", wrong]) == 2
+        assert said in capsys.readouterr().err
+
+
+def test_files_of_groups(tmp_path: Path) -> None:
+    text = """title = "T"
+language = "ru"
+formats = ["pdf", "html", "latex", "xlsx"]
+tolerance = {tolerance}
+pdf = {{ files = "groups" }}
+html = {{ files = "groups" }}
+latex = {{ files = "groups", compile = false }}
+xlsx = {{ files = "groups" }}
+solutions = {{ depth = "none" }}
+[[problem]]
+family = "spool"
+"""
+    roster = tmp_path / "class.csv"
+    roster.write_text("id;name;group\n" + "\n".join(f"{i};N{i};M-{i % 2}" for i in range(6)), "utf-8")
+    for name, tolerance in (("one", "0.02"), ("other", "0.06")):
+        exam = tmp_path / f"{name}.toml"
+        exam.write_text(text.format(tolerance=tolerance), "utf-8")
+        assert main(["build", str(exam), "--roster", str(roster), "--out", str(tmp_path / name), "--seed", "5"]) == 0
+    one, other = tmp_path / "one", tmp_path / "other"
+    sheets = {name: held for name, held in content(one).items() if "sheets" in name}
+    assert main(["rekey", str(one), "--tolerance", "0.06"]) == 0
+    now, wanted = content(one), content(other)
+    assert now.keys() == wanted.keys()
+    assert {name: now[name] for name in sheets} == sheets
+    keys = [name for name in now if "key" in name or "grading" in name]
+    assert len(keys) >= 9
+    for name in keys:
+        if name.endswith(".pdf"):
+            assert page_texts(one / name) == page_texts(other / name), name
+        elif not name.endswith(".xlsx"):
+            assert now[name] == wanted[name], name

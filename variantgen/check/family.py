@@ -15,6 +15,11 @@ from variantgen.mechanism.outcome import Outcome
 from variantgen.single import one_variant
 from variantgen.variants.variant import solve_variants
 
+_NO_CASES = (
+    "no worked cases: nothing from outside confirms the answers of this family;"
+    " write a result known from a book or from your own calculation to cases.toml"
+)
+
 
 def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] = ()) -> Report:
     """Run all checks on a family; raises InputError if its files cannot be read, anything else is in the report.
@@ -32,24 +37,26 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
     else:
         outcome = Outcome(int(solve_variants([one_variant(name_or_path, folders=folders)], 1).outcome[0]))
         if outcome is not Outcome.SOLVED:
-            report.failures.append(outcome.text)
+            report.fail(outcome.text)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 
 
 def _check_cases(family: Family, report: Report) -> None:
-    for case in load_cases(family):
+    cases = load_cases(family)
+    if not cases and family.folder is not None:
+        report.remarks.append(_NO_CASES)
+    for case in cases:
         if not case.exact:
-            report.failures.append(f"case {case.id}: exact results are missing, so it proves nothing")
+            report.fail("exact results are missing, so it proves nothing", f"case {case.id}")
         outcome = Outcome(int(case.motion().outcome[0]))
         if outcome is not Outcome.SOLVED:
-            report.failures.append(f"case {case.id} ({case.source}): {outcome.text}")
+            report.fail(outcome.text, f"case {case.id} ({case.source})")
             continue
         wrong = {name: d for name, d in case.deviations(family.length_unit).items() if not d <= AGREES}
         report.cases.append(case.id)
         if wrong:
             found = case.computed(family.length_unit)
             for name in wrong:
-                report.failures.append(
-                    f"case {case.id} ({case.source}): {name} is {found[name]:.9g}, expected {case.exact[name]:.9g}"
-                )
+                message = f"{name} is {found[name]:.9g}, expected {case.exact[name]:.9g}"
+                report.fail(message, f"case {case.id} ({case.source})")

@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
+from variantgen.exam.blueprint import Exam, with_floors
 from variantgen.exam.content import Content
 from variantgen.exam.record import NAME
 from variantgen.exam.sheets import Sheet
-from variantgen.exam.tolerance import LARGEST, Tolerance
+from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
 from variantgen.outputs.edited import EDITED
 from variantgen.outputs.folder import file_hashes, whole_folder
@@ -40,35 +41,47 @@ class Rekeyed:
     notes: tuple[str, ...]
 
 
-def marking(old: Tolerance, floor: float | None, ceiling: float | None) -> Tolerance:
-    """The tolerances with another floor or ceiling. Raises InputError for numbers that cannot be."""
-    if floor is None and ceiling is None:
-        remedy = "for example  --tolerance 0.02"
+def marking(exam: Exam, floors: Mapping[int | None, float], ceiling: float | None = None) -> Exam:
+    """The exam with other tolerances; ``floors`` by the number of a problem, None for those without one of their own.
+
+    The ceiling of the build is kept as long as it can be one. Raises InputError for numbers that cannot be.
+    """
+    if not floors and ceiling is None:
+        remedy = "for example  --tolerance 0.02, or  --tolerance 3=0.05  for problem 3 alone"
         raise InputError(Problem("expected another tolerance or ceiling", key="--tolerance", remedy=remedy))
-    low = old.floor if floor is None else floor
-    if not 0 < low <= LARGEST:
-        raise InputError(Problem(f"expected a number between 0 and {LARGEST:g}", key="--tolerance", value=f"{low:g}"))
+    numbers = [task.number for task in exam.tasks]
+    for number, floor in floors.items():
+        if not 0 < floor <= LARGEST:
+            told = f"{floor:g}"
+            raise InputError(Problem(f"expected a number between 0 and {LARGEST:g}", key="--tolerance", value=told))
+        if number is not None and number not in numbers:
+            remedy = f"the problems are {', '.join(map(str, numbers))}"
+            raise InputError(
+                Problem("the exam has no such problem", key="--tolerance", value=str(number), remedy=remedy)
+            )
+    found = with_floors(exam, floors)
     if ceiling is None:
-        # The ceiling of the build is kept as long as it can be one.
-        return replace(old, floor=low, ceiling=old.ceiling if old.ceiling and old.ceiling >= low else None)
+        return found
+    low = found.tolerance.floor
     if not low <= ceiling <= LARGEST:
         expected = f"expected a number between the tolerance, {low:g}, and {LARGEST:g}"
         raise InputError(Problem(expected, key="--ceiling", value=f"{ceiling:g}"))
-    return replace(old, floor=low, ceiling=ceiling)
+    return replace(found, tolerance=replace(found.tolerance, ceiling=ceiling))
 
 
-def rekey(finished: Finished, folder: Path, tolerance: Tolerance, engine: Typesetter) -> Rekeyed:
-    """Give the finished exam in a folder another tolerance.
+def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> Rekeyed:
+    """Give the finished exam in a folder other tolerances, those of ``exam`` (see :func:`marking`).
 
     Raises InputError if an answer would need more than a new ceiling, or if this program computes other answers than
     the manifest has; then nothing is written.
     """
-    before, exam = finished.record, replace(finished.exam, tolerance=tolerance)
+    before = finished.record
     again = Finished(before, exam, finished.differences)
     sheets = [sheet for places in _places(len(before.sheets)) for sheet in again.sheets(places, marked=True)]
     changed = _compare(finished, sheets)
-    if tolerance.ceiling is not None and tolerance.ceiling != finished.exam.tolerance.ceiling:
-        _check_ceiling(sheets, tolerance.ceiling)
+    ceiling = exam.tolerance.ceiling
+    if ceiling is not None and ceiling != finished.exam.tolerance.ceiling:
+        _check_ceiling(sheets, ceiling)
     notes: list[str] = []
     renewed: set[str] = set()
     with whole_folder(folder, True, _EVERYTHING, notes, renewed) as work:
@@ -190,6 +203,8 @@ class _Making:
         self._exam, self._seed = finished.exam, finished.record.seed
         self._sheets, self._engine, self._folder, self._notes = sheets, engine, folder, notes
         self._parts, self._count = parts, 0
+        places = reversed(list(enumerate(sheets)))
+        self._begun = {sheet.student.group: place for place, sheet in places}  # the first student of each group
 
     def format(self, name: str) -> None:
         """Those files of a format that show tolerances."""
@@ -210,7 +225,9 @@ class _Making:
         """So many parts of a build together."""
         step = parts * STUDENTS_PER_PART
         for start in range(0, len(self._sheets), step):
-            yield Part(Content(self._exam, self._sheets[start : start + step]), self._seed, start == 0, self._engine)
+            content = Content(self._exam, self._sheets[start : start + step])
+            beginning = frozenset(group for group, place in self._begun.items() if start <= place < start + step)
+            yield Part(content, self._seed, start == 0, self._engine, beginning)
 
     def _collect(self, found: dict[str, list[Path]], made: Iterable[Piece]) -> None:
         for piece in made:

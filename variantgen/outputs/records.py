@@ -118,6 +118,9 @@ def manifest_frame(
             "tolerance": exam.tolerance.floor,
             "tolerance_ceiling": exam.tolerance.ceiling,
             "mistakes_screened": exam.tolerance.mistakes,
+            "problem_tolerances": {
+                str(task.number): task.tolerance.floor for task in exam.tasks if task.tolerance is not None
+            },
         },
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
         "notation": asdict(exam.notation),

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from variantgen.cli.messages import counted, tell
 from variantgen.cli.options import add_families
+from variantgen.errors import InputError, Problem
 
 HELP = "give a finished exam another tolerance"
 DESCRIPTION = (
@@ -22,10 +23,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--tolerance",
         "--floor",
-        dest="floor",
-        type=float,
-        metavar="NUMBER",
-        help="least relative tolerance of an answer, like 0.02; where rounding needs more, the answer has more",
+        dest="floors",
+        action="append",
+        default=[],
+        metavar="[PROBLEM=]NUMBER",
+        help="least relative tolerance, like 0.02, or 3=0.05 for problem 3 (may be repeated); where rounding needs"
+        " more, an answer has more",
     )
     parser.add_argument(
         "--ceiling",
@@ -45,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.outputs.typesetter import typesetter
 
     finished = restore(read_record(arguments.folder), family_folders(arguments.families))
-    chosen = marking(finished.exam.tolerance, arguments.floor, arguments.ceiling)
+    chosen = marking(finished.exam, dict(map(_floor, arguments.floors)), arguments.ceiling)
     with typesetter() as engine:
         made = rekey(finished, arguments.folder, chosen, engine)
     for difference in finished.differences:
@@ -56,6 +59,16 @@ def run(arguments: argparse.Namespace) -> int:
     tell(f"{made.changed} of {counted(made.answers, 'answer')} {have} another tolerance; no data, no sheets changed")
     tell(f"made again in {arguments.folder}: {_few(made.files)}")
     return 0
+
+
+def _floor(text: str) -> tuple[int | None, float]:
+    """A tolerance with the number of its problem, if it is for one. Raises InputError."""
+    number, equals, value = text.rpartition("=")
+    try:
+        return (int(number) if equals else None), float(value)
+    except ValueError:
+        remedy = "for example 0.02, or 3=0.05 for problem 3 alone"
+        raise InputError(Problem("expected a number", key="--tolerance", value=text, remedy=remedy)) from None
 
 
 def _few(files: tuple[str, ...]) -> str:
