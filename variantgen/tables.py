@@ -57,7 +57,7 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
     ):
         if found:
             message = f"{what} in line {text.count(chr(10), 0, found.start()) + 1}"
-            raise InputError(Problem(message, file=str(path), value=shown(found[0]), remedy=remedy))
+            raise InputError(Problem(message, file=str(path), value=shown(found[0].strip()), remedy=remedy))
     try:
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from variantgen.check.explained import explanation_faults
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
@@ -68,6 +69,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     ]
     check_texts(variants, motion, report)
     check_quantities(variants[0], report)
+    report.failures += [f"{where}, seed 0: {fault}" for fault in explanation_faults(variants[0], motion, 0, asked)]
     _check_nice(family, form, found, where, report)
 
 

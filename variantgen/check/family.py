@@ -6,14 +6,13 @@ import time
 from pathlib import Path
 
 from variantgen.check.draws import check_form
+from variantgen.check.explained import scene_faults
 from variantgen.check.report import Report
 from variantgen.check.texts import check_languages
 from variantgen.families.cases import AGREES, load_cases
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.mechanism.outcome import Outcome
-from variantgen.single import one_variant
-from variantgen.variants.variant import solve_variants
 
 
 def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] = ()) -> Report:
@@ -25,14 +24,12 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
     family = load_family(name_or_path, folders)
     report = Report(family.name)
     _check_cases(family, report)
-    if any(form.parameters for form in family.forms.values()):
+    if family.folder is not None or any(form.grid_size > 1 for form in family.forms.values()):
         check_languages(family, report)
         for form in family.forms.values():
             check_form(family, form, seeds, report)
     else:
-        outcome = Outcome(int(solve_variants([one_variant(name_or_path, folders=folders)], 1).outcome[0]))
-        if outcome is not Outcome.SOLVED:
-            report.failures.append(outcome.text)
+        report.failures += scene_faults(name_or_path, folders)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 
