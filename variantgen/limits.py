@@ -25,6 +25,11 @@ FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
 # An exam: problems of one sheet. A hundred pages for one student are a book.
 PROBLEMS = 100
 
+# What is unpacked of one stream of a PDF that is read back (the table of objects of half a million students), and what
+# one page may need of them with its fonts.
+PDF_STREAM_BYTES = 256_000_000
+PDF_PAGE_BYTES = 64_000_000
+
 # A class list. As a CSV a million students have some 40 MB; the worksheets of a workbook, unpacked, have 4 MB for
 # 20 000 students, its styles and other parts 20 kB (overgrown ones 1 MB); spreadsheets have no more rows than these.
 ROSTER_BYTES = 50_000_000

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,10 @@ from typing import Any
 import pikepdf
 import pytest
 
+from tests.exam.test_blueprint import at_most
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.finished import remake as module
+from variantgen.finished.comparing import is_used, looks
 
 PROBLEMS = (
     '[[problem]]\nfamily = "four_bar"\nform = "crank"\n[[problem]]\nfamilies = ["spool", "rolling_wheel"]\npoints = 5\n'
@@ -30,7 +32,7 @@ STUDENTS = [
 def built(folder: Path, head: str = "", language: str = "ru") -> Path:
     """An exam of ten students, with groups that do and do not follow each other."""
     exam, roster = folder / "exam.toml", folder / "class.csv"
-    exam.write_text(f'title = "T"\nlanguage = "{language}"\n{head}\n{PROBLEMS}', "utf-8")
+    exam.write_text(f'title = "T"\nlanguage = "{language}"\nsort = "roster"\n{head}\n{PROBLEMS}', "utf-8")
     rows = (f"s{number};{row}" for number, row in enumerate(STUDENTS))
     roster.write_text("id;name;group\n" + "\n".join(rows), "utf-8")
     assert main(["build", str(exam), "--roster", str(roster), "--out", str(folder / "out")]) == 0
@@ -181,9 +183,72 @@ def test_wrong_input(joined: Path, tmp_path: Path, capsys: pytest.CaptureFixture
 def test_looks_differ_by_a_letter(joined: Path, tmp_path: Path) -> None:
     """What the comparison goes by is not the same for any two pages."""
     with pikepdf.open(joined / "sheets.pdf") as pdf:
-        used = [module._looks(page) for page in pdf.pages if module._is_used(page)]
+        used = [looks(page) for page in pdf.pages if is_used(page)]
         assert len(set(used)) == len(used)
         page = pdf.pages[0]
         content = page.obj.Contents.read_bytes()
         page.obj.Contents = pdf.make_stream(content.replace(b"1", b"2", 1))
-        assert module._looks(page) not in used
+        assert looks(page) not in used
+
+
+def packed(megabytes: int) -> bytes:
+    """So many megabytes of blanks, packed to some thousandth."""
+    packer, block = zlib.compressobj(9), b" " * 1_000_000
+    return b"".join([*(packer.compress(block) for _ in range(megabytes)), packer.flush()])
+
+
+def with_content(pdf: pikepdf.Pdf, kind: str) -> None:
+    """Give the first page a content that is small in the file and large in memory."""
+    page, flate = pdf.pages[0].obj, pikepdf.Name.FlateDecode
+    stream = pikepdf.Stream(pdf, b"")
+    page.Contents = stream
+    if kind == "packed twice":
+        stream.write(zlib.compress(packed(2000), 9), filter=pikepdf.Array([flate, flate]))
+    elif kind == "packed once":
+        stream.write(packed(1000), filter=flate)
+    else:
+        stream.write(packed(20), filter=flate)
+        page.Contents = pikepdf.Array([pdf.make_indirect(stream)] * 1000)
+
+
+@pytest.mark.parametrize("kind", ["packed twice", "packed once", "in a thousand streams"])
+def test_a_page_that_is_large_in_memory_is_not_read(
+    kind: str, out: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pikepdf.open(out / "sheets.pdf", allow_overwriting_input=True) as pdf:
+        with_content(pdf, kind)
+        pdf.save(stream_decode_level=pikepdf.StreamDecodeLevel.none, compress_streams=False)
+    assert (out / "sheets.pdf").stat().st_size < 3_000_000
+    capsys.readouterr()
+    with at_most(20):
+        remade(out, "s0", code=1)
+    told = capsys.readouterr().err
+    assert "not the same: sheets.pdf cannot be read (" in told
+    assert "restore it from a copy" in told
+    assert len(text(remade(out, "s0", "--anyway"), tmp_path)) >= 1
+
+
+@pytest.mark.parametrize("damage", [b"", b"%PDF-1.7\n", b"\0" * 5000, "half", "no bookmarks", "no pages", "no place"])
+def test_a_damaged_file_of_the_class_is_told(
+    damage: str | bytes, out: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = out / "sheets.pdf"
+    if isinstance(damage, bytes):
+        path.write_bytes(damage)
+    elif damage == "half":
+        path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    else:
+        with pikepdf.open(path, allow_overwriting_input=True) as pdf:
+            if damage == "no bookmarks":
+                del pdf.Root["/Outlines"]
+            elif damage == "no pages":
+                del pdf.pages[:]
+            else:
+                with pdf.open_outline() as outline:
+                    outline.root[0].children[0].destination = pikepdf.Array([pikepdf.Dictionary(), pikepdf.Name.Fit])
+            pdf.save()
+    capsys.readouterr()
+    remade(out, "s0", code=1)
+    told = capsys.readouterr().err
+    assert "not the same: sheets.pdf" in told
+    assert "Traceback" not in told

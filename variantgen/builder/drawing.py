@@ -33,9 +33,9 @@ def draw_all(
     progress: Progress,
 ) -> None:
     """Draw everything that was not drawn before. Raises InputError where a problem leaves too few valid variants."""
-    if parts.is_settled:
-        return
     wishes, drawer = _Wishes(exam, students), Drawer(exam, carried.seed)
+    if parts.is_settled([(start, problem) for start, problem, _ in wishes.batches()]):
+        return
     check_room([drawer.drawing(wish) for wish in wishes])
     first, cut = _first(drawer, wishes, carried, parts, workers, progress)
 

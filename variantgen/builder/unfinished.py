@@ -4,30 +4,33 @@
         plan.json           what is being built; a build goes on only from parts of the very same plan
         drawn/0000200-3     the fourth problem of the students from 200 on, as it was drawn first
         changed/0000012-3   that of a part (12 * 8 students on) in which somebody had to draw again
-        settled.json        who had to draw again; all changed problems are there
+        settled.json        who had to draw again, and which problems of parts are changed
         made/0000012*       pieces of the outputs; whole as soon as 0000012.json, their list, is there
 
-Every file has its name only when it is whole.
+Every file has its name only when it is whole and on the disk. All but the pieces begin with a line that is a digest of
+the plan, the name of the file and the rest of it; the list of pieces has their digests. What is damaged, or of another
+plan, is as if it were not there.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-import os
-import shutil
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from variantgen.builder.claimed import CHANGED, DRAWN, FOLDERS, MADE, NEW, PIECE, PLAN, SETTLED, claimed, empty
 from variantgen.builder.jobs import STUDENTS_PER_DRAW, Made
+from variantgen.builder.sealed import DamagedError, digest, digest_of, read, write
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.outputs.formats import STUDENTS_PER_PART
+from variantgen.outputs.formats import STUDENTS_PER_PART, is_target
 
-_PLAN, _SETTLED, _LOCK = "plan.json", "settled.json", "lock"
+_NO_KEY = b""  # of the plan itself
 
 
 @dataclass(frozen=True)
@@ -45,132 +48,138 @@ def unfinished_folder(target: Path) -> Path:
 
 
 @contextmanager
-def unfinished(target: Path, plan: Mapping[str, str], resume: bool) -> Iterator[Unfinished]:
-    """The parts of a build, those of an earlier try too if it shall go on from them.
+def unfinished(target: Path, plan: Mapping[str, str], resume: bool, outputs: Collection[str]) -> Iterator[Unfinished]:
+    """The parts of a build of some outputs, those of an earlier try too if it shall go on from them.
 
     They are removed when the block ends without an error, or with one that would come again (wrong input, say), and
-    kept when it is interrupted. Raises InputError if another process is building the same output, or if there are
-    parts of another plan to go on from.
+    kept when it is interrupted. Raises InputError if another process is building the same output, if there are
+    parts of another plan to go on from, or if what is there are no parts.
     """
-    folder, parts = unfinished_folder(target), None
-    try:
-        with _lock(folder, target):
-            if resume:
-                _compare(folder, plan)
-            else:
-                _empty(folder)
-            parts = Unfinished(folder)
-            parts.begin(plan)
-            yield parts
-    except VariantgenError as error:
-        if parts and not error.may_pass:
-            shutil.rmtree(folder, ignore_errors=True)
-        raise
-    except BaseException:
-        if not any((folder / "drawn").glob("*")):
-            shutil.rmtree(folder, ignore_errors=True)
-        raise
-    shutil.rmtree(folder, ignore_errors=True)
-
-
-@contextmanager
-def _lock(folder: Path, target: Path) -> Iterator[None]:
-    """The folder for this process alone, where the system has locks that end with a process."""
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
-    with (folder / _LOCK).open("w") as file:
+    folder = unfinished_folder(target)
+    with claimed(folder, target):
+        parts = Unfinished(folder, plan, outputs)
+        if resume:
+            parts.check_plan(folder)
+        else:
+            empty(folder)
         try:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except ImportError:
-            pass
-        except OSError:
-            remedy = "wait until it is done, or choose another folder"
-            raise InputError(
-                Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy)
-            ) from None
-        yield
-
-
-def _empty(folder: Path) -> None:
-    for path in folder.iterdir():
-        if path.is_dir():
-            shutil.rmtree(path)
-        elif path.name != _LOCK:
-            path.unlink()
-
-
-def _compare(folder: Path, plan: Mapping[str, str]) -> None:
-    """Raise InputError if the folder has parts of another plan."""
-    try:
-        before = json.loads((folder / _PLAN).read_text("utf-8"))
-    except FileNotFoundError:
-        return
-    except ValueError:
-        before = {}
-    other = [name for name, value in plan.items() if before.get(name) != value]
-    if other:
-        raise InputError(
-            Problem(
-                f"the build that was interrupted had another {' and another '.join(other)}",
-                key="--resume",
-                value=str(folder),
-                remedy="give it what it had, or leave --resume out to begin anew",
-            )
-        )
+            parts.begin()
+            yield parts
+        except VariantgenError as error:
+            if not error.may_pass:
+                empty(folder)
+            raise
+        except BaseException:
+            if not any((folder / DRAWN).glob("*")):
+                empty(folder)
+            raise
+        empty(folder)
 
 
 class Unfinished:
-    """The folder of the parts."""
+    """The folder of the parts of a plan; ``outputs`` are the names of its formats, and of the records."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    def __init__(self, folder: Path, plan: Mapping[str, str], outputs: Collection[str]) -> None:
+        self.folder, self._outputs = folder, outputs
+        self._plan = dict(plan)
+        self._key = hashlib.blake2b(json.dumps(self._plan, sort_keys=True).encode(), digest_size=32).digest()
+        self._changed: set[tuple[int, int]] = set()
         self._framed = lru_cache(maxsize=8)(self._read_framed)
 
-    def begin(self, plan: Mapping[str, str]) -> None:
-        """Make what is not there yet."""
-        for name in ("drawn", "changed", "made"):
-            (self.folder / name).mkdir(exist_ok=True)
-        if not self.is_settled:
-            for path in (self.folder / "changed").iterdir():
-                path.unlink()
-        self._write(_PLAN, json.dumps(plan).encode())
+    def check_plan(self, folder: Path) -> None:
+        """Raise InputError if the parts that are there are those of another plan.
 
-    @property
-    def is_settled(self) -> bool:
-        """Whether nobody has to draw again."""
-        return (self.folder / _SETTLED).exists()
+        Where the plan is damaged, each part still tells whether it is of this one.
+        """
+        try:
+            before = _checked(read(self.folder, PLAN, _NO_KEY), lambda found: True, PLAN)
+        except DamagedError:
+            return
+        other = [name for name, value in self._plan.items() if before.get(name) != value]
+        if other:
+            raise InputError(
+                Problem(
+                    f"the build that was interrupted had another {' and another '.join(other)}",
+                    key="--resume",
+                    value=str(folder),
+                    remedy="give it what it had, or leave --resume out to begin anew",
+                )
+            )
+
+    def begin(self) -> None:
+        """Make what is not there yet."""
+        write(self.folder, PLAN, json.dumps(self._plan).encode(), _NO_KEY)
+        for name in FOLDERS:
+            (self.folder / name).mkdir(exist_ok=True)
+            for path in (self.folder / name).glob(f"*{NEW}"):
+                path.unlink()
+
+    def is_settled(self, drawn: Collection[tuple[int, int]]) -> bool:
+        """Whether nobody has to draw again, and all that was drawn is there: problems of the students from a start on.
+
+        If not, what was changed is forgotten: it follows from the first draws.
+        """
+        try:
+            self._changed = {(part, problem) for part, problem in self._settled()["changed"]}
+            for part, problem in self._changed:
+                self.problem(part, problem)
+        except DamagedError:
+            whole = False
+        else:
+            whole = all(self.has_drawn(start, problem) for start, problem in drawn)
+        if not whole:
+            self._changed.clear()
+            (self.folder / SETTLED).unlink(missing_ok=True)
+            for path in (self.folder / CHANGED).iterdir():
+                path.unlink()
+        return whole
 
     def settle(self, redrawn: Sequence[str], alike: Mapping[str, int], cut: int) -> None:
         """Note who had to draw again, how many sheets have data like others, and how many problems the exam's ceiling
         of tolerances has changed; all changed parts are there.
         """
-        self._write(_SETTLED, json.dumps({"redrawn": list(redrawn), "alike": dict(alike), "cut": cut}).encode())
+        told = {"redrawn": list(redrawn), "alike": dict(alike), "cut": cut, "changed": sorted(self._changed)}
+        write(self.folder, SETTLED, json.dumps(told).encode(), self._key)
 
     def settled(self) -> tuple[tuple[str, ...], dict[str, int], int]:
         """What was noted."""
-        found = json.loads((self.folder / _SETTLED).read_text("utf-8"))
+        found = self._settled()
         return tuple(found["redrawn"]), found["alike"], found["cut"]
+
+    def _settled(self) -> dict[str, Any]:
+        return _checked(
+            read(self.folder, SETTLED, self._key),
+            lambda found: (
+                all(isinstance(one, str) for one in found["redrawn"])
+                and all(isinstance(number, int) for number in (*found["alike"].values(), found["cut"]))
+                and all(isinstance(number, int) for place in found["changed"] for number in place)
+            ),
+            SETTLED,
+        )
 
     def has_drawn(self, start: int, problem: int) -> bool:
         """Whether a problem was drawn for the students from ``start`` on."""
-        return (self.folder / _drawn(start, problem)).exists()
+        try:
+            self._framed(start, problem)
+        except DamagedError:
+            return False
+        return True
 
     def put_drawn(self, start: int, problem: int, parts: Sequence[bytes]) -> None:
         """Keep a problem as it was drawn first, by parts of the students."""
-        self._write(_drawn(start, problem), b"".join(len(part).to_bytes(4, "big") + part for part in parts))
+        framed = b"".join(len(part).to_bytes(4, "big") + part for part in parts)
+        write(self.folder, _drawn(start, problem), framed, self._key)
 
     def put_changed(self, part: int, problem: int, content: bytes) -> None:
         """Keep a problem of a part in which somebody drew again."""
-        self._write(_changed(part, problem), content)
+        write(self.folder, _changed(part, problem), content, self._key)
+        self._changed.add((part, problem))
 
     def problem(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it is now."""
-        changed = self.folder / _changed(part, problem)
-        return changed.read_bytes() if changed.exists() else self.first(part, problem)
+        if (part, problem) in self._changed:
+            return read(self.folder, _changed(part, problem), self._key)
+        return self.first(part, problem)
 
     def first(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it was drawn first."""
@@ -179,7 +188,7 @@ class Unfinished:
 
     def _read_framed(self, start: int, problem: int) -> list[bytes]:
         """A problem of the students from ``start`` on by parts."""
-        content = (self.folder / _drawn(start, problem)).read_bytes()
+        content = read(self.folder, _drawn(start, problem), self._key)
         parts, place = [], 0
         while place < len(content):
             end = place + 4 + int.from_bytes(content[place : place + 4], "big")
@@ -191,8 +200,8 @@ class Unfinished:
         """Whether the pieces of a part are there, as they were written."""
         try:
             files = {name: digest for *_, name, digest in self._listed(number)["pieces"]}
-            return all(_digest((self.folder / "made" / name).read_bytes()) == files[name] for name in files)
-        except (OSError, ValueError, KeyError, TypeError):
+            return all(digest_of(self.folder / MADE / name) == digest for name, digest in files.items())
+        except (OSError, DamagedError):
             return False
 
     def put_made(self, number: int, made: Made) -> None:
@@ -200,34 +209,48 @@ class Unfinished:
         listed = []
         for k, (output, piece) in enumerate(made.pieces):
             name = f"{number:07}-{k:03}{piece.ending}"
-            self._write(f"made/{name}", piece.content)
-            listed.append([output, piece.target, name, _digest(piece.content)])
+            write(self.folder, f"{MADE}/{name}", piece.content)
+            listed.append([output, piece.target, name, digest(piece.content)])
         told = {"pieces": listed, "unexplained": made.unexplained}
-        self._write(f"made/{number:07}.json", json.dumps(told).encode())
+        write(self.folder, f"{MADE}/{number:07}.json", json.dumps(told).encode(), self._key)
 
     def made(self, number: int) -> MadePart:
         """The pieces of a part."""
         listed = self._listed(number)
-        pieces = tuple((output, target, self.folder / "made" / name) for output, target, name, _ in listed["pieces"])
+        pieces = tuple((output, target, self.folder / MADE / name) for output, target, name, _ in listed["pieces"])
         return MadePart(pieces, tuple(listed["unexplained"]))
 
-    def _listed(self, number: int) -> Any:
-        return json.loads((self.folder / f"made/{number:07}.json").read_text("utf-8"))
+    def _listed(self, number: int) -> dict[str, Any]:
+        """The list of the pieces of a part: with names as they are made here, and targets of the formats alone."""
+        name = f"{MADE}/{number:07}.json"
+        own = re.compile(rf"(?={number:07}-){PIECE}")
+        return _checked(
+            read(self.folder, name, self._key),
+            lambda found: (
+                all(
+                    own.fullmatch(file) and output in self._outputs and is_target(output, target)
+                    for output, target, file, _ in found["pieces"]
+                )
+                and all(isinstance(family, str) for family in found["unexplained"])
+            ),
+            name,
+        )
 
-    def _write(self, name: str, content: bytes) -> None:
-        path = self.folder / name
-        new = path.with_name(f"{path.name}.new")
-        new.write_bytes(content)
-        os.replace(new, path)  # noqa: PTH105  (Path.replace does the same and is slower)
 
-
-def _digest(content: bytes) -> str:
-    return hashlib.blake2b(content, digest_size=16).hexdigest()
+def _checked(content: bytes, is_right: Callable[[dict[str, Any]], bool], name: str) -> dict[str, Any]:
+    """What was read, if it is a table as it is written there. Raises DamagedError."""
+    try:
+        found = json.loads(content)
+        if isinstance(found, dict) and is_right(found):
+            return found
+    except (LookupError, TypeError, ValueError, AttributeError, RecursionError):
+        pass
+    raise DamagedError(f"a part of the build is none of its own ({name}); --resume makes it again")
 
 
 def _drawn(start: int, problem: int) -> str:
-    return f"drawn/{start:07}-{problem}"
+    return f"{DRAWN}/{start:07}-{problem}"
 
 
 def _changed(part: int, problem: int) -> str:
-    return f"changed/{part:07}-{problem}"
+    return f"{CHANGED}/{part:07}-{problem}"

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from variantgen.check.explained import explanation_faults
+from variantgen.check.explained import check_explained
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
@@ -44,7 +44,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     try:
         variants = _drawn(family, form, seeds, tally, Margins())
     except VariantgenError as error:
-        report.failures.append(f"{where}: {error}")
+        report.fail(str(error), where)
         return
     found.seconds_per_1000 = round((time.perf_counter() - start) / seeds * 1000, 3)
     found.variants, found.distinct = seeds, len({variant.identity for variant in variants})
@@ -55,21 +55,17 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     count = variety(family, form, asked, seeds, attempts)
     found.grid, found.valid, found.valid_exact = count.grid, count.valid, count.exact
     if found.own_acceptance < _LEAST_ACCEPTANCE:
-        report.failures.append(
-            f"{where}: only {100 * found.own_acceptance:.1f} % of the draws are valid ({tally.report()});"
-            " narrow the ranges to what assembles"
-        )
+        message = f"only {100 * found.own_acceptance:.1f} % of the draws are valid ({tally.report()})"
+        report.fail(f"{message}; narrow the ranges to what assembles", where, "few draws are valid")
     motion = solve_variants(variants, 2)
     _check_agreement(motion, found, where, report)
     found.spread = _spread(asked, motion, family.length_unit)
-    report.failures += [
-        f"{where}: {item.quantity} is the same for {100 * item.commonest:.0f} % of the variants"
-        for item in found.spread
-        if item.commonest > _COMMONEST and not item.quantity.endswith(".sense")
-    ]
+    for item in found.spread:
+        if item.commonest > _COMMONEST and not item.quantity.endswith(".sense"):
+            report.fail(f"{item.quantity} is the same for {100 * item.commonest:.0f} % of the variants", where)
     check_texts(variants, motion, report)
     check_quantities(variants[0], report)
-    report.failures += [f"{where}, seed 0: {fault}" for fault in explanation_faults(variants[0], motion, 0, asked)]
+    check_explained(variants[0], motion, asked, report, where)
     _check_nice(family, form, found, where, report)
 
 
@@ -84,7 +80,7 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
         variants = draw(narrowed, None, keys, judge=Margins())
     except InputError as error:
         if form.nice != Nice():
-            report.failures.append(f"{where}, hand-friendly variants: {error}")
+            report.fail(str(error), f"{where}, hand-friendly variants")
         return
     found.nice_attempts = sum(variant.attempt for variant in variants) / len(variants)
     found.nice = max(1, round(narrowed.forms[form.name].grid_size / found.nice_attempts))
@@ -108,7 +104,7 @@ def _check_agreement(motion: Motion, found: FormReport, where: str, report: Repo
         else:
             found.invariant = worst
         if not worst <= VERIFIED:  # also when it is not a number
-            report.failures.append(f"{where}, seed {int(np.argmax(errors))}: {name} by {worst:.1e}")
+            report.fail(f"{name} by {worst:.1e}", f"{where}, seed {int(np.argmax(errors))}", name)
 
 
 def _spread(asked: Sequence[Quantity], motion: Motion, length_unit: str) -> list[Spread]:

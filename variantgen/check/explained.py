@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
+from variantgen.check.report import Report
 from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
@@ -16,30 +17,32 @@ from variantgen.wording.language import languages, load_language
 from variantgen.wording.solution.explain import UnexplainedError, explain
 
 
-def scene_faults(name_or_path: str, folders: tuple[Path, ...] = ()) -> Iterator[str]:
-    """What is wrong with a scene in which nothing varies. Raises InputError for a scene that cannot be read."""
+def check_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
+    """Look at a scene in which nothing varies. Raises InputError for one that cannot be read or contradicts itself."""
     variant = one_variant(name_or_path, folders=folders)
     document = solution_document(variant)
     outcome = Outcome[document["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
-        yield outcome.text
+        report.fail(outcome.text)
         return
     asked = asked_quantities(variant)
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    yield from explanation_faults(variant, motion, 0, asked)
+    check_explained(variant, motion, asked, report)
     try:
         statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
     except VariantgenError as error:
-        yield f"the figure cannot be drawn: {error}"
+        report.fail(f"the figure cannot be drawn: {error}")
 
 
-def explanation_faults(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Iterator[str]:
-    """Why a variant of a solved batch has no worked solution, if it has none."""
+def check_explained(
+    variant: Variant, motion: Motion, asked: Sequence[Quantity], report: Report, where: str = ""
+) -> None:
+    """Write the solution of the first variant of a solved batch; that there is no method for it is a remark."""
     for language in languages():
         try:
-            explain(variant, motion, index, asked, load_language(language))
+            explain(variant, motion, 0, asked, load_language(language))
         except UnexplainedError as error:
-            yield str(error)
+            report.remarks.append(str(error))
             return
         except VariantgenError as error:
-            yield f"the worked solution ({language}): {error}"
+            report.fail(f"the worked solution ({language}): {error}", where)

@@ -6,13 +6,18 @@ import time
 from pathlib import Path
 
 from variantgen.check.draws import check_form
-from variantgen.check.explained import scene_faults
+from variantgen.check.explained import check_scene
 from variantgen.check.report import Report
 from variantgen.check.texts import check_languages
 from variantgen.families.cases import AGREES, load_cases
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.mechanism.outcome import Outcome
+
+_NO_CASES = (
+    "no worked cases: nothing from outside confirms the answers of this family;"
+    " write a result known from a book or from your own calculation to cases.toml"
+)
 
 
 def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] = ()) -> Report:
@@ -29,24 +34,26 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
         for form in family.forms.values():
             check_form(family, form, seeds, report)
     else:
-        report.failures += scene_faults(name_or_path, folders)
+        check_scene(name_or_path, folders, report)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 
 
 def _check_cases(family: Family, report: Report) -> None:
-    for case in load_cases(family):
+    cases = load_cases(family)
+    if not cases and family.folder is not None:
+        report.remarks.append(_NO_CASES)
+    for case in cases:
         if not case.exact:
-            report.failures.append(f"case {case.id}: exact results are missing, so it proves nothing")
+            report.fail("exact results are missing, so it proves nothing", f"case {case.id}")
         outcome = Outcome(int(case.motion().outcome[0]))
         if outcome is not Outcome.SOLVED:
-            report.failures.append(f"case {case.id} ({case.source}): {outcome.text}")
+            report.fail(outcome.text, f"case {case.id} ({case.source})")
             continue
         wrong = {name: d for name, d in case.deviations(family.length_unit).items() if not d <= AGREES}
         report.cases.append(case.id)
         if wrong:
             found = case.computed(family.length_unit)
             for name in wrong:
-                report.failures.append(
-                    f"case {case.id} ({case.source}): {name} is {found[name]:.9g}, expected {case.exact[name]:.9g}"
-                )
+                message = f"{name} is {found[name]:.9g}, expected {case.exact[name]:.9g}"
+                report.fail(message, f"case {case.id} ({case.source})")

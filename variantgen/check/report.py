@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
+
+_SHOWN = 3  # places of copies of a mistake that are named
 
 
 @dataclass(frozen=True)
@@ -72,26 +75,62 @@ class FormReport:
         ]
 
 
+@dataclass(frozen=True)
+class Finding:
+    """A mistake: what it is and where it was seen. Findings of one ``kind`` are copies of one mistake."""
+
+    kind: str
+    where: str
+    message: str
+
+
 @dataclass
 class Report:
-    """What the check of one family found; ``failures`` is empty when all is well."""
+    """What the check of one family found; ``failures`` is empty when all is well, ``remarks`` are no failures."""
 
     family: str
-    failures: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
     forms: list[FormReport] = field(default_factory=list)
     seconds: float = 0.0
 
+    def fail(self, message: str, where: str = "", kind: str = "") -> None:
+        """Note a mistake; copies are told apart by ``where``, and known by ``kind`` (without one by the message)."""
+        self.findings.append(Finding(kind or message, where, message))
+
+    @property
+    def failures(self) -> Sequence[str]:
+        """The mistakes, each once: the first copy of it, and where the others were seen."""
+        groups: dict[str, list[Finding]] = {}
+        for finding in self.findings:
+            groups.setdefault(finding.kind, []).append(finding)
+        return [_grouped(copies) for copies in groups.values()]
+
     def as_json(self) -> dict[str, Any]:
         """The report as plain data."""
-        return {"ok": not self.failures, **asdict(self)}
+        content = asdict(self)
+        del content["findings"]
+        return {"ok": not self.findings, "failures": self.failures, **content}
 
     def as_text(self) -> str:
         """The report in a few lines."""
-        lines = [f"{self.family}: {'FAILED' if self.failures else 'ok'}  ({self.seconds:.2f} s)"]
+        lines = [f"{self.family}: {'FAILED' if self.findings else 'ok'}  ({self.seconds:.2f} s)"]
         if self.cases:
             lines.append(f"    worked cases: {', '.join(self.cases)}")
         for form in self.forms:
             lines += form.as_text()
         lines += [f"    ! {failure}" for failure in self.failures]
+        lines += [f"    ({remark})" for remark in self.remarks]
         return "\n".join(lines)
+
+
+def _grouped(copies: Sequence[Finding]) -> str:
+    """One mistake with the place of its first copy, the number of others, and some of their places."""
+    first = copies[0]
+    text = f"{first.where}: {first.message}" if first.where else first.message
+    others = [place for place in dict.fromkeys(finding.where for finding in copies[1:]) if place != first.where]
+    if not others:
+        return text
+    shown = "; ".join(others[:_SHOWN]) + ("; ..." if len(others) > _SHOWN else "")
+    return f"{text}\n      and {len(others)} more forms/variants: {shown}"

@@ -18,7 +18,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.variants.attempts import MAX_ATTEMPTS
 from variantgen.variants.variant import Variant
 
-_HOPELESS = 500  # draws of a problem for each that keeps within the ceiling
+_HOPELESS = 200  # draws of a problem for each that keeps within the ceiling
 
 Next = Callable[[Sequence[int], Sequence[int]], list[Variant]]  # the next draws of some owners after used attempts
 

@@ -9,8 +9,9 @@ from functools import cached_property
 from variantgen.families.family import Form
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.component import DIMENSIONS, field_specs
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Constraint, Frame
-from variantgen.mechanism.scene import Scene, fixed_points
+from variantgen.mechanism.scene import Scene
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 
@@ -39,9 +40,14 @@ class Board:
         return self.scene.frame
 
     @cached_property
-    def fixed(self) -> set[str]:
+    def linkage(self) -> Linkage:
+        """The mechanism as a reader sees it."""
+        return Linkage(self.scene)
+
+    @property
+    def fixed(self) -> frozenset[str]:
         """Points that a joint holds in place."""
-        return fixed_points(self.scene)
+        return self.linkage.hinged
 
     @property
     def loads(self) -> set[str]:
@@ -50,7 +56,7 @@ class Board:
 
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to."""
-        return [body for body, members in self.scene.bodies.items() if point in members]
+        return self.linkage.owners(point)
 
     def links_at(self, point: str) -> list[complex]:
         """Unit vectors along the bars and plates that leave a point."""
@@ -69,9 +75,8 @@ class Board:
 
     def is_translated(self, point: str) -> bool:
         """Whether a point belongs to bodies that a joint keeps from turning, and to no other."""
-        still = {b for joint in self.scene.joints for s in joint.shapes() if not s.points for b in s.bodies}
         owners = self.owners(point)
-        return bool(owners) and all(body in still for body in owners)
+        return bool(owners) and self.linkage.translating.issuperset(owners)
 
     def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
         """The symbol of the given rate that a field of a driver uses (``v`` of a travel, ``omega`` of a rotation).

@@ -8,7 +8,7 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
-from variantgen.mechanism.scene import fixed_points
+from variantgen.mechanism.linkage import Linkage
 from variantgen.methods.instant import Instant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.vector_names import centre_letters
@@ -22,9 +22,9 @@ _MOST_RAYS = 3
 
 def plane_bodies(now: Instant) -> list[str]:
     """Bodies that neither turn about a fixed point nor are kept from turning."""
-    fixed = fixed_points(now.scene)
-    still = {body for joint in now.scene.joints for s in joint.shapes() if not s.points for body in s.bodies}
-    return [body for body, members in now.scene.bodies.items() if body not in still and not fixed & set(members)]
+    linkage = Linkage(now.scene)
+    free = [body for body in now.scene.bodies if body not in linkage.translating]
+    return [body for body in free if linkage.hinged.isdisjoint(now.scene.bodies[body])]
 
 
 def draw_centres(board: Board, now: Instant, points: Collection[str], straight: Collection[str]) -> None:

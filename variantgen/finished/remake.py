@@ -7,19 +7,19 @@ pages are cut out and compared with those of that file: what is drawn, letter by
 
 from __future__ import annotations
 
-import hashlib
 import io
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
 from variantgen.exam.sheets import Sheet
+from variantgen.finished.comparing import compared, destination, is_used
 from variantgen.finished.restore import Finished
 from variantgen.outputs.file_names import file_stem
 from variantgen.outputs.formats import STUDENTS_PER_PART, Part, options, pdf
+from variantgen.outputs.groups import GroupFiles
 from variantgen.outputs.typesetter import Typesetter
 
 SHEETS, SOLUTIONS = "sheets", "solutions"
@@ -43,24 +43,25 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
     """The sheet (or the solutions, by ``target``) of the student at a place; ``folder`` holds the finished exam."""
     chosen = options(finished.exam, "pdf")
     alone = chosen.for_students or target == SOLUTIONS
-    start = place if alone else place - place % STUDENTS_PER_PART
-    sheets = finished.sheets(
-        range(start, min(start + (1 if alone else STUDENTS_PER_PART), len(finished.record.sheets)))
-    )
-    sheet = sheets[place - start]
+    together = [place] if alone else _typeset_with(finished, place)
+    sheets = finished.sheets(together)
+    own_place = together.index(place)
+    sheet = sheets[own_place]
     faults = list(_answers(finished, place, sheet))
     content = _typeset(finished, sheets, target, engine)
     stem = file_stem(sheet, chosen.names)
-    own, joined = folder / target / f"{stem}.pdf", folder / f"{target}.pdf"
+    name, inside = _file_of_several(finished, place, target)
+    own, joined = folder / target / f"{stem}.pdf", folder / name
     if not alone:
-        content = _cut(content, _student_pages(content)[place - start])
+        content = _cut(content, _student_pages(content)[own_place])
     same = ""
     if own.is_file():
-        found = [] if own.read_bytes() == content else [f"{target}/{own.name} has other bytes"]
+        is_same = own.stat().st_size == len(content) and own.read_bytes() == content
+        found = [] if is_same else [f"{target}/{own.name} has other bytes"]
         same = "" if found else f"{target}/{own.name}"
         faults += found
     elif joined.is_file():
-        pages, found = _compared(content, joined, place, problems_inside=target == SOLUTIONS)
+        pages, found = compared(content, joined, inside, problems_inside=target == SOLUTIONS)
         numbers = f"page {pages.stop}" if len(pages) == 1 else f"pages {pages.start + 1} to {pages.stop}"
         same = "" if found else f"{numbers} of {joined.name}"
         faults += found
@@ -68,6 +69,24 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
         # Pages that are cut out have lost their tags: what is handed out is typeset by itself.
         content = _typeset(finished, (sheet,), target, engine)
     return Remade(stem, content, "" if faults else same, tuple(faults))
+
+
+def _typeset_with(finished: Finished, place: int) -> list[int]:
+    """The students who are typeset together with one: those of a part or, for files of groups, of a group in it."""
+    sheets, start = finished.record.sheets, place - place % STUDENTS_PER_PART
+    part = range(start, min(start + STUDENTS_PER_PART, len(sheets)))
+    if not options(finished.exam, "pdf").for_groups:
+        return list(part)
+    return [other for other in part if sheets[other].student.group == sheets[place].student.group]
+
+
+def _file_of_several(finished: Finished, place: int, target: str) -> tuple[Path, int]:
+    """The file of the class or of the group that a student is in, in the folder of the exam, and the place there."""
+    if not options(finished.exam, "pdf").for_groups:
+        return Path(f"{target}.pdf"), place
+    groups = GroupFiles.of(sheet.student.group for sheet in finished.record.sheets)
+    group = finished.record.sheets[place].student.group
+    return Path(target, f"{groups.stems[group]}.pdf"), groups.places[group].index(place)
 
 
 def _answers(finished: Finished, place: int, sheet: Sheet) -> Iterator[str]:
@@ -98,12 +117,8 @@ def _student_pages(content: bytes) -> list[range]:
 
     with pikepdf.open(io.BytesIO(content)) as source, source.open_outline() as outline:
         places = {page.obj.objgen: number for number, page in enumerate(source.pages)}
-        starts = [places[_destination(item).objgen] for item in outline.root]
+        starts = [places[destination(item).objgen] for item in outline.root]
         return [range(a, b) for a, b in zip(starts, [*starts[1:], len(source.pages)], strict=True)]
-
-
-def _destination(item: Any) -> Any:
-    return item.destination[0]
 
 
 def _cut(content: bytes, pages: range) -> bytes:
@@ -113,7 +128,7 @@ def _cut(content: bytes, pages: range) -> bytes:
     out = io.BytesIO()
     with pikepdf.open(io.BytesIO(content)) as source, pikepdf.new() as made:
         made.pages.extend(source.pages[pages.start : pages.stop])
-        while len(made.pages) and not _is_used(made.pages[-1]):
+        while len(made.pages) and not is_used(made.pages[-1]):
             del made.pages[-1]  # left free so that the next student starts on an odd page
         for page in made.pages:
             if "/StructParents" in page.obj:
@@ -122,61 +137,3 @@ def _cut(content: bytes, pages: range) -> bytes:
         made.docinfo["/Title"] = str(source.docinfo.get("/Title", ""))
         made.save(out, deterministic_id=True, object_stream_mode=pikepdf.ObjectStreamMode.generate)
     return out.getvalue()
-
-
-def _compared(content: bytes, joined: Path, place: int, problems_inside: bool) -> tuple[range, list[str]]:
-    """Where the student's pages are in the file of the class, and which of them differ.
-
-    ``problems_inside``: a bookmark of a student has those of problems in it.
-    """
-    import pikepdf
-
-    with pikepdf.open(io.BytesIO(content)) as own, pikepdf.open(joined) as whole:
-        starts = list(_starts(whole, problems_inside))
-        if place >= len(starts):
-            return range(0), [f"{joined.name} has no bookmark of the student"]
-        there = range(starts[place], starts[place] + len(own.pages))
-        if there.stop > len(whole.pages):
-            return there, [f"{joined.name} has too few pages"]
-        different = [
-            f"page {number + 1} of {joined.name} is another one"
-            for number, page in zip(there, own.pages, strict=True)
-            if _looks(page) != _looks(whole.pages[number])
-        ]
-        return there, different
-
-
-def _starts(whole: Any, problems_inside: bool) -> Iterator[int]:
-    """The first page of each student in a joined file, where bookmarks of groups hold those of students."""
-    places = {page.obj.objgen: number for number, page in enumerate(whole.pages)}
-    with whole.open_outline() as outline:
-        for item in outline.root:
-            is_group = any(inner.children for inner in item.children) if problems_inside else bool(item.children)
-            for student in item.children if is_group else [item]:
-                yield places[_destination(student).objgen]
-
-
-def _looks(page: Any) -> str:
-    """A digest of what is drawn on a page, and of the fonts with which it is."""
-    digest = hashlib.sha256(_drawn(page))
-    fonts = page.obj.get("/Resources", {}).get("/Font", {})
-    for name in sorted(fonts.keys()):
-        for inner in fonts[name].get("/DescendantFonts", []):
-            file = inner.FontDescriptor
-            for key in ("/FontFile", "/FontFile2", "/FontFile3"):
-                if key in file:
-                    digest.update(name.encode() + file[key].read_bytes())
-    return digest.hexdigest()
-
-
-def _is_used(page: Any) -> bool:
-    return bool(_drawn(page).strip())
-
-
-def _drawn(page: Any) -> bytes:
-    """The content of a page; one without is empty."""
-    if "/Contents" not in page.obj:
-        return b""
-    page.contents_coalesce()
-    found: bytes = page.obj.Contents.read_bytes()
-    return found

@@ -23,3 +23,9 @@ def line_of_centres(centre: Complex, around: Complex, radius: Length, inside: bo
 def can_touch(k: Real, inside: bool) -> Flags:
     """Whether two circles with the number k of their line of centres touch: apart, and outside each smaller than d."""
     return np.isfinite(k) & (np.abs(k) > 0) & (inside | (k < 1.0))
+
+
+def other_radius(distance: Length, radius: Length, inside: bool) -> Length:
+    """The radius of the second of two circles that touch, from the distance of the centres and the first radius."""
+    result: Real = distance + radius if inside else distance - radius
+    return result

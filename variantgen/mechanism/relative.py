@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.scene import Scene
 
@@ -25,7 +26,7 @@ class Relative:
 
 def sliding_points(scene: Scene) -> dict[str, str]:
     """Points that slide along a moving body, with the body."""
-    return {slide.point: slide.body for joint in scene.joints if (slide := joint.sliding())}
+    return {slide.point: slide.body for slide in Linkage(scene).slides}
 
 
 def relative_motion(motion: Motion, point: str, body: str) -> Relative:

@@ -169,11 +169,24 @@ class Contact:
     other: tuple[str, str] | None = None
 
 
+@dataclass(frozen=True)
+class Circle:
+    """A circle that rolls, meshes or carries a rope: about a point, of a ``body`` ("" where it is at rest or free)."""
+
+    centre: str
+    radius: Real
+    body: str = ""
+
+
 class Pair(Constraint, Protocol):
     """What a joint tells besides its constraint."""
 
     def contact_at(self, at: Placement) -> Contact | None:
         """Where two bodies touch without slip, if they do."""
+        ...
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """The circles of wheels, gears, pulleys that the joint takes for granted (m)."""
         ...
 
     def hanging(self) -> tuple[str, ...]:
@@ -227,6 +240,10 @@ class Joint:
     def contact_at(self, at: Placement) -> Contact | None:
         """Where two bodies touch without slip (rolling and gears say)."""
         return None
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """None (rolling, gears and ropes say)."""
+        return ()
 
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope (a rope says)."""

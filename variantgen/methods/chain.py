@@ -14,7 +14,8 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
+from variantgen.mechanism.linkage import Linkage
+from variantgen.mechanism.rows import Placement, Sliding
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
 from variantgen.methods.instant import Instant
@@ -88,14 +89,16 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
 
     A wheel that is held by its rim only has the point of contact as its pole, shown or not.
     """
-    resting = frozenset(fixed_points(form.sample) | {name for joint in form.sample.joints for name in joint.resting()})
+    linkage = Linkage(now.scene)
+    resting = linkage.resting
     needed = needed_for(form, tuple(asked))
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
     rested = {body: wheel for body, wheel in _rested(form).items() if body in needed.bodies}
     points = [*(wheel.contact for wheel in rested.values()), *points]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
-    guides = _guides(now, points)
+    straight = linkage.guides(Placement(now.z, now.scene.frame))
+    guides = {point: -way for point, way in straight.items() if point in points}
     poles = {body: _pole(form, body, visible, guides.keys()) for body in form.bodies}
     poles |= {body: wheel.contact for body, wheel in rested.items()}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
@@ -103,8 +106,8 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     turns = [turn for turn in turns if turn.body not in rested or turn.point != rested[turn.body].centre]
     slips = [
         Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
-        for joint in now.scene.joints
-        if (path := joint.sliding()) and path.point in visible and path.body in needed.bodies
+        for path in linkage.slides
+        if path.point in visible and path.body in needed.bodies
     ]
     keep = {q.point for q in asked} | _driven(form) | {slip.point for slip in slips} | set(guides)
     keep |= {turn.point for turn in turns if not turn.body}
@@ -229,19 +232,6 @@ def _keeps(now: Instant, point: str, centre: str) -> bool:
         return True
     gap = ((now.a[point] - now.a[centre]) * arm.conjugate()).real + abs(swing) ** 2
     return abs(gap) <= 1e-6 * (abs(arm) * abs(now.a[point]) + abs(swing) ** 2)
-
-
-def _guides(now: Instant, points: Sequence[str]) -> dict[str, complex]:
-    """Directions (unit vectors) of the straight fixed guides of points."""
-    at = Placement(now.z, now.scene.frame)
-    found = {}
-    for joint in now.scene.joints:
-        for shape, row in zip(joint.shapes(), joint.rows(at), strict=True):
-            straight = len(shape.points) == 1 and not shape.bodies and shape.lead is None and not joint.landmarks()
-            if straight and isinstance(row, ScalarRow) and shape.points[0] in points:
-                normal = complex(row.points[shape.points[0]])
-                found[shape.points[0]] = 1j * normal / abs(normal)
-    return found
 
 
 def taken_apart(chain: Chain) -> set[tuple[str, str]]:

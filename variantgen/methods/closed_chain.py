@@ -47,7 +47,7 @@ def loop_of(book: Book, group: Dyad) -> Loop | None:
         return None
     for first, members in bodies.items():
         if group.pole in members and first in book.omega and first not in (group.body, group.track.body):
-            pivot = next((p for p in members if p in fixed), None)
+            pivot = book.task.linkage.pivot(first)
             if pivot is not None:
                 points = (pivot, group.pole, group.track.point, group.track.centre)
                 return Loop((first, group.body, group.track.body), points)

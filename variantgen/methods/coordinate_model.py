@@ -8,6 +8,7 @@ are taken by :mod:`variantgen.methods.algebra`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from typing import Any
 
 from variantgen.mechanism.rows import Constraint
@@ -39,6 +40,12 @@ class Model:
         self._slides: dict[tuple[str, str], Value] = {}
         self._references: dict[str, tuple[str, str] | None] = {}
 
+    def at(self, order: int) -> Model:
+        """The same coordinates and equations with the book for velocities (1) or accelerations (2)."""
+        model = copy(self)
+        model.book = self.book.at(order)
+        return model
+
     # What takes part.
 
     def _included(self) -> set[str]:
@@ -65,10 +72,7 @@ class Model:
     @property
     def translating(self) -> frozenset[str]:
         """Bodies that are kept from turning."""
-        joints = self.task.scene.joints
-        return frozenset(
-            body for j in joints for s in j.shapes() if not s.points and len(s.bodies) == 1 for body in s.bodies
-        )
+        return self.task.linkage.translating
 
     def hold_translating(self) -> None:
         """A body in translation along an axis keeps the other coordinate of all its points."""
@@ -251,15 +255,7 @@ class Model:
 
     def radius(self, centre: str, exact: float) -> Expression:
         """A radius of that length about a point: of the disc of the drawing, or a number."""
-        for disc in self.task.form.figure.discs:
-            if (
-                disc.centre == centre
-                and abs(self.task.read(disc.radius) / self.task.length_unit - exact) < 1e-9 * exact
-            ):
-                found = self.task.expressed(disc.radius)
-                if found is not None:
-                    return found
-        return fixed_number("length", exact)
+        return self.task.drawn_radius(centre, exact) or fixed_number("length", exact)
 
     # Numbers.
 

@@ -21,9 +21,8 @@ def lines(model: Model, names: Mapping[Value, str]) -> list[str]:
 
 def constants(model: Model) -> Iterator[tuple[str, float]]:
     """Radii of circular slots, which only the relative motion may use."""
-    for joint in model.task.scene.joints:
-        path = joint.sliding()
-        if path is not None and path.centre:
+    for path in model.task.linkage.slides:
+        if path.centre:
             yield path.centre + path.point, abs(model.now(path.centre, path.point))
 
 
@@ -112,7 +111,7 @@ class _Outputs:
         model, point = self.model, quantity.target
         carrier = sliding_points(model.task.scene)[point]
         place = model.slides[point, carrier]
-        path = next(s for j in model.task.scene.joints if (s := j.sliding()) and (s.point, s.body) == (point, carrier))
+        path = model.task.linkage.slide(point, carrier)
         radius = f"{path.centre}{point}*" if path.centre else ""
         speed = f"{radius}{self._derivative(place, 1)}"
         tangent = complex(path.tangent(model.task.now.z))

@@ -52,7 +52,7 @@ def _slid(model: Model, value: Value, name: Name) -> Expression:
     """The way from the pole of the body, or the angle on it."""
     body = next(body for (point, body), own in model.slides.items() if own is value)
     if name.kind == "arc":
-        joint = next(s for j in model.task.scene.joints if (s := j.sliding()) and s.point == name.of and s.body == body)
+        joint = model.task.linkage.slide(name.of, body)
         turn = model.rotation(body)
         ray = model.geometry.direction(joint.centre, name.of)
         found = pruned(added((1, ray), (-1, turn)))

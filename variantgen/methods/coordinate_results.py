@@ -143,7 +143,7 @@ def _enter_relative(model: Model, point: str, carrier: str) -> None:
     """Relative motion: along a line the derivatives of the way, on a circle those of the angle times the radius."""
     book = model.book
     place = model.slides[point, carrier]
-    path = next(s for j in book.task.scene.joints if (s := j.sliding()) and (s.point, s.body) == (point, carrier))
+    path = book.task.linkage.slide(point, carrier)
     along = rate_of(model, place)
     tangent = _tangent(model, point, carrier)
     name = Name(book.letter, point, part="rel")
@@ -173,11 +173,7 @@ def _enter_relative(model: Model, point: str, carrier: str) -> None:
 
 def _tangent(model: Model, point: str, carrier: str) -> complex:
     """The direction in which the way or the angle of a sliding point grows."""
-    for joint in model.task.scene.joints:
-        path = joint.sliding()
-        if path is not None and (path.point, path.body) == (point, carrier):
-            return complex(path.tangent(model.task.now.z))
-    raise LookupError(point)
+    return complex(model.task.linkage.slide(point, carrier).tangent(model.task.now.z))
 
 
 def _coriolis(model: Model, point: str, carrier: str, tangent: complex) -> Known:

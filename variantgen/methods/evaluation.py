@@ -13,8 +13,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.dense import DenseSystem
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Field, Motion
-from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.group import Crossed, Dyad, Group, Slid
 
 AGREES = 1e-9
@@ -193,12 +193,12 @@ def _relative_motion(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
 
 def _three_rates(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
     """Loops O A B C between two pivots: ``sum omega_k d_k = 0``, ``sum (epsilon_k + i omega_k^2) d_k = 0``."""
-    fixed = fixed_points(motion.scene)
+    linkage = Linkage(motion.scene)
     for group in groups:
         if not isinstance(group, Dyad) or not group.track.body:
             continue
         for first, members in motion.scene.bodies.items():
-            pivot = next((p for p in members if p in fixed), None)
+            pivot = linkage.pivot(first)
             if group.pole in members and pivot is not None:
                 names = (pivot, group.pole, group.track.point, group.track.centre)
                 yield from _loop(motion, names, (first, group.body, group.track.body))

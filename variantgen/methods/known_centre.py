@@ -46,7 +46,7 @@ def _found(book: Book, body: str) -> Centre:
     rate = book.omega.get(body)
     members = book.task.scene.bodies[body]
     facts: dict[str, Fact] = {"body": Body(body), "centre": Centre(body).fact}
-    pivot = next((p for p in members if p in book.task.fixed), None)
+    pivot = book.task.linkage.pivot(body)
     if pivot is not None:
         book.say("known_centre.pivot", False, at=Point(pivot), **facts)
         return Centre(body, at=pivot)
@@ -109,12 +109,9 @@ def _resting(task: Task, body: str, told: bool) -> Iterator[tuple[str, complex]]
 
 def _radius(book: Book, body: str, axle: str, exact: float) -> Value:
     """The radius of a wheel, as the drawing of its disc has it; of an undrawn one its own symbol."""
-    for disc in book.task.form.figure.discs:
-        found = book.task.read(disc.radius) / book.task.length_unit
-        if disc.centre == axle and abs(found - exact) <= _SAME * exact:
-            expression = book.task.expressed(disc.radius)
-            if isinstance(expression, Value):
-                return expression
+    drawn = book.task.drawn_radius(axle, exact)
+    if isinstance(drawn, Value):
+        return drawn
     return Value(Name("radius", body), "length", exact)
 
 

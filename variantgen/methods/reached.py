@@ -39,7 +39,7 @@ class Reached:
 
     def owners(self, point: str) -> list[str]:
         """Bodies of a point."""
-        return [body for body, members in self.scene.bodies.items() if point in members]
+        return self.task.linkage.owners(point)
 
     def is_moved(self, body: str) -> bool:
         """Whether the motion of a body is known: its rate and one of its points."""
@@ -81,7 +81,7 @@ class Reached:
                 return Track(point, centre=joint.around)
         for body in self.owners(point):
             members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
+            pivot = self.task.linkage.pivot(body)
             if body != but and pivot is not None:
                 return Track(point, centre=pivot, body=body)
             if body != but and body in self.translating:
@@ -92,10 +92,8 @@ class Reached:
 
     def guided(self, point: str) -> complex:
         """The direction of the straight guide of a point, or 0."""
-        for joint in self.scene.joints:
-            for shape, row in zip(joint.shapes(), joint.rows(self.task.at), strict=True):
-                if shape.points == (point,) and not shape.bodies and shape.lead is None and not joint.landmarks():
-                    assert isinstance(row, ScalarRow)
-                    normal = complex(row.points[point])
-                    return -1j * normal / abs(normal)
-        return 0j
+        return self._guides.get(point, 0j)
+
+    @cached_property
+    def _guides(self) -> dict[str, complex]:
+        return self.task.linkage.guides(self.task.at)

@@ -72,7 +72,7 @@ class Route(Reached):
     def _turned(self) -> Iterator[Group]:
         for body in self.open_bodies:
             members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
+            pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and p in self.book.velocity]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])
@@ -107,9 +107,8 @@ class Route(Reached):
                     yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
 
     def _slid(self) -> Iterator[Group]:
-        for joint in self.scene.joints:
-            path = joint.sliding()
-            if path is None or path.point not in self.task.needed.points:
+        for path in self.task.linkage.slides:
+            if path.point not in self.task.needed.points:
                 continue
             if (path.point, path.body) not in self.book.relative and (group := self._sliding(path)) is not None:
                 yield group
@@ -156,7 +155,7 @@ class Route(Reached):
                 continue
             for point, base in ((driver.end, driver.start), (driver.start, driver.end)):
                 for body in self.owners(point):
-                    pivot = next((p for p in self.scene.bodies[body] if p in self.task.fixed), None)
+                    pivot = self.task.linkage.pivot(body)
                     if pivot is not None and self.is_known(base) and body in self.open_bodies:
                         yield Extended(number, body, pivot, point, base)
 
@@ -164,7 +163,7 @@ class Route(Reached):
         """Bodies about a fixed point of which another point can be had from a neighbour."""
         for body in self.open_bodies:
             members = self.scene.bodies[body]
-            pivot = next((p for p in members if p in self.task.fixed), None)
+            pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
             if pivot is not None and known:
                 yield Turned(body, pivot, known[0])

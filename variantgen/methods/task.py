@@ -11,9 +11,10 @@ from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
-from variantgen.mechanism.scene import Scene, fixed_points
+from variantgen.mechanism.scene import Scene
 from variantgen.methods.expression import Constant, Expression, Pi, Value
 from variantgen.methods.instant import Instant, instant
 from variantgen.methods.name import Name
@@ -53,10 +54,14 @@ class Task:
         return Placement(self.now.z, self.scene.frame)
 
     @cached_property
+    def linkage(self) -> Linkage:
+        """The mechanism as a reader of the figure sees it."""
+        return Linkage(self.scene)
+
+    @property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
-        resting = {name for joint in self.scene.joints for name in joint.resting()}
-        return frozenset(fixed_points(self.form.sample) | resting)
+        return self.linkage.resting
 
     @cached_property
     def needed(self) -> Needed:
@@ -71,10 +76,8 @@ class Task:
     @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
-        held = {
-            b for j in self.scene.joints for s in j.shapes() if not s.points for b in s.bodies if len(s.bodies) == 1
-        }
-        return frozenset(held | {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)})
+        cranked = {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)}
+        return self.linkage.translating | cranked
 
     def _is_on_parallel_cranks(self, body: str) -> bool:
         """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
@@ -154,6 +157,14 @@ class Task:
         An angle is a plain number, or in ``degrees``.
         """
         return self._translator.translate(expression, degrees)
+
+    def drawn_radius(self, centre: str, exact: float) -> Expression | None:
+        """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""
+        for disc in self.form.figure.discs:
+            near = abs(self.read(disc.radius) / self.length_unit - exact) <= CLOSE * exact
+            if disc.centre == centre and near and (found := self.expressed(disc.radius)) is not None:
+                return found
+        return None
 
     @cached_property
     def _translator(self) -> Translator:

@@ -108,11 +108,9 @@ def radius_of(book: Book, group: Rolled) -> Value:
         if number is not None
         else abs(book.geometry.vector(group.centre, group.contact))
     )
-    for disc in task.form.figure.discs:
-        if disc.centre == group.centre and abs(task.read(disc.radius) / task.length_unit - exact) < 1e-9 * exact:
-            expression = task.expressed(disc.radius)
-            if isinstance(expression, Value):
-                return expression
+    drawn = task.drawn_radius(group.centre, exact)
+    if isinstance(drawn, Value):
+        return drawn
     if group.contact:
         return book.geometry.length(group.centre, group.contact)
     return Value(Name("radius", group.body), "length", exact)

@@ -20,6 +20,7 @@ def texts_of(exam: Exam, students: Sequence[Student]) -> Iterable[tuple[str, str
     """Every text from outside that is printed, after words that say which it is."""
     yield "the title", exam.title
     yield "the course", exam.course
+    yield from ((f"the {name}", text) for name, text in exam.notices.words)
     for student in students:
         yield f"the name of student {student.id}", student.name
         yield f"the group of student {student.id}", student.group

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, Posed
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
@@ -39,23 +40,66 @@ def sheets_data(
         "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),
+        **_notices(exam, language, writing),
         "students": students,
     }
+
+
+def _notices(exam: Exam, language: Language, writing: Writing) -> dict[str, Any]:
+    """What the exam says at the head of its sheets; nothing where it says nothing."""
+    if not exam.notices:
+        return {}
+    words = language.words("notices")
+    facts = [{"label": words[name], "text": writing.text(text)} for name, text in exam.notices.facts]
+    return {"notices": {"facts": facts, "instructions": [writing.text(text) for text in exam.notices.instructions]}}
 
 
 def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
     """Who a run of pages is for, and its problems."""
     student = sheet.student
     name = student.name
+    if not name:
+        return _unnamed(sheet, problems, language, last)
     return {
         "name": name,
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
         "group": group_text(student, language),
         "code": sheet.code,
-        "notes": sign_notes([q for item in sheet.items for q in item.asked], language),
+        "notes": sheet_notes(sheet, language),
         "problems": problems,
         "last": last,
     }
+
+
+def _unnamed(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
+    """A sheet of nobody yet: the number of the variant, and what is filled in by hand."""
+    return {
+        "name": "",
+        "number": variant_number(sheet.student, language),
+        "blank": blank_labels(language),
+        "short": "",
+        "group": group_text(sheet.student, language),
+        "code": f"{sheet.student.id} · {sheet.code}",
+        "notes": sheet_notes(sheet, language),
+        "problems": problems,
+        "last": last,
+    }
+
+
+def variant_number(student: Student, language: Language) -> str:
+    """``Variant 12``: what the sheet of a student without a name is called."""
+    return language.words("notices")["variant"].format(number=student.id)
+
+
+def blank_labels(language: Language) -> list[str]:
+    """What is filled in by hand on the sheet of a student without a name."""
+    words = language.words("notices")
+    return [words["name"], words["group"]]
+
+
+def sheet_notes(sheet: Sheet, language: Language) -> list[str]:
+    """The conventions of sign that the answers of a sheet need."""
+    return sign_notes([quantity for item in sheet.items for quantity in item.asked], language)
 
 
 def group_text(student: Student, language: Language) -> str:

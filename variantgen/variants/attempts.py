@@ -33,7 +33,7 @@ _AT_LEAST, _AHEAD = 96, 4  # attempts whose answers are looked at together, wher
 _MOST_AT_ONCE, _POINTS_AT_ONCE = 60_000, 1_500_000
 # A batch of which nobody has a variant yet is given up after so many attempts, in those of one student, and so many
 # judged ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
-_HOPELESS, _HOPELESS_JUDGED = 5, 1000
+_HOPELESS, _HOPELESS_JUDGED = 2, 1000
 
 
 class VerificationError(VariantgenError):

@@ -13,6 +13,7 @@ from variantgen.families.figure_hints import AngleMark
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import references
@@ -113,7 +114,7 @@ def limits(form: Form, motion: Motion) -> list[tuple[str, str, str]]:
     drawn and one that the screens keep inside; a point on a wall does not pass the corner with another wall.
     """
     between = list(form.screens.inside)
-    for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
+    for slide in Linkage(motion.scene).slides:
         if slide.line is not None and not set(slide.line) & set(form.figure.hidden):
             between.append((slide.point, *slide.line))
     grooves = [(names[0], names[-1]) for names in form.figure.grooves if {names[0], names[-1]} <= motion.v.keys()]

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from variantgen.families.figure_hints import DiscMark
 from variantgen.figure.board import Board
-from variantgen.mechanism.scene import fixed_points, references
+from variantgen.mechanism.scene import references
 from variantgen.wording.formula import letters, to_plain
 
 _ON_LINE = 1e-6  # of the length of a line: how far off it a point of it may be by rounding
@@ -58,14 +58,14 @@ class Shown:
         return [point for point in points if point in self._names]
 
     @cached_property
-    def fixed(self) -> set[str]:
+    def fixed(self) -> frozenset[str]:
         """Fixed hinges."""
-        return fixed_points(self.board.scene)
+        return self.board.linkage.hinged
 
     @cached_property
-    def resting(self) -> set[str]:
+    def resting(self) -> frozenset[str]:
         """Points at rest: fixed hinges, centres of fixed circles."""
-        return self.fixed | {point for joint in self.board.scene.joints for point in joint.resting()}
+        return self.board.linkage.resting
 
     @cached_property
     def companions(self) -> dict[str, set[str]]:
@@ -86,7 +86,7 @@ class Shown:
         return found
 
     @cached_property
-    def anchors(self) -> set[str]:
+    def anchors(self) -> frozenset[str]:
         """Points by which others are found: those at rest and the centres of discs."""
         return self.resting | {circle.mark.centre for circle in self.circles}
 

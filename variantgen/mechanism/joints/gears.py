@@ -10,8 +10,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, across
 from variantgen.mechanism.component import BodyName, PointName, Size
-from variantgen.mechanism.pitch import can_touch, line_of_centres
-from variantgen.mechanism.rows import Contact, Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
+from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, ScalarRow, Shape, Speeds
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,12 @@ class Gears(Joint):
         now = moved.z[self.centre] - centre
         swung = np.arctan2(across(d, now), np.real(d) * np.real(now) + np.imag(d) * np.imag(now))
         return (np.abs(d) * (swung - turn),)
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """Both pitch circles."""
+        distance = np.abs(at.z[self.centre] - at.z[self.other_centre])
+        second = other_radius(distance, self.radius, self.inside)
+        return (Circle(self.centre, self.radius, self.body), Circle(self.other_centre, second, self.other or ""))
 
     def contact_at(self, at: Placement) -> Contact:
         """The pitch point."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, along, unit
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Contact, Joint, Placement, Row, ScalarRow, Shape, Speeds, VectorRow
+from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, Row, ScalarRow, Shape, Speeds, VectorRow
 
 
 @dataclass(frozen=True)
@@ -105,6 +105,10 @@ class Rolling(Joint):
         radius = start.z[self.contact] - start.z[self.centre]
         turn = unit(moved.turned[self.on]) if self.on is not None else 1.0
         return {self.contact: moved.z[self.centre] + radius * turn}
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """The wheel."""
+        return (Circle(self.centre, np.abs(at.z[self.centre] - at.z[self.contact]), self.body),)
 
     def contact_at(self, at: Placement) -> Contact:
         """The contact of wheel and line."""

@@ -10,8 +10,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
 from variantgen.mechanism.component import BodyName, PointName, Size
-from variantgen.mechanism.pitch import can_touch, line_of_centres
-from variantgen.mechanism.rows import Contact, Joint, Placement, Shape, Speeds, VectorRow
+from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
+from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, Shape, Speeds, VectorRow
 
 
 @dataclass(frozen=True)
@@ -80,6 +80,11 @@ class RollingOnCircle(Joint):
             pole = moved.z[self.around]
         gap = moved.z[self.centre] - pole - d * unit(turn)
         return np.real(gap), np.imag(gap)
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """The wheel and the circle that it rolls on."""
+        second = other_radius(np.abs(at.z[self.centre] - at.z[self.around]), self.radius, self.inside)
+        return (Circle(self.centre, self.radius, self.body), Circle(self.around, second, self.on or ""))
 
     def contact_at(self, at: Placement) -> Contact:
         """The contact of wheel and circle."""

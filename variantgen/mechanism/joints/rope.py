@@ -12,7 +12,7 @@ import numpy as np
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along
 from variantgen.mechanism.component import BodyName, PointName, Radius, Side
 from variantgen.mechanism.constructions.tangent import thread_direction
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import Circle, Joint, Placement, ScalarRow, Shape, Speeds
 
 # Of the radii at its ends: how short a straight piece of a moving rope may become.
 _NEAR = 0.25
@@ -61,6 +61,10 @@ class Rope(Joint):
         points = tuple(dict.fromkeys(bend.point for bend in self.path if not bend.fixed))
         bodies = tuple(dict.fromkeys(bend.body for bend, _ in self._drums if bend.body is not None))
         return (Shape(points, bodies),)
+
+    def circles(self, at: Placement) -> tuple[Circle, ...]:
+        """The pulleys and drums (ends of the rope have the radius 0)."""
+        return tuple(Circle(bend.point, bend.radius, bend.body or "") for bend in self.path)
 
     def hanging(self) -> tuple[str, ...]:
         """Free ends: loads, or points of bodies that the rope is tied to."""

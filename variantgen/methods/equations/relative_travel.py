@@ -22,8 +22,7 @@ def state(model: Model, driver: RelativeTravel, template: Template) -> None:
     reach = (model.now(pole, point) * (line / abs(line)).conjugate()).real
     way = model.slide(point, body, reach)
     model.prescribe(way, *rates(model, driver, template))
-    slides = (joint.sliding() for joint in model.task.scene.joints)
-    if any(path is not None and (path.point, path.body) == (point, body) for path in slides):
+    if any((path.point, path.body) == (point, body) for path in model.task.linkage.slides):
         return
     ray = model.turned(body, degrees(line)).ray(model.one)
     shifts = [model.shift(pole, point, axis) for axis in (0, 1)]

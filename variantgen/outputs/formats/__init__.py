@@ -3,6 +3,7 @@
 A module has
 
 - ``HELP``, a line on what it makes; ``FILES``, the names or patterns of its files, which ``--force`` may replace;
+- ``TARGETS``, a regular expression that the targets of all its pieces match, and nothing else;
 - ``read_options(table)``, which reads the table of its name in an exam file (mistakes are noted in the table);
 - ``check(exam, students)``: raises ToolMissingError or InputError before any work is done;
 - ``make(part)``: what can be made of the content of a few students, as pieces;
@@ -16,6 +17,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property, partial
@@ -28,6 +30,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.records import RECORDS
 from variantgen.outputs.typesetter import Typesetter
 from variantgen.tables import Table
 
@@ -38,6 +41,7 @@ COMMON = ("key.csv", "manifest.json")  # files of every build
 # than those of 16. The size does not depend on the number of processes: the same parts give the same bytes.
 STUDENTS_PER_PART = 16
 PARTS_PER_OVERVIEW = 3
+STUDENTS_PER_OVERVIEW = STUDENTS_PER_PART * PARTS_PER_OVERVIEW
 
 
 @dataclass(frozen=True)
@@ -51,12 +55,16 @@ class Piece:
 
 @dataclass(frozen=True)
 class Part:
-    """A few students of an exam; ``first`` says whether it is the first part."""
+    """A few students of an exam; ``first`` says whether it is the first part.
+
+    ``beginning`` are the groups whose first student is in it.
+    """
 
     content: Content
     seed: str
     first: bool
     engine: Typesetter
+    beginning: frozenset[str] = frozenset()
 
     @property
     def exam(self) -> Exam:
@@ -72,6 +80,9 @@ class Part:
 @dataclass(frozen=True)
 class Whole:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
+
+    Where files are made for groups, a part has for each of its groups a piece, in the order of their names
+    (:mod:`variantgen.outputs.groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """
@@ -90,6 +101,7 @@ class Format(Protocol):
 
     HELP: str
     FILES: tuple[str, ...]
+    TARGETS: str
     SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...]
 
     def read_options(self, table: Table) -> Any:
@@ -157,6 +169,15 @@ class _KnownFiles(Collection[str]):
 
     def __len__(self) -> int:
         return len(self._names)
+
+
+def is_target(name: object, target: object) -> bool:
+    """Whether a format (or the records) makes pieces of a target; asked of what was read from a file."""
+    if not (isinstance(name, str) and isinstance(target, str)):
+        return False
+    if name == RECORDS:
+        return target in COMMON
+    return name in formats() and re.fullmatch(formats()[name].TARGETS, target, re.DOTALL) is not None
 
 
 def known_files() -> Collection[str]:

@@ -28,6 +28,7 @@ from variantgen.tables import Table
 
 HELP = "canvas.zip, quizzes for Canvas (QTI 1.2)"
 FILES = ("canvas.zip",)
+TARGETS = "package"
 SUMMARIES = ()
 
 

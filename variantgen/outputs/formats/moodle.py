@@ -37,6 +37,7 @@ from variantgen.wording.html import to_html
 
 HELP = "moodle.xml, cloze questions for the question bank of Moodle"
 FILES = ("moodle.xml",)
+TARGETS = "[0-9A-Z]+(-[0-9A-Z]+)+"  # of families: two numbers; of students: their codes
 SUMMARIES = ()
 
 FAMILIES, STUDENTS = "families", "students"

@@ -37,6 +37,7 @@ from variantgen.tables import Table
 
 HELP = "prairielearn/, questions for a course of PrairieLearn"
 FILES = ("prairielearn/*",)
+TARGETS = r"[A-Za-z0-9_-]+(/clientFilesQuestion/[0-9a-f]{20}\.(svg|png))?"
 SUMMARIES = ()
 
 _LONGEST = 200  # characters of a title
@@ -96,9 +97,9 @@ def finish(whole: Whole) -> None:
                 shutil.copyfile(templates / name, folder / name)
             _write_json(folder / "info.json", _info(whole.exam, family, qid))
             _join(whole.pieces[qid], folder / "variants.json")
-    for target, paths in whole.pieces.items():
-        if "/" in target:
-            shutil.copyfile(paths[0], top / "questions" / target)
+            for target, paths in whole.pieces.items():
+                if target.startswith(f"{qid}/"):
+                    shutil.copyfile(paths[0], top / "questions" / target)
 
 
 def _qid(task: Task, family: Family, build: str) -> str:

@@ -26,6 +26,7 @@ from variantgen.tables import Table
 
 HELP = "qti21.zip, a package of QTI 2.1 for learning platforms"
 FILES = ("qti21.zip",)
+TARGETS = "package"
 SUMMARIES = ()
 
 

@@ -26,6 +26,7 @@ from variantgen.tables import Table
 
 HELP = "qti30.zip, a package of QTI 3.0 for learning platforms"
 FILES = ("qti30.zip",)
+TARGETS = "package"
 SUMMARIES = ()
 
 

@@ -14,14 +14,13 @@ from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import svg
 from variantgen.outputs.key_content import Group, equation, margin, mark
-from variantgen.outputs.sheet_data import points_text
+from variantgen.outputs.sheet_data import blank_labels, points_text, sheet_notes, variant_number
 from variantgen.outputs.solution_data import solution_words
 from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
 from variantgen.outputs.web.pages import rendered
 from variantgen.wording.formula import Chain, Formula, UnitText
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
-from variantgen.wording.statement import sign_notes
 
 _FIGURE, _UNIT = 80.0, 0.8  # the figure on a sheet, in millimetres: at most this wide; of one of its units
 
@@ -45,9 +44,20 @@ def sheet_article(content: Content, number: int) -> bytes:
         "sheet.html.j2",
         **_who(exam, sheet, language),
         words=language.words("sheet"),
+        blank=[] if sheet.student.name else blank_labels(language),
+        **_notices(exam, language, style),
         answers=language.words("html")["answers"],
         problems=[_problem(posed, language, style) for posed in content.posed[number]],
     )
+
+
+def _notices(exam: Exam, language: Language, style: Style) -> dict[str, Any]:
+    """What the exam says at the head of its sheets."""
+    words, notices = language.words("notices"), exam.notices
+    return {
+        "facts": [(words[name], _markup(style.text(text))) for name, text in notices.facts],
+        "instructions": [_markup(style.text(text)) for text in notices.instructions],
+    }
 
 
 def _problem(posed: Posed, language: Language, style: Style) -> dict[str, Any]:
@@ -148,9 +158,10 @@ def _who(exam: Exam, sheet: Sheet, language: Language) -> dict[str, Any]:
         "code": sheet.code,
         "variant": f"{language.words('key')['variant']} {sheet.code}",
         "name": student.name,
+        "number": variant_number(student, language),
         "id": student.id,
         "group": f"{words['group']} {student.group}" if student.group else "",
-        "notes": _markup(notes_html(sign_notes([q for item in sheet.items for q in item.asked], language))),
+        "notes": _markup(notes_html(sheet_notes(sheet, language))),
     }
 
 

@@ -1,0 +1,92 @@
+"""Whether the statements of a variant in different languages say the same."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import SequenceMatcher
+from itertools import combinations
+
+from variantgen.check.printed import Fault
+from variantgen.check.reading import Datum, Sheet
+from variantgen.families.family import Form
+
+
+def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iterator[tuple[str, Fault]]:
+    """What the first language says otherwise than the others, each with the language that it is found in.
+
+    ``given`` are the names of the printed data: what is said of them in one language is said in the others.
+    """
+    first = sheets[0]
+    for other in sheets[1:]:
+        for one, two in ((first, other), (other, first)):
+            for name in given:
+                if name in one.names and name not in two.names:
+                    message = f"the text says nothing of {name}, that in {one.language} does"
+                    yield two.language, (f"unsaid {name}", message)
+            others = Counter(map(_size, two.numbers))
+            for datum in one.numbers:
+                others[_size(datum)] -= 1
+                if others[_size(datum)] < 0:
+                    message = f"the text says {datum.written}, that in {two.language} does not"
+                    yield one.language, (f"number {_size(datum)}", message)
+        for name in sorted(first.data.keys() & other.data.keys()):
+            if {_size(datum) for datum in first.data[name]} != {_size(datum) for datum in other.data[name]}:
+                message = f"{name} is {_written(other, name)} here, and {_written(first, name)} in {first.language}"
+                yield other.language, (f"datum {name}", message)
+        for pair in _exchanged(first, other, form):
+            message = f"{' and '.join(sorted(pair))} stand exchanged, compared with the text in {first.language}"
+            yield other.language, (message, message)
+
+
+def _size(datum: Datum) -> str:
+    return f"{datum.value:.9g} {datum.measures}"
+
+
+def _written(sheet: Sheet, name: str) -> str:
+    return " and ".join(dict.fromkeys(datum.written for datum in sheet.data[name]))
+
+
+def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[tuple[str, str]]:
+    """Two names of which the second text says what the first says of the other one.
+
+    What tells are the nouns before them (the rod BC, the rocker CD). Where these do not tell them apart, it is the
+    order of all names, if it becomes more alike when the two are exchanged.
+    """
+    both = [name for name in dict.fromkeys(first.names) if name in other.names]
+    alike = {name: _kind(name, form) for name in both}
+    called, recalled = _nouns(first), _nouns(other)
+    for one, two in combinations(both, 2):
+        if alike[one] != alike[two]:
+            continue
+        straight = [called[a] & recalled[a] for a in (one, two)]
+        crossed = [called[a] & recalled[b] for a, b in ((one, two), (two, one))]
+        if (all(crossed) and not any(straight)) or (
+            called[one] == called[two] and recalled[one] == recalled[two] and _in_wrong_order(first, other, one, two)
+        ):
+            yield one, two
+
+
+def _in_wrong_order(first: Sheet, other: Sheet, one: str, two: str) -> bool:
+    """Whether the texts name the same in the same order once two names are exchanged in the second."""
+    turned = {one: two, two: one}
+    exchanged = [turned.get(name, name) for name in other.names]
+    now, then = (SequenceMatcher(None, first.names, names, False).ratio() for names in (other.names, exchanged))
+    return then > now and [n for n in first.names if n in turned] == [n for n in exchanged if n in turned]
+
+
+def _kind(name: str, form: Form) -> str:
+    """Names that could be taken for each other: parameters of one measure, points, bodies and lines."""
+    parameter = form.parameters.get(name)
+    if parameter is not None and parameter.unit is not None and parameter.unit.measures != "length":
+        return parameter.unit.measures
+    return "point" if name in form.points else "length"
+
+
+def _nouns(sheet: Sheet) -> Mapping[str, set[str]]:
+    """The nouns that stand before each name."""
+    found: dict[str, set[str]] = {name: set() for name in sheet.names}
+    for mention in sheet.mentions:
+        if mention.noun:
+            found[mention.name].add(mention.noun)
+    return found
