@@ -89,7 +89,7 @@ def _check_places(variant: Variant) -> None:
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
     """The answers of a variant in printed units."""
-    return answer_variants([variant], [tuple(ask) or None], Tolerance())[0]
+    return answer_variants([variant], [tuple(ask) or None], [Tolerance()])[0]
 
 
 def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:

@@ -14,6 +14,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.answers import answer
 from variantgen.methods.book import Book
 from variantgen.methods.task import Task, task_of
+from variantgen.methods.walk import at_order
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -54,6 +55,5 @@ def answers(book: Book) -> dict[str, float]:
     """The answers that a solved book leads to."""
     found = {}
     for quantity in book.task.asked:
-        book.order = quantity.order
-        found[quantity.name] = answer(book, quantity).exact
+        found[quantity.name] = answer(at_order(book, quantity.order), quantity).exact
     return found

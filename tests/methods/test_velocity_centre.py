@@ -124,8 +124,7 @@ def test_example_29_the_line_of_the_points_is_divided(below: float, omega: float
     assert rate.sense == -1  # D, on the left, rises faster
     assert arm(book, "pulley", "D") == pytest.approx(8 / omega, rel=1e-14)
     assert arm(book, "pulley", "G") == pytest.approx(4 / omega, rel=1e-14)
-    book.carry = walk.velocity_centre.carry
-    assert resultant(vector(book, "C")) == pytest.approx(1j * middle, rel=1e-13)
+    assert resultant(vector(book.at(1, walk.velocity_centre.carry), "C")) == pytest.approx(1j * middle, rel=1e-13)
 
 
 def test_equal_velocities_across_the_line_of_the_points_are_a_translation() -> None:
@@ -195,7 +194,6 @@ def test_a_centre_far_away_costs_no_more_digits_than_it_is_far(off: float) -> No
 def test_by_one_velocity_and_the_rate() -> None:
     # A plate with v_A = 3 to the right that turns clockwise at 2: P is 1.5 below A.
     book = book_of("triangle_plate", "hand-2", ("v_D",))
-    book.order = 1
     given.take(book)
     right = Value(None, "angle", 0.0)
     book.velocity["A"] = (Term(Name("v", "A"), Value(Name("v", "A"), "velocity", 3.0), right, Sentence("ways.given")),)

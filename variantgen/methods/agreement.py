@@ -15,7 +15,7 @@ def deviation(book: Book) -> float:
     """
     task, worst = book.task, 0.0
     for order in (1, 2) if task.order == 2 and task.now.accelerated else (1,):
-        book.order = order
+        book = book.at(order)
         scale = book.scale or 1.0
         for point, terms in book.vectors.items():
             if point in task.now.v:

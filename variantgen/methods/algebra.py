@@ -229,21 +229,24 @@ def substituted(item: Expression, table: Mapping[Value, Expression]) -> Maybe:
     return item
 
 
-def pruned(item: Maybe) -> Maybe:
-    """A sum of products without those that contain a value which is exactly zero at the given instant."""
+def pruned(item: Maybe, unknown: Collection[Value] = ()) -> Maybe:
+    """A sum of products without those that contain a value which is exactly zero at the given instant.
+
+    An ``unknown`` value, which has no number yet, is not zero.
+    """
     match item:
-        case Value() if item.exact == 0:
+        case Value() if item.exact == 0 and item not in unknown:
             return None
         case Total(terms):
-            return added(*((sign, pruned(term)) for sign, term in terms))
+            return added(*((sign, pruned(term, unknown)) for sign, term in terms))
         case Times(factors):
-            left = [pruned(factor) for factor in factors]
+            left = [pruned(factor, unknown) for factor in factors]
             return None if None in left else product(*left)
         case Raised(base, exponent):
-            inner = pruned(base)
+            inner = pruned(base, unknown)
             return None if inner is None else Raised(inner, exponent)
         case Ratio(above, below):
-            inner = pruned(above)
+            inner = pruned(above, unknown)
             return None if inner is None else Ratio(inner, below)
     return item
 

@@ -52,7 +52,6 @@ def applies(task: Task) -> bool:
 
 def solve(book: Book) -> None:
     """Write the steps of the method. Raises LookupError for a mechanism to which it does not apply."""
-    book.order = 1
     with book.step("analytical.functions") as first:
         model = model_of(book)
         functions = _functions(model)
@@ -63,7 +62,8 @@ def solve(book: Book) -> None:
     blocks = [Block((), tuple(model.coordinates[value] for value in functions.of))]
     written: dict[Value, Maybe] = dict(functions.of)
     for order in (1, 2)[: book.task.order]:
-        book.order = order
+        model = model.at(order)
+        book = model.book
         with book.step(f"analytical.{book.measure}", "velocities" if order == 1 else "accelerations"):
             book.say(f"analytical.differentiate_{order}", False)
             written = _differentiate(model, functions, written, order, shown)

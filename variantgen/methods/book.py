@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from copy import copy
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -57,9 +58,10 @@ class Book:
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
     A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
-    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is being worked out: 1
-    velocities, 2 accelerations. ``centres`` are the velocity (P) and acceleration (Q) centres found so far, by letter
-    and body; ``carry`` is how a further point of a body in plane motion is found, if not by the pole formula.
+    and ``coriolis`` belong to points that slide on bodies, by (point, body). ``order`` says what is worked out with
+    this book: 1 velocities, 2 accelerations; :meth:`at` gives the same book for another one. ``centres`` are the
+    velocity (P) and acceleration (Q) centres found so far, by letter and body; ``carry`` is how a further point of a
+    body in plane motion is found, if not by the pole formula.
     """
 
     task: Task
@@ -84,7 +86,13 @@ class Book:
         for point in self.task.fixed:
             self.velocity[point] = self.acceleration[point] = ()
 
-    # What is known, at the order that is being worked out.
+    def at(self, order: int, carry: Callable[[Book, str, str, str], None] | None = None) -> Book:
+        """The same book, with all that is written in it now and later, for velocities (1) or accelerations (2)."""
+        book = copy(self)
+        book.order, book.carry = order, carry
+        return book
+
+    # What is known, at the order that is worked out.
 
     @property
     def vectors(self) -> dict[str, Known]:

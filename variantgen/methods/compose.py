@@ -69,8 +69,7 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     method.solve(book)
     found = {}
     for quantity in book.task.asked:
-        book.order = quantity.order
-        found[quantity.name] = answer(book, quantity)
+        found[quantity.name] = answer(book.at(quantity.order), quantity)
     confirm(book)
     # A program comes last, after what answers still needed.
     told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
@@ -96,8 +95,8 @@ def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
     groups = walk.velocities(book)
-    found = {q.name: answer(book, q) for q in task.asked if q.order == 1}
+    found = {q.name: answer(walk.at_order(book, 1), q) for q in task.asked if q.order == 1}
     if task.order == 2:
         walk.accelerations(book, groups)
-        found |= {q.name: answer(book, q) for q in task.asked if q.order == 2}
+        found |= {q.name: answer(walk.at_order(book, 2), q) for q in task.asked if q.order == 2}
     return {q.name: found[q.name] for q in task.asked}

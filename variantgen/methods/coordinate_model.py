@@ -8,6 +8,7 @@ are taken by :mod:`variantgen.methods.algebra`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from typing import Any
 
 from variantgen.mechanism.rows import Constraint
@@ -38,6 +39,12 @@ class Model:
         self._angles: dict[str, Value] = {}
         self._slides: dict[tuple[str, str], Value] = {}
         self._references: dict[str, tuple[str, str] | None] = {}
+
+    def at(self, order: int) -> Model:
+        """The same coordinates and equations with the book for velocities (1) or accelerations (2)."""
+        model = copy(self)
+        model.book = self.book.at(order)
+        return model
 
     # What takes part.
 

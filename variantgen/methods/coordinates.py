@@ -38,7 +38,6 @@ def applies(task: Task) -> bool:
 
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
-    book.order = 1
     with book.step("coordinates.equations") as first:
         book.say("coordinates.idea", True)
         model = model_of(book)
@@ -47,7 +46,8 @@ def solve(book: Book) -> None:
         _state(model, blocks, given_coordinates(model, blocks, targets))
     written = {id(e): (e.left, e.right) for block in blocks for e in block.equations}
     for order in (1, 2)[: book.task.order]:
-        book.order = order
+        model = model.at(order)
+        book = model.book
         with book.step(f"coordinates.{book.measure}", "velocities" if order == 1 else "accelerations"):
             book.say(f"coordinates.differentiate_{order}", False)
             for own in given_coordinates(model, blocks, targets):
@@ -103,9 +103,7 @@ def _solve_block(model: Model, block: Block, written: Written, order: int) -> No
     """Show the equations of a block and find its unknown derivatives."""
     book = model.book
     unknowns = [own.speed if order == 1 else own.gain for own in block.unknowns]
-    for value in unknowns:
-        value.exact = 1.0  # not zero, so that nothing is left out with it
-    sides = [tuple(pruned(side) for side in written[id(e)]) for e in block.equations]
+    sides = [tuple(pruned(side, unknowns) for side in written[id(e)]) for e in block.equations]
     if len(unknowns) == 1:
         _solve_one(book, unknowns[0], *sides[0])
         return

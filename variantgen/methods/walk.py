@@ -64,10 +64,16 @@ _OF_DYADS: dict[int, dict[str, DyadMethod]] = {
 }
 
 
+def at_order(book: Book, order: int) -> Book:
+    """The book for velocities (1) or accelerations (2), where further points of bodies are found in its style."""
+    if order == 1:
+        return book.at(1, None if book.style.velocities in ("pole", "three_rates") else velocity_centre.carry)
+    return book.at(2, acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None)
+
+
 def velocities(book: Book) -> list[Group]:
     """Work out the velocities that are needed; returns the groups in their order."""
-    book.order = 1
-    book.carry = None if book.style.velocities in ("pole", "three_rates") else velocity_centre.carry
+    book = at_order(book, 1)
     given.take(book)
     route, groups = Route(book), []
     while group := route.next():
@@ -80,8 +86,7 @@ def velocities(book: Book) -> list[Group]:
 
 def accelerations(book: Book, groups: list[Group]) -> None:
     """Work out the accelerations, group by group in the same order."""
-    book.order = 2
-    book.carry = acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None
+    book = at_order(book, 2)
     given.take(book)
     for group in groups:
         if is_accelerated(book.task, group):

@@ -26,9 +26,7 @@ def rates(model: Model, driver: Any, template: Template, sign: float | None = No
         sign = float(model.task.scene.frame.sense) if rotation else 1.0
     found = []
     for order, (key, measure) in enumerate((_ANGULAR if rotation else _LINEAR).items(), 1):
-        model.book.order = order
         number = float(getattr(driver, key)) * sign
-        size = amount(model.book, template, key, measure)
+        size = amount(model.book.at(order), template, key, measure)
         found.append(size if number >= 0 else product(Constant(-1.0), size) or size)
-    model.book.order = 1
     return found[0], found[1]

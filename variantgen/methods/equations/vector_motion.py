@@ -20,11 +20,7 @@ _KINDS = (("v", "angle", "velocity"), ("a", "a_angle", "acceleration"))
 
 def prepare(model: Model, driver: VectorMotion, template: Template) -> None:
     """``x' = v cos alpha`` and so on; a component that is never there keeps its coordinate."""
-    rays = []
-    for order, kind in enumerate(_KINDS, 1):
-        model.book.order = order
-        rays.append(_vector(model, driver, template, *kind))
-    model.book.order = 1
+    rays = [_vector(model.at(order), driver, template, *kind) for order, kind in enumerate(_KINDS, 1)]
     for axis in (0, 1):
         first, second = (ray[axis] for ray in rays)
         if first is None and second is None:
