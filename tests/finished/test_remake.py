@@ -32,7 +32,7 @@ STUDENTS = [
 def built(folder: Path, head: str = "", language: str = "ru") -> Path:
     """An exam of ten students, with groups that do and do not follow each other."""
     exam, roster = folder / "exam.toml", folder / "class.csv"
-    exam.write_text(f'title = "T"\nlanguage = "{language}"\n{head}\n{PROBLEMS}', "utf-8")
+    exam.write_text(f'title = "T"\nlanguage = "{language}"\nsort = "roster"\n{head}\n{PROBLEMS}', "utf-8")
     rows = (f"s{number};{row}" for number, row in enumerate(STUDENTS))
     roster.write_text("id;name;group\n" + "\n".join(rows), "utf-8")
     assert main(["build", str(exam), "--roster", str(roster), "--out", str(folder / "out")]) == 0

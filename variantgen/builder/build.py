@@ -18,6 +18,7 @@ from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import Others, Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
+from variantgen.exam.order import in_order
 from variantgen.exam.roster import Student
 from variantgen.outputs.folder import check_free, terminable, whole_folder, writing
 from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
@@ -68,10 +69,12 @@ def build(
     Writes ``key.csv``, ``manifest.json`` and what the formats of the exam make (see
     :mod:`variantgen.outputs.formats`). The work is done by ``jobs`` processes or by an ``executor`` (of processes, of
     threads, that of Dask, of mpi4py, ...), whose workers need this version of the package and nothing else; the bytes
-    are the same. With ``resume`` it goes on from the parts that an interrupted build has finished. Raises InputError
-    for wrong input, ToolMissingError where a format needs something that is not installed.
+    are the same. Sheets stand by group and name, unless the exam wants the order of ``students``. With ``resume`` it
+    goes on from the parts that an interrupted build has finished. Raises InputError for
+    wrong input, ToolMissingError where a format needs something that is not installed.
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
+    students = in_order(students, exam.sort)
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:
@@ -142,7 +145,10 @@ def _make_all(
     done = count - sum(sizes.get(number, 0) for number in missing)
     progress("typesetting", done, count)
     todo = (
-        (number, Make(tuple(sheets.packed(part) for part in chosen), chosen.start == 0, summary))
+        (
+            number,
+            Make(tuple(sheets.packed(part) for part in chosen), sheets.beginning(chosen), chosen.start == 0, summary),
+        )
         for number, (chosen, summary) in (listed[number] for number in missing)
     )
     for number, made in workers.run(carried, todo):

@@ -107,9 +107,13 @@ class Made:
 
 @dataclass(frozen=True)
 class Make:
-    """All outputs of a few students, or one overview of one format."""
+    """All outputs of a few students, or one overview of one format.
+
+    ``beginning`` are the groups whose first student is among them, ``first`` says whether that of all is.
+    """
 
     parts: tuple[PackedPart, ...]
+    beginning: frozenset[str]
     first: bool
     summary: tuple[str, int] | None = None
 
@@ -118,7 +122,7 @@ class Make:
         exam = setting.exam
         sheets = tuple(sheet for part in self.parts for sheet in part.sheets(exam))
         content = Content(exam, sheets)
-        part = Part(content, setting.seed, self.first, setting.engine)
+        part = Part(content, setting.seed, self.first, setting.engine, self.beginning)
         pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]
         return Made(tuple(pieces), () if self.summary else content.unexplained)
 

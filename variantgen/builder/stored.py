@@ -14,11 +14,12 @@ from variantgen.outputs.formats import STUDENTS_PER_PART
 
 
 class StoredSheets(Sequence[Sheet]):
-    """The sheets in the order of the roster; to go through them in turn is best."""
+    """The sheets in their order; to go through them in turn is best."""
 
     def __init__(self, exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished) -> None:
         self._exam, self._students, self._parts = exam, students, parts
         self._codes = variant_codes(seed, students)
+        self._begun = {student.group: place for place, student in reversed(list(enumerate(students)))}
         self._last: tuple[int, tuple[Sheet, ...]] = (-1, ())
 
     def __len__(self) -> int:
@@ -34,6 +35,11 @@ class StoredSheets(Sequence[Sheet]):
         if self._last[0] != part:
             self._last = (part, self.packed(part).sheets(self._exam))
         return self._last[1][inside]
+
+    def beginning(self, parts: range) -> frozenset[str]:
+        """The groups whose first student is in some parts that follow each other."""
+        places = range(parts.start * STUDENTS_PER_PART, parts.stop * STUDENTS_PER_PART)
+        return frozenset(group for group, place in self._begun.items() if place in places)
 
     def packed(self, part: int) -> PackedPart:
         """The students of a part and their packed problems."""

@@ -13,6 +13,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.asked import check_forms, read_asked
 from variantgen.exam.notices import Notices, read_notices
+from variantgen.exam.order import NAME, SORTS
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.tolerance import Tolerance, read_tolerance
 from variantgen.families.asking import Ask, check_ask
@@ -35,7 +36,7 @@ class Task:
     """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
 
     ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
-    variants.
+    variants. ``tolerance`` is that of the problem, if it has one of its own.
     """
 
     number: int
@@ -44,6 +45,7 @@ class Task:
     points: int | None
     methods: tuple[str, ...] = ()
     nice: bool = False
+    tolerance: Tolerance | None = None
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,8 @@ class Exam:
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``notices`` stand at the head of every sheet.
+    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
+    ``notices`` stand at the head of each.
     """
 
     title: str
@@ -70,11 +73,16 @@ class Exam:
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
     qr: bool = True
+    sort: str = NAME
     notices: Notices = Notices()
 
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
         return hashlib.sha256(f"{self.hash}\n{seed}".encode()).hexdigest()[:8]
+
+    def tolerance_of(self, task: Task) -> Tolerance:
+        """By what a problem is marked: its own tolerance, or that of the exam."""
+        return task.tolerance or self.tolerance
 
     def wish(self, task: Task) -> Wish:
         """What is wished of the solution of a problem."""
@@ -127,12 +135,13 @@ def parse_exam(
     formats: tuple[str, ...] = ("pdf",)
     with top.collecting("formats"):
         formats = chosen(top.strings("formats", formats))
+    tolerance = read_tolerance(top)
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
         course=_printed(top, "course", top.take("course", str, "")),
         language=language,
         seed=str(seed),
-        tolerance=read_tolerance(top),
+        tolerance=tolerance,
         duplex=page.take("duplex", bool, True),
         qr=page.take("qr", bool, True),
         path=path,
@@ -141,9 +150,10 @@ def parse_exam(
         solutions=read_solutions(top.table("solutions"), language),
         notation=_notation(top.table("notation")),
         formats=formats,
+        sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
-        tasks=_tasks(top, folders),
+        tasks=_tasks(top, folders, tolerance),
     )
     page.finish()
     top.finish()
@@ -170,7 +180,7 @@ def _printed(top: Table, key: str, text: str) -> str:
     return text
 
 
-def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
+def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance) -> tuple[Task, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
     within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
@@ -178,7 +188,7 @@ def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )
-    found = (_task(table, number, folders) for number, table in enumerate(tables, start=1))
+    found = (_task(table, number, folders, usual) for number, table in enumerate(tables, start=1))
     return tuple(task for task in found if task)
 
 
@@ -193,7 +203,7 @@ def _notation(table: Table) -> Notation:
         return USUAL
 
 
-def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
+def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance) -> Task | None:
     before = len(table.problems)
     names = table.strings("families")
     if "family" in table.data:
@@ -208,6 +218,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     table.expect("families")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
+    tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None
+    table.expect("tolerance")
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
@@ -226,4 +238,4 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
-    return Task(number, tuple(families), ask, points or None, methods, nice)
+    return Task(number, tuple(families), ask, points or None, methods, nice, tolerance)

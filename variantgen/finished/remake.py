@@ -19,6 +19,7 @@ from variantgen.finished.comparing import compared, destination, is_used
 from variantgen.finished.restore import Finished
 from variantgen.outputs.file_names import file_stem
 from variantgen.outputs.formats import STUDENTS_PER_PART, Part, options, pdf
+from variantgen.outputs.groups import GroupFiles
 from variantgen.outputs.typesetter import Typesetter
 
 SHEETS, SOLUTIONS = "sheets", "solutions"
@@ -42,17 +43,17 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
     """The sheet (or the solutions, by ``target``) of the student at a place; ``folder`` holds the finished exam."""
     chosen = options(finished.exam, "pdf")
     alone = chosen.for_students or target == SOLUTIONS
-    start = place if alone else place - place % STUDENTS_PER_PART
-    sheets = finished.sheets(
-        range(start, min(start + (1 if alone else STUDENTS_PER_PART), len(finished.record.sheets)))
-    )
-    sheet = sheets[place - start]
+    together = [place] if alone else _typeset_with(finished, place)
+    sheets = finished.sheets(together)
+    own_place = together.index(place)
+    sheet = sheets[own_place]
     faults = list(_answers(finished, place, sheet))
     content = _typeset(finished, sheets, target, engine)
     stem = file_stem(sheet, chosen.names)
-    own, joined = folder / target / f"{stem}.pdf", folder / f"{target}.pdf"
+    name, inside = _file_of_several(finished, place, target)
+    own, joined = folder / target / f"{stem}.pdf", folder / name
     if not alone:
-        content = _cut(content, _student_pages(content)[place - start])
+        content = _cut(content, _student_pages(content)[own_place])
     same = ""
     if own.is_file():
         is_same = own.stat().st_size == len(content) and own.read_bytes() == content
@@ -60,7 +61,7 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
         same = "" if found else f"{target}/{own.name}"
         faults += found
     elif joined.is_file():
-        pages, found = compared(content, joined, place, problems_inside=target == SOLUTIONS)
+        pages, found = compared(content, joined, inside, problems_inside=target == SOLUTIONS)
         numbers = f"page {pages.stop}" if len(pages) == 1 else f"pages {pages.start + 1} to {pages.stop}"
         same = "" if found else f"{numbers} of {joined.name}"
         faults += found
@@ -68,6 +69,24 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
         # Pages that are cut out have lost their tags: what is handed out is typeset by itself.
         content = _typeset(finished, (sheet,), target, engine)
     return Remade(stem, content, "" if faults else same, tuple(faults))
+
+
+def _typeset_with(finished: Finished, place: int) -> list[int]:
+    """The students who are typeset together with one: those of a part or, for files of groups, of a group in it."""
+    sheets, start = finished.record.sheets, place - place % STUDENTS_PER_PART
+    part = range(start, min(start + STUDENTS_PER_PART, len(sheets)))
+    if not options(finished.exam, "pdf").for_groups:
+        return list(part)
+    return [other for other in part if sheets[other].student.group == sheets[place].student.group]
+
+
+def _file_of_several(finished: Finished, place: int, target: str) -> tuple[Path, int]:
+    """The file of the class or of the group that a student is in, in the folder of the exam, and the place there."""
+    if not options(finished.exam, "pdf").for_groups:
+        return Path(f"{target}.pdf"), place
+    groups = GroupFiles.of(sheet.student.group for sheet in finished.record.sheets)
+    group = finished.record.sheets[place].student.group
+    return Path(target, f"{groups.stems[group]}.pdf"), groups.places[group].index(place)
 
 
 def _answers(finished: Finished, place: int, sheet: Sheet) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
 from functools import cached_property
@@ -36,12 +36,14 @@ class Finished:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
         return [[variant for variant in own if variant is not None] for own in found]
 
-    def sheets(self, places: range) -> tuple[Sheet, ...]:
+    def sheets(self, places: Sequence[int]) -> tuple[Sheet, ...]:
         """The sheets of some students, by their places, with answers computed anew."""
         chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
         tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
         flat = [variant for _, own in chosen for variant in own]
-        answers = iter(answer_variants(flat, [task.ask for own in tasks for task in own], self.exam.tolerance))
+        every = [task for own in tasks for task in own]
+        tolerances = [self.exam.tolerance_of(task) for task in every]
+        answers = iter(answer_variants(flat, [task.ask for task in every], tolerances))
         return tuple(
             Sheet(
                 sheet.student,

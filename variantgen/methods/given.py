@@ -121,10 +121,13 @@ def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:
-    """The name of a rate that is not given itself."""
-    target = template.fields.get("body") or template.fields.get("point")
-    assert isinstance(target, str)
-    return Name(key, target)
+    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
+    fields = template.fields
+    if template.component is Rotation:
+        return Name(key, fields["body"])
+    is_relative = template.component in (RelativeTravel, Circling, Extension)
+    target = fields["end"] if template.component is Extension else fields["point"]
+    return Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
 
 
 def unsigned(expression: Expression | None) -> Expression | None:

@@ -17,12 +17,12 @@ STANDARDS = (*sorted((*_FULL, *_PRINTED)), ACCESSIBLE)
 # Those of other versions of PDF than the one of PDF/UA-1 that the engine writes.
 _WITHOUT_ACCESSIBLE = ("a-1a", "a-1b", "a-4")
 
-FILES = ("joined", "students", "both")
+FILES = ("joined", "students", "both", "groups")
 
 
 @dataclass(frozen=True)
 class Options:
-    """``standards`` to which every PDF conforms; ``files`` for the whole class, for each student, or both.
+    """``standards`` to which every PDF conforms; ``files`` for the class, each student, both, or each group.
 
     ``names`` tells what the files of students are named by.
     """
@@ -39,12 +39,17 @@ class Options:
     @property
     def joined(self) -> bool:
         """Whether there are files for the whole class."""
-        return self.files != "students"
+        return self.files in ("joined", "both")
 
     @property
     def for_students(self) -> bool:
         """Whether every student gets files."""
-        return self.files != "joined"
+        return self.files in ("students", "both")
+
+    @property
+    def for_groups(self) -> bool:
+        """Whether every group gets files, and a key."""
+        return self.files == "groups"
 
 
 def read_options(table: Table) -> Options:

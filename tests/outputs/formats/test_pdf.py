@@ -88,7 +88,7 @@ def outline(pdf: pikepdf.Pdf, item: Any = None) -> Outline:
 
 @pytest.mark.parametrize("extra", ["", '[pdf]\nstandard = "ua-1"\n', '[pdf]\nfiles = "both"\n[page]\nduplex = false\n'])
 def test_students_have_bookmarks_under_their_groups(extra: str, tmp_path: Path) -> None:
-    out = build(tmp_path, extra)
+    out = build(tmp_path, 'sort = "roster"\n' + extra)
     codes = [student["code"] for student in students(out)]
     for file in ("sheets", "solutions"):
         texts = page_texts(out / f"{file}.pdf")

@@ -41,6 +41,7 @@ COMMON = ("key.csv", "manifest.json")  # files of every build
 # than those of 16. The size does not depend on the number of processes: the same parts give the same bytes.
 STUDENTS_PER_PART = 16
 PARTS_PER_OVERVIEW = 3
+STUDENTS_PER_OVERVIEW = STUDENTS_PER_PART * PARTS_PER_OVERVIEW
 
 
 @dataclass(frozen=True)
@@ -54,12 +55,16 @@ class Piece:
 
 @dataclass(frozen=True)
 class Part:
-    """A few students of an exam; ``first`` says whether it is the first part."""
+    """A few students of an exam; ``first`` says whether it is the first part.
+
+    ``beginning`` are the groups whose first student is in it.
+    """
 
     content: Content
     seed: str
     first: bool
     engine: Typesetter
+    beginning: frozenset[str] = frozenset()
 
     @property
     def exam(self) -> Exam:
@@ -75,6 +80,9 @@ class Part:
 @dataclass(frozen=True)
 class Whole:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
+
+    Where files are made for groups, a part has for each of its groups a piece, in the order of their names
+    (:mod:`variantgen.outputs.groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """

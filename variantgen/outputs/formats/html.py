@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,21 +11,23 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs import formats
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole
-from variantgen.outputs.key_content import Place, groups, place, remarks
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Part, Piece, Whole
+from variantgen.outputs.groups import GROUPS, GroupFiles, by_group, parts_of
+from variantgen.outputs.key_content import Group, Place, groups, place, remarks
 from variantgen.outputs.solution_data import solution_words
 from variantgen.outputs.web.articles import problem_key, sheet_article, solution_article, student_key, table_heads
 from variantgen.outputs.web.pages import pieces, write_page
 from variantgen.tables import Table
 from variantgen.wording.language import Language
 
-HELP = "html/sheets.html, key.html, solutions.html: pages for the screen, or a page per student"
+HELP = "html/sheets.html, key.html, solutions.html: pages for the screen, or a page per student or group"
 FILES = (
     "html/sheets.html",
     "html/key.html",
     "html/solutions.html",
     "html/index.html",
     "html/sheets/*.html",
+    "html/key/*.html",
     "html/solutions/*.html",
 )
 TARGETS = "sheets|key|solutions|rows-.*"
@@ -35,14 +37,14 @@ _FEW = 3  # students whose page needs no contents
 
 @dataclass(frozen=True)
 class Options:
-    """What an exam file may say of pages: ``joined`` in one page, or with ``students`` a page for each of them."""
+    """What an exam file may say of pages: one for all (``joined``), or for each of the ``students`` or ``groups``."""
 
     files: str = JOINED
 
 
 def read_options(table: Table) -> Options:
     """The table ``[html]``."""
-    found = Options(table.choice("files", (JOINED, STUDENTS)))
+    found = Options(table.choice("files", (JOINED, STUDENTS, GROUPS)))
     table.finish()
     return found
 
@@ -61,17 +63,29 @@ def make(part: Part) -> Iterator[Piece]:
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
-    yield Piece("key", student_key(part.exam, part.sheets), ".html")
+    for sheets in _key_parts(part):
+        yield Piece("key", student_key(part.exam, sheets), ".html")
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem: rows of each table."""
-    owners: dict[Place, list[tuple[Sheet, Item]]] = {}
-    for sheet in part.sheets:
-        for item in sheet.items:
-            owners.setdefault(place(item), []).append((sheet, item))
-    for where, own in owners.items():
-        yield Piece(_rows(where), problem_key(part.exam, own), ".html")
+    for sheets in _key_parts(part):
+        owners: dict[Place, list[tuple[Sheet, Item]]] = {}
+        for sheet in sheets:
+            for item in sheet.items:
+                owners.setdefault(place(item), []).append((sheet, item))
+        for where, own in owners.items():
+            yield Piece(_rows(where), problem_key(part.exam, own), ".html")
+
+
+def _key_parts(part: Part) -> list[Sequence[Sheet]]:
+    """The students of a part, or those of each of its groups."""
+    return list(by_group(part.sheets).values()) if _files(part.exam) == GROUPS else [part.sheets]
+
+
+def _files(exam: Exam) -> str:
+    found: Options = formats.options(exam, "html")
+    return found.files
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
@@ -102,8 +116,12 @@ def finish(whole: Whole) -> None:
     """Write the pages."""
     folder, documents = whole.folder / "html", list(_documents(whole.exam))
     folder.mkdir()
-    _write_key(whole, folder / "key.html")
-    single = formats.options(whole.exam, "html").files == STUDENTS
+    if _files(whole.exam) == GROUPS:
+        _write_groups(whole, documents, folder)
+        return
+    rows = {where: whole.pieces[_rows(where)] for where in _tables(whole)}
+    _write_key(whole, folder / "key.html", whole.pieces["key"], rows)
+    single = _files(whole.exam) == STUDENTS
     for document in documents:
         paths, target = whole.pieces[document.target], folder / document.target
         if single:
@@ -129,26 +147,69 @@ def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet],
     )
 
 
-def _write_key(whole: Whole, path: Path) -> None:
-    """The key: by student, then a table for each problem."""
+def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) -> None:
+    """Pages for each group, and a list of them."""
+    found = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
+    keys, rows = found.of_parts(whole.pieces["key"], STUDENTS_PER_OVERVIEW), _rows_of_groups(whole)
+    for target in ("key", *(document.target for document in documents)):
+        (folder / target).mkdir()
+    for group, places in found.places.items():
+        name = f"{found.stems[group]}.html"
+        _write_key(whole, folder / "key" / name, keys[group], rows[group], group)
+        for document in documents:
+            paths = [whole.pieces[document.target][i] for i in places]
+            _write(whole.exam, document, folder / document.target / name, [whole.sheets[i] for i in places], paths)
+    exam, language = whole.exam, whole.exam.spoken
+    write_page(
+        folder / "index.html",
+        "groups.html.j2",
+        **_common(exam, language, exam.title),
+        key=language.words("key"),
+        targets=[document.target for document in documents],
+        groups=[{"name": group, "stem": found.stems[group], "count": len(own)} for group, own in found.places.items()],
+    )
+
+
+def _rows_of_groups(whole: Whole) -> dict[str, dict[Place, list[Path]]]:
+    """The pieces of the tables of each group."""
+    found: dict[str, dict[Place, list[Path]]] = {}
+    rest: dict[Place, Iterator[Path]] = {}
+    for part in parts_of(whole.sheets, STUDENTS_PER_OVERVIEW):
+        for group, own in by_group(part).items():
+            for where in {place(item): None for sheet in own for item in sheet.items}:
+                paths = rest.setdefault(where, iter(whole.pieces[_rows(where)]))
+                found.setdefault(group, {}).setdefault(where, []).append(next(paths))
+    return found
+
+
+def _tables(whole: Whole) -> dict[Place, Group]:
+    """The tables of the key, in their order."""
+    return groups(whole.sheets, whole.exam, whole.exam.spoken)
+
+
+def _write_key(
+    whole: Whole, path: Path, students: Sequence[Path], rows: Mapping[Place, Sequence[Path]], group: str = ""
+) -> None:
+    """The key of the class or of a group: by student, then a table for each problem."""
     exam, language = whole.exam, whole.exam.spoken
     words = language.words("key")
     tables = [
         {
-            "title": group.title,
-            "form": group.form,
-            "heads": table_heads(group),
-            "pieces": pieces(whole.pieces[_rows(where)]),
+            "title": table.title,
+            "form": table.form,
+            "heads": table_heads(table),
+            "pieces": pieces(rows[where]),
         }
-        for where, group in groups(whole.sheets, exam, language).items()
+        for where, table in _tables(whole).items()
+        if where in rows
     ]
     write_page(
         path,
         "key.html.j2",
-        **_common(exam, language, f"{words['title']}: {exam.title}"),
+        **_common(exam, language, f"{words['title']}: {exam.title}" + (f" ({group})" if group else "")),
         key=words,
         remarks=remarks(exam, language),
-        pieces=pieces(whole.pieces["key"]),
+        pieces=pieces(students),
         tables=tables,
     )
 

@@ -11,7 +11,17 @@ from typing import Any, cast, get_args
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole, options
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.formats import (
+    PARTS_PER_OVERVIEW,
+    STUDENTS_PER_OVERVIEW,
+    STUDENTS_PER_PART,
+    Part,
+    Piece,
+    Whole,
+    options,
+)
+from variantgen.outputs.groups import GROUPS, GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.latex.characters import Alphabet, Engine, alphabet, is_right_to_left, named, unprintable
 from variantgen.outputs.latex.compiling import MissingGlyphsError, compile_document, how_to_install, missing
@@ -23,7 +33,12 @@ from variantgen.outputs.solution_data import solution_words, solutions_data
 from variantgen.tables import Table, shown
 
 HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
-FILES = tuple(f"latex/{name}.{ending}" for name in ("sheets", "key", "solutions") for ending in ("tex", "pdf"))
+FILES = tuple(
+    f"latex/{name}{more}.{ending}"
+    for name in ("sheets", "key", "solutions")
+    for more in ("", "/*")
+    for ending in ("tex", "pdf")
+)
 TARGETS = "sheets|key|solutions"
 _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
@@ -33,11 +48,13 @@ class Options:
     """What an exam file may say of LaTeX.
 
     ``compile`` is None where PDFs are made if the engine is installed; ``font`` is one of LuaLaTeX.
+    ``files``: documents for the class, or for each group.
     """
 
     compile: bool | None = None
     engine: Engine = "pdflatex"
     font: str = ""
+    files: str = "joined"
 
 
 def read_options(table: Table) -> Options:
@@ -54,8 +71,9 @@ def read_options(table: Table) -> Options:
         font = ""
     elif font and engine == "pdflatex":
         table.problem("pdflatex has fonts of its own", "font", font, 'add  engine = "lualatex"')
+    files = table.choice("files", ("joined", GROUPS))
     table.finish()
-    return Options(wanted, cast(Engine, engine), font)
+    return Options(wanted, cast(Engine, engine), font, files)
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:
@@ -81,7 +99,8 @@ def make(part: Part) -> Iterator[Piece]:
     exam = part.exam
     writing = _writing(exam, exam.language)
     data = sheets_data(part.content, seed=part.seed, writing=writing)
-    yield Piece("sheets", fill("sheets.tex.j2", data, writing.alphabet).encode(), ".tex")
+    for own in documents(data, part.sheets) if _options(exam).files == GROUPS else [data]:
+        yield Piece("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:
         return
     writing = _writing(exam, exam.solutions.language)
@@ -93,15 +112,24 @@ def make(part: Part) -> Iterator[Piece]:
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
     writing = _writing(part.exam, part.exam.language)
-    data = key_by_student(part.exam, part.sheets, part.first, writing)
-    yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+    for sheets, first in _key_parts(part):
+        data = key_by_student(part.exam, sheets, first, writing)
+        yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem."""
     writing = _writing(part.exam, part.exam.language)
-    data = key_by_problem(part.exam, part.sheets, part.first, writing)
-    yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+    for sheets, first in _key_parts(part):
+        data = key_by_problem(part.exam, sheets, first, writing)
+        yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+
+
+def _key_parts(part: Part) -> list[tuple[Sequence[Sheet], bool]]:
+    """The students of a part, or of each of its groups, and whether their document begins with them."""
+    if _options(part.exam).files == GROUPS:
+        return [(own, group in part.beginning) for group, own in by_group(part.sheets).items()]
+    return [(part.sheets, part.first)]
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
@@ -112,21 +140,50 @@ def finish(whole: Whole) -> None:
     exam, chosen = whole.exam, _options(whole.exam)
     folder = whole.folder / "latex"
     folder.mkdir()
-    for kind, pieces in whole.pieces.items():
-        look = _look(exam, kind)
-        write_document(folder / f"{kind}.tex", look, pieces, _head_data(exam, kind))
+    sources = list(_sources(whole, folder))
+    for source in sources:
+        source.path.parent.mkdir(exist_ok=True)
+        write_document(source.path, _look(exam, source.kind), source.pieces, _head_data(exam, source.kind))
     if chosen.compile is None and missing(chosen.engine):
         whole.notes.append(f"LaTeX sources only, no PDFs of them: {how_to_install(chosen.engine)}")
     elif chosen.compile is not False:
-        for kind in whole.pieces:
-            _compile(whole, folder / f"{kind}.tex", _look(exam, kind))
+        for source in sources:
+            _compile(whole, source)
 
 
-def _compile(whole: Whole, source: Path, look: Look) -> None:
+@dataclass(frozen=True)
+class _Source:
+    """A document: its file, what kind it is, its pieces, for how many students it is."""
+
+    path: Path
+    kind: str
+    pieces: Sequence[Path]
+    students: int
+
+
+def _sources(whole: Whole, folder: Path) -> Iterator[_Source]:
+    """The documents of the class, or those of each group."""
+    if _options(whole.exam).files != GROUPS:
+        for kind, pieces in whole.pieces.items():
+            yield _Source(folder / f"{kind}.tex", kind, pieces, len(whole.sheets))
+        return
+    groups = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
+    for kind, pieces in whole.pieces.items():
+        if kind == "key":
+            found = both_halves(pieces, groups, STUDENTS_PER_OVERVIEW)
+        elif kind == "solutions":
+            found = groups.of_students(pieces)
+        else:
+            found = groups.of_parts(pieces, STUDENTS_PER_PART)
+        for group, own in found.items():
+            yield _Source(folder / kind / f"{groups.stems[group]}.tex", kind, own, len(groups.places[group]))
+
+
+def _compile(whole: Whole, source: _Source) -> None:
     """Make the PDF beside a source."""
-    title = whole.exam.title
+    title, look, path = whole.exam.title, _look(whole.exam, source.kind), source.path
     try:
-        compile_document(source, source.with_suffix(".pdf"), look.engine, title, look.language, len(whole.sheets))
+        compile_document(path, path.with_suffix(".pdf"), look.engine, title, look.language, source.students)
     except MissingGlyphsError as error:
         letters = set(error.letters)
         problems = [

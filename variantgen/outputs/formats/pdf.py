@@ -4,23 +4,36 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.coverage import check_letters
 from variantgen.outputs.file_names import file_stem
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, Part, Piece, Whole, options
+from variantgen.outputs.formats import (
+    PARTS_PER_OVERVIEW,
+    STUDENTS_PER_OVERVIEW,
+    STUDENTS_PER_PART,
+    Part,
+    Piece,
+    Whole,
+    options,
+)
+from variantgen.outputs.groups import GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
 from variantgen.outputs.sheet_data import group_text, sheets_data
 
+if TYPE_CHECKING:
+    from variantgen.outputs.pdf.bookmarks import Named
+
 __all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
-FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "solutions/*.pdf")
+FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "key/*.pdf", "solutions/*.pdf")
 TARGETS = "sheets|key|solutions"
 
 
@@ -37,6 +50,8 @@ def make(part: Part) -> Iterator[Piece]:
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]
+    elif chosen.for_groups:
+        own = list(documents(data, part.sheets))
     for document in own:
         yield _piece(part, "sheets", document, chosen.for_students)
     if not part.exam.solutions.wanted:
@@ -60,12 +75,20 @@ def _piece(part: Part, target: str, data: Mapping[str, Any], handed_out: bool = 
 
 def _student_key(part: Part) -> Iterator[Piece]:
     """The key by student."""
-    yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
+    if _options(part.exam).for_groups:
+        for group, own in by_group(part.sheets).items():
+            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning))
+    else:
+        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
 
 
 def _problem_key(part: Part) -> Iterator[Piece]:
     """The key by problem."""
-    yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
+    if _options(part.exam).for_groups:
+        for group, own in by_group(part.sheets).items():
+            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning))
+    else:
+        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
@@ -82,19 +105,41 @@ def finish(whole: Whole) -> None:
     for target, paths in whole.pieces.items():
         language = exam.solutions.language if target == "solutions" else exam.language
         path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
-        if target == "key":
+        if target == "key" and not chosen.for_groups:
             join_pdfs(paths, path, exam.title, language, even)
         elif chosen.joined:
             join_pdfs(paths, path, exam.title, language, even, names)
+    if chosen.for_groups:
+        _join_groups(whole, names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
+def _join_groups(whole: Whole, names: Sequence[Named]) -> None:
+    """Files for each group; they are named by it, so bookmarks do without."""
+    from variantgen.outputs.join import join_pdfs
+
+    exam, groups = whole.exam, GroupFiles.of(sheet.student.group for sheet in whole.sheets)
+    for target, paths in whole.pieces.items():
+        (whole.folder / target).mkdir(exist_ok=True)
+        language = exam.solutions.language if target == "solutions" else exam.language
+        if target == "key":
+            found = both_halves(paths, groups, STUDENTS_PER_OVERVIEW)
+        elif target == "solutions":
+            found = groups.of_students(paths)
+        else:
+            found = groups.of_parts(paths, STUDENTS_PER_PART)
+        for group, own in found.items():
+            path, even = whole.folder / target / f"{groups.stems[group]}.pdf", exam.duplex and target != "key"
+            titles = None if target == "key" else [replace(names[place], group="") for place in groups.places[group]]
+            join_pdfs(own, path, exam.title, language, even, titles)
+
+
 def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: Options) -> None:
     """One file for each student."""
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     for sheet, part in zip(sheets, parts, strict=True):
         shutil.copyfile(part, folder / f"{file_stem(sheet, chosen.names)}.pdf")
 

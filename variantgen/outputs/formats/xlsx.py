@@ -11,11 +11,13 @@ from pathlib import Path
 from variantgen.errors import missing_package
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs.formats import Part, Piece, Whole, options
+from variantgen.outputs.groups import GROUPS, GroupFiles
 from variantgen.tables import Table
 
 HELP = "key.xlsx and grading.xlsx, a form for marking by hand"
-FILES = ("key.xlsx", "grading.xlsx")
+FILES = ("key.xlsx", "grading.xlsx", "key/*.xlsx", "grading/*.xlsx")
 TARGETS = "(?!)"  # there are no pieces
 SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...] = ()
 
@@ -25,14 +27,16 @@ class Options:
     """What an exam file may say of workbooks.
 
     ``protect``: the form for marking is protected (without a password), so that formulas are not typed over.
+    ``files``: workbooks for all students, or for each group.
     """
 
     protect: bool = True
+    files: str = "joined"
 
 
 def read_options(table: Table) -> Options:
     """The table ``[xlsx]``."""
-    found = Options(table.take("protect", bool, True))
+    found = Options(table.take("protect", bool, True), table.choice("files", ("joined", GROUPS)))
     table.finish()
     return found
 
@@ -49,11 +53,25 @@ def make(part: Part) -> Iterable[Piece]:
 
 
 def finish(whole: Whole) -> None:
-    """Both workbooks."""
+    """Both workbooks, or both for each group."""
+    chosen: Options = options(whole.exam, "xlsx")
+    if chosen.files != GROUPS:
+        _write(whole, whole.sheets, "key.xlsx", "grading.xlsx")
+        return
+    for name in ("key", "grading"):
+        (whole.folder / name).mkdir(exist_ok=True)  # keys in other formats may be there
+    groups = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
+    for group, places in groups.places.items():
+        stem = groups.stems[group]
+        _write(whole, [whole.sheets[place] for place in places], f"key/{stem}.xlsx", f"grading/{stem}.xlsx")
+
+
+def _write(whole: Whole, sheets: Sequence[Sheet], key: str, grading: str) -> None:
+    """Both workbooks of some students."""
     from variantgen.outputs.spreadsheet.grading_book import write_grading
     from variantgen.outputs.spreadsheet.key_book import write_key
 
     chosen: Options = options(whole.exam, "xlsx")
     with tempfile.TemporaryDirectory(dir=whole.folder) as folder:
-        write_key(whole.exam, whole.sheets, whole.folder / "key.xlsx", Path(folder))
-        write_grading(whole.exam, whole.sheets, whole.folder / "grading.xlsx", Path(folder), chosen.protect)
+        write_key(whole.exam, sheets, whole.folder / key, Path(folder))
+        write_grading(whole.exam, sheets, whole.folder / grading, Path(folder), chosen.protect)

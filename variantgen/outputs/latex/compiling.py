@@ -17,10 +17,8 @@ from variantgen.errors import VariantgenError
 from variantgen.outputs.join import join_pdfs
 from variantgen.outputs.latex.characters import Engine
 
-INSTALL = {
-    "pdflatex": "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super latexmk",
-    "lualatex": "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic texlive-luatex fonts-cmu latexmk",
-}
+_COMMON = "latexmk texlive-latex-recommended texlive-pictures texlive-lang-cyrillic lmodern"
+INSTALL = {"pdflatex": f"{_COMMON} cm-super", "lualatex": f"{_COMMON} texlive-luatex fonts-cmu"}
 _STYLES = ("babel", "geometry", "fancyhdr", "amsmath", "array", "xcolor", "longtable", "tikz", "graphicx", "fancyvrb")
 _FILES = {
     "pdflatex": ("t2aenc.def", "cmap.sty", "fix-cm.sty", "lmodern.sty"),
@@ -29,6 +27,7 @@ _FILES = {
 _MODES: dict[Engine, str] = {"pdflatex": "-pdf", "lualatex": "-pdflua"}
 # What is noted for a next run (pages, languages, widths of tables, which are fixed) changes nothing: no second run.
 _ONCE = "$hash_calc_ignore_pattern{'aux'} = '.@abspage@last|.babel@aux|.@nameuse.bbl@|LT@|^ *[{]1[}][{]';"
+_DOCUMENT = "document"
 _EPOCH = "946684800"  # the first second of the year 2000
 _SECONDS, _SECONDS_PER_STUDENT = 180, 60  # before a run is given up
 _ERROR = re.compile(r"^(?:\./)?(?P<file>[^\s:]+\.\w+):(?P<line>\d+): (?P<said>.*)$|^! (?P<plain>.*)$", re.MULTILINE)
@@ -73,16 +72,16 @@ def how_to_install(engine: Engine) -> str:
 def compile_document(source: Path, target: Path, engine: Engine, title: str, language: str, students: int) -> None:
     """Write the PDF of a source. Raises LatexError, MissingGlyphsError where the font lacks letters."""
     with tempfile.TemporaryDirectory(prefix="variantgen-latex-") as name:
-        folder = Path(name)
-        shutil.copyfile(source, folder / source.name)
+        folder, document = Path(name), f"{_DOCUMENT}.tex"  # not every engine takes every name of a file
+        shutil.copyfile(source, folder / document)
         command = [
             *("latexmk", "-norc", _MODES[engine], "-no-shell-escape", "-e", _ONCE),
-            *("-interaction=nonstopmode", "-halt-on-error", "-file-line-error", source.name),
+            *("-interaction=nonstopmode", "-halt-on-error", "-file-line-error", document),
         ]
         limit = _SECONDS + _SECONDS_PER_STUDENT * students
         code = _run(command, folder, limit)
-        log = _read(folder / f"{source.stem}.log")
-        made = folder / f"{source.stem}.pdf"
+        log = _read(folder / f"{_DOCUMENT}.log")
+        made = folder / f"{_DOCUMENT}.pdf"
         if code is None:
             raise LatexError(f"{engine} did not finish {source.name} in {limit} s")
         if code or not made.exists():
