@@ -11,6 +11,7 @@ from variantgen.exam.confirm import confirm
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet, answers_of, solve_all, variant_codes
+from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import read_ask
 from variantgen.variants.distinct import More, Settled, TooFewError, settle
 from variantgen.variants.draw import Drawing, check_room, drawn, too_few
@@ -55,10 +56,11 @@ class Drawer:
 
     def __init__(self, exam: Exam, seed: str) -> None:
         self.exam, self.seed = exam, seed
-        self._margins = Margins(exam.tolerance)
+        self._tolerances = [exam.tolerance_of(task) for task in exam.tasks]
+        self._margins = {tolerance: Margins(tolerance) for tolerance in self._tolerances}
         self._drawings = [
-            [Drawing(f, task.ask, where=f"problem[{task.number}]", judge=self._margins) for f in task.families]
-            for task in exam.tasks
+            [Drawing(f, task.ask, where=f"problem[{task.number}]", judge=self._margins[own]) for f in task.families]
+            for task, own in zip(exam.tasks, self._tolerances, strict=True)
         ]
 
     def drawing(self, wish: Wish) -> Drawing:
@@ -73,12 +75,21 @@ class Drawer:
 
     def variants(self, wishes: Sequence[Wish]) -> list[Variant]:
         """The next valid variant of each wish. Raises InputError where the ranges of a problem leave none."""
-        ceiling, first = self.exam.tolerance.ceiling, self._drawn(wishes, [wish.used for wish in wishes])
-        if ceiling is None:
+        found = self._drawn(wishes, [wish.used for wish in wishes])
+        marked = places_by_tolerance(self._tolerances[wish.place] for wish in wishes)
+        for tolerance, places in marked.items():
+            kept = self._within(tolerance, [wishes[i] for i in places], [found[i] for i in places])
+            for i, variant in zip(places, kept, strict=True):
+                found[i] = variant
+        return found
+
+    def _within(self, tolerance: Tolerance, wishes: Sequence[Wish], first: list[Variant]) -> list[Variant]:
+        """The first variants of some wishes, or later ones where these need more than the ceiling of the tolerance."""
+        if tolerance.ceiling is None:
             return first
         return within(
-            ceiling,
-            self._margins,
+            tolerance.ceiling,
+            self._margins[tolerance],
             first,
             lambda i, variant: self.drawing(wishes[i]).asked[variant.form.name],
             [self.exam.tasks[wish.place].number for wish in wishes],
@@ -87,7 +98,7 @@ class Drawer:
 
     def cut(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> int:
         """How many of the wishes would have another variant if the exam set no ceiling to tolerances."""
-        if self.exam.tolerance.ceiling is None:
+        if all(tolerance.ceiling is None for tolerance in self._tolerances):
             return 0
         first = self._drawn(wishes, [wish.used for wish in wishes])
         return sum(one.attempt != other.attempt for one, other in zip(first, variants, strict=True))
@@ -102,13 +113,14 @@ class Drawer:
         asked = [read_ask(variant.form, task.ask) for variant, task in zip(variants, tasks, strict=True)]
         solved = solve_all(variants, asked)
         confirm(variants, asked, solved, [self._key(wish) for wish in wishes])
-        answers = answers_of(variants, asked, solved, self._margins)
+        answers = answers_of(variants, asked, solved, self._margins, [self._tolerances[w.place] for w in wishes])
         self.forget()
         return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
 
     def forget(self) -> None:
         """Forget what is known of variants that were drawn."""
-        self._margins.forget()
+        for margins in self._margins.values():
+            margins.forget()
 
     def traits(self, wishes: Sequence[Wish], variants: Sequence[Variant]) -> Traits:
         """What is compared of drawn variants."""

@@ -36,7 +36,7 @@ class Task:
     """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
 
     ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
-    variants.
+    variants. ``tolerance`` is that of the problem, if it has one of its own.
     """
 
     number: int
@@ -45,6 +45,7 @@ class Task:
     points: int | None
     methods: tuple[str, ...] = ()
     nice: bool = False
+    tolerance: Tolerance | None = None
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,10 @@ class Exam:
     def build_id(self, seed: str) -> str:
         """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
         return hashlib.sha256(f"{self.hash}\n{seed}".encode()).hexdigest()[:8]
+
+    def tolerance_of(self, task: Task) -> Tolerance:
+        """By what a problem is marked: its own tolerance, or that of the exam."""
+        return task.tolerance or self.tolerance
 
     def wish(self, task: Task) -> Wish:
         """What is wished of the solution of a problem."""
@@ -130,12 +135,13 @@ def parse_exam(
     formats: tuple[str, ...] = ("pdf",)
     with top.collecting("formats"):
         formats = chosen(top.strings("formats", formats))
+    tolerance = read_tolerance(top)
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
         course=_printed(top, "course", top.take("course", str, "")),
         language=language,
         seed=str(seed),
-        tolerance=read_tolerance(top),
+        tolerance=tolerance,
         duplex=page.take("duplex", bool, True),
         qr=page.take("qr", bool, True),
         path=path,
@@ -147,7 +153,7 @@ def parse_exam(
         sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
-        tasks=_tasks(top, folders),
+        tasks=_tasks(top, folders, tolerance),
     )
     page.finish()
     top.finish()
@@ -174,7 +180,7 @@ def _printed(top: Table, key: str, text: str) -> str:
     return text
 
 
-def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
+def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance) -> tuple[Task, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
     within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
@@ -182,7 +188,7 @@ def _tasks(top: Table, folders: tuple[Path, ...]) -> tuple[Task, ...]:
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )
-    found = (_task(table, number, folders) for number, table in enumerate(tables, start=1))
+    found = (_task(table, number, folders, usual) for number, table in enumerate(tables, start=1))
     return tuple(task for task in found if task)
 
 
@@ -197,7 +203,7 @@ def _notation(table: Table) -> Notation:
         return USUAL
 
 
-def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
+def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance) -> Task | None:
     before = len(table.problems)
     names = table.strings("families")
     if "family" in table.data:
@@ -212,6 +218,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     table.expect("families")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
+    tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None
+    table.expect("tolerance")
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
@@ -230,4 +238,4 @@ def _task(table: Table, number: int, folders: tuple[Path, ...]) -> Task | None:
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
-    return Task(number, tuple(families), ask, points or None, methods, nice)
+    return Task(number, tuple(families), ask, points or None, methods, nice, tolerance)

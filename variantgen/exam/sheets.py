@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
@@ -10,7 +10,7 @@ from math import degrees
 from variantgen.exam.blueprint import Task
 from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
-from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
@@ -129,10 +129,18 @@ def answers_of(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
-    margins: Margins,
+    margins: Mapping[Tolerance, Margins],
+    tolerances: Sequence[Tolerance],
 ) -> list[tuple[Answer, ...]]:
-    """The answers of solved variants, with tolerances and the mistakes that go unnoticed in them."""
-    return _with_mistakes(_answers(variants, asked, solved, margins), variants, asked, solved, margins)
+    """The answers of solved variants, with tolerances and the mistakes that go unnoticed in them.
+
+    ``margins`` has what is known for each tolerance, ``tolerances`` that of each variant.
+    """
+    found: dict[int, tuple[Answer, ...]] = {}
+    for tolerance, places in places_by_tolerance(tolerances).items():
+        own, known = _taken(places, variants, asked, solved), margins[tolerance]
+        found.update(zip(places, _with_mistakes(_answers(*own, known), *own, known), strict=True))
+    return [found[i] for i in range(len(variants))]
 
 
 def _with_mistakes(
@@ -163,10 +171,26 @@ def batches_of(
     return groups
 
 
-def answer_variants(variants: Sequence[Variant], asks: Sequence[Ask], tolerance: Tolerance) -> list[tuple[Answer, ...]]:
+def answer_variants(
+    variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance]
+) -> list[tuple[Answer, ...]]:
     """The answers of variants in printed units, with absolute tolerances."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
-    return _answers(variants, asked, solve_all(variants, asked), Margins(tolerance))
+    solved, found = solve_all(variants, asked), dict[int, tuple[Answer, ...]]()
+    for tolerance, places in places_by_tolerance(tolerances).items():
+        own = _answers(*_taken(places, variants, asked, solved), Margins(tolerance))
+        found.update(zip(places, own, strict=True))
+    return [found[i] for i in range(len(variants))]
+
+
+def _taken(
+    places: Sequence[int],
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
+    solved: Sequence[tuple[Motion, int]],
+) -> tuple[list[Variant], list[Sequence[Quantity]], list[tuple[Motion, int]]]:
+    """Some of the variants, with what is asked of them and where they are solved."""
+    return [variants[i] for i in places], [asked[i] for i in places], [solved[i] for i in places]
 
 
 def _answers(

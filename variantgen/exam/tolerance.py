@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
@@ -25,19 +26,32 @@ class Tolerance:
     mistakes: bool = True
 
 
-def read_tolerance(table: Table) -> Tolerance:
-    """The key ``tolerance`` of an exam file: a number, the floor, or a table; mistakes are noted in the table."""
+def places_by_tolerance(tolerances: Iterable[Tolerance]) -> dict[Tolerance, list[int]]:
+    """Which of some problems are marked by each tolerance, by their places."""
+    found: dict[Tolerance, list[int]] = {}
+    for i, tolerance in enumerate(tolerances):
+        found.setdefault(tolerance, []).append(i)
+    return found
+
+
+def read_tolerance(table: Table, usual: Tolerance = Tolerance()) -> Tolerance:
+    """The key ``tolerance`` of an exam file, or of one of its problems: a number, the floor, or a table.
+
+    What it does not say is as ``usual``; mistakes are noted in the table.
+    """
+    if "tolerance" not in table.data:
+        table.expect("tolerance")
+        return usual
     given: Any = table.take("tolerance", (int, Decimal, dict), {}, "a number or a table")
-    usual = Tolerance()
     if not isinstance(given, dict):
         floor = float(given)
         if not 0 < floor <= _LARGEST:
             table.problem(f"expected a number between 0 and {_LARGEST:g}", "tolerance", floor)
             return usual
-        return Tolerance(floor)
+        return Tolerance(floor, _at_least(usual.ceiling, floor), usual.mistakes)
     inner = table.table("tolerance")
     floor = float(inner.number("floor", Decimal(str(usual.floor))))
-    ceiling = float(inner.number("ceiling", 0)) if "ceiling" in inner.data else None
+    ceiling = float(inner.number("ceiling", 0)) if "ceiling" in inner.data else _at_least(usual.ceiling, floor)
     inner.expect("ceiling")
     mistakes = inner.take("mistakes", bool, usual.mistakes)
     inner.finish()
@@ -48,3 +62,8 @@ def read_tolerance(table: Table) -> Tolerance:
         inner.problem(f"expected a number between the floor, {floor:g}, and {_LARGEST:g}", "ceiling", ceiling)
         return usual
     return Tolerance(floor, ceiling, mistakes)
+
+
+def _at_least(ceiling: float | None, floor: float) -> float | None:
+    """A ceiling that is not below the floor, if there is one."""
+    return None if ceiling is None else max(ceiling, floor)

@@ -41,7 +41,9 @@ class Finished:
         chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
         tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
         flat = [variant for _, own in chosen for variant in own]
-        answers = iter(answer_variants(flat, [task.ask for own in tasks for task in own], self.exam.tolerance))
+        every = [task for own in tasks for task in own]
+        tolerances = [self.exam.tolerance_of(task) for task in every]
+        answers = iter(answer_variants(flat, [task.ask for task in every], tolerances))
         return tuple(
             Sheet(
                 sheet.student,

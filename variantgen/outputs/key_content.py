@@ -54,8 +54,8 @@ def equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> 
 
 
 def margin(answer: Answer, exam: Exam, language: Language) -> str:
-    """The relative tolerance of an answer, where it is more than the usual one."""
-    return _percent(answer.margin, language) if answer.margin > exam.tolerance.floor else ""
+    """The relative tolerance of an answer, where it is not the usual one; a sense has none."""
+    return _percent(answer.margin, language) if answer.margin not in (0.0, exam.tolerance.floor) else ""
 
 
 def mark(answer: Answer) -> str:
