@@ -30,7 +30,9 @@ def _need_latex(programs: list[str], styles: list[str], packages: str) -> None:
 
 
 _STYLES = ["tikz.sty", "amsmath.sty", "geometry.sty", "t2aenc.def", "lmodern.sty"]
-_PACKAGES = "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super latexmk"
+_PACKAGES = (
+    "texlive-latex-base texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super lmodern latexmk"
+)
 
 
 @pytest.fixture

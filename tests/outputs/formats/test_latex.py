@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import re
@@ -13,6 +14,7 @@ from decimal import Decimal
 from pathlib import Path
 
 import pikepdf
+import pypdfium2
 import pytest
 
 from tests.pdf_text import page_texts
@@ -121,6 +123,30 @@ def test_every_student_begins_on_an_odd_page_with_number_one(samples: Callable[[
         with pikepdf.open(folder / f"{name}.pdf") as pdf:
             assert str(pdf.Root.Lang) == exam[-2:]
             assert str(pdf.docinfo["/Title"]) == read_exam(samples_dir() / f"{exam}.toml").title
+
+
+@pytest.mark.usefixtures("latexmk")
+@pytest.mark.parametrize("length", [104, 112])
+def test_a_long_course_leaves_the_group_alone(length: int, tmp_path: Path) -> None:
+    """The words of the course end well before the word Group, in whatever line they are."""
+    course = ("Theoretical mechanics of plane mechanisms, " * 5)[:length].strip(", ")
+    text = exam_text().replace("[latex]", f"course = {json.dumps(course)}\n[latex]")
+    folder = built(tmp_path, text, "id,name,group\na7,Ann Bell,ME-21\n")
+    for name in ("sheets", "solutions"):
+        assert squeezed(course) in printed(folder / f"{name}.pdf")
+        assert gap_before(folder / f"{name}.pdf", "Group ME-21") > 8
+
+
+def gap_before(pdf: Path, text: str) -> float:
+    """The points between a text of the first page and what stands in its line at its left."""
+    with contextlib.closing(pypdfium2.PdfDocument(pdf)) as document:
+        page = document[0].get_textpage()
+        found = page.search(text).get_next()
+        assert found
+        start, low, _, high = page.get_charbox(found[0])
+        letters = (index for index in range(page.count_chars()) if page.get_text_range(index, 1).strip())
+        boxes = [page.get_charbox(index) for index in letters]
+    return start - max(right for left, bottom, right, top in boxes if left < start and bottom < high and top > low)
 
 
 @pytest.mark.usefixtures("latexmk")
@@ -277,7 +303,7 @@ def test_without_latex_there_are_sources_and_a_note(tmp_path: Path, capsys: pyte
     assert sorted(path.name for path in folder.iterdir()) == ["key.tex", "sheets.tex"]
     message = capsys.readouterr().err
     assert "latexmk" in message
-    assert "apt-get install texlive-latex-recommended" in message
+    assert re.search(r"apt-get install .*\btexlive-latex-recommended\b.*\blmodern\b", message)
     built(tmp_path / "silent", exam_text(options="compile = false"), "id,name\n1,Ann\n", "--no-solutions")
     assert "latexmk" not in capsys.readouterr().err
     built(tmp_path / "wanted", exam_text(options="compile = true"), "id,name\n1,Ann\n", "--no-solutions", code=3)

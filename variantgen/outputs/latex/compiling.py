@@ -17,10 +17,8 @@ from variantgen.errors import VariantgenError
 from variantgen.outputs.join import join_pdfs
 from variantgen.outputs.latex.characters import Engine
 
-INSTALL = {
-    "pdflatex": "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super latexmk",
-    "lualatex": "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic texlive-luatex fonts-cmu latexmk",
-}
+_COMMON = "latexmk texlive-latex-recommended texlive-pictures texlive-lang-cyrillic lmodern"
+INSTALL = {"pdflatex": f"{_COMMON} cm-super", "lualatex": f"{_COMMON} texlive-luatex fonts-cmu"}
 _STYLES = ("babel", "geometry", "fancyhdr", "amsmath", "array", "xcolor", "longtable", "tikz", "graphicx", "fancyvrb")
 _FILES = {
     "pdflatex": ("t2aenc.def", "cmap.sty", "fix-cm.sty", "lmodern.sty"),
