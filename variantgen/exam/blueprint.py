@@ -22,7 +22,7 @@ from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
-from variantgen.limits import PROBLEMS
+from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.wish import Depth, Wish
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
@@ -217,6 +217,10 @@ def _notation(table: Table) -> Notation:
 
 def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance) -> Task | None:
     before = len(table.problems)
+    for key in ("families", "form", "ask", "method"):
+        table.bounded(key, LISTED)
+    if len(table.problems) > before:
+        return None
     names = table.strings("families")
     if "family" in table.data:
         if names:

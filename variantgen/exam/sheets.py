@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
@@ -79,19 +79,19 @@ class Sheet:
     items: tuple[Item, ...]
 
 
-def variant_codes(seed: str, students: Sequence[Student]) -> list[str]:
-    """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same.
+def variant_codes(seed: str, students: Sequence[Student], taken: Collection[str] = ()) -> list[str]:
+    """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same, and none that is ``taken``.
 
     Where two students would have the same code, one of them gets another three letters; the ids decide which.
     """
     numbers = [int.from_bytes(digest("code", seed, student.id), "big") for student in students]
     found = [_code(number, 2) for number in numbers]
     for length in range(3, 10):
-        holders: dict[str, int] = {}
+        holders = dict.fromkeys(taken, -1)
         for i in sorted(range(len(students)), key=lambda i: numbers[i]):
             if holders.setdefault(found[i], i) != i:
                 found[i] = _code(numbers[i], length)
-        if len(holders) == len(students):
+        if len(holders) == len(students) + len(set(taken)):
             break
     return found
 

@@ -25,7 +25,7 @@ from variantgen.outputs.formats import (
 from variantgen.outputs.groups import GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
-from variantgen.outputs.sheet_data import group_text, sheets_data
+from variantgen.outputs.sheet_data import group_text, sheets_data, who
 
 if TYPE_CHECKING:
     from variantgen.outputs.pdf.bookmarks import Named
@@ -101,7 +101,7 @@ def finish(whole: Whole) -> None:
     from variantgen.outputs.pdf.bookmarks import Named
 
     exam, chosen = whole.exam, _options(whole.exam)
-    names = [Named(s.student.name or s.code, group_text(s.student, exam.spoken)) for s in whole.sheets]
+    names = [Named(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
     write_key(whole)
     for target, paths in whole.pieces.items():
         if target != "key" and chosen.joined:
