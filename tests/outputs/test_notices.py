@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import html5lib
+import pypdfium2
 import pytest
 
 from tests.pdf_text import page_texts
@@ -179,3 +182,38 @@ def test_blanks_alone_say_nothing(tmp_path: Path) -> None:
     path = tmp_path / "exam.toml"
     path.write_text(HEAD.format(lang="en") + 'date = " "\ninstructions = "\\n\\n"\n' + PROBLEM, "utf-8")
     assert not read_exam(path).notices
+
+
+def test_quizzes_of_canvas_have_it_as_their_description(tmp_path: Path) -> None:
+    assert build(tmp_path, ENGLISH, "--format", "canvas") == 0
+    with zipfile.ZipFile(tmp_path / "out" / "canvas.zip") as archive:
+        metas = [archive.read(name) for name in archive.namelist() if name.endswith("assessment_meta.xml")]
+    assert len(metas) == 2
+    for meta in metas:
+        (described,) = [e for e in ElementTree.fromstring(meta).iter() if e.tag.endswith("}description")]
+        said = html5lib.parse(described.text, namespaceHTMLElements=False)
+        text = " ".join("".join(said.itertext()).split())
+        assert text.startswith("Date: 12 May 2026Time: 90 minutesHand in by: Friday, t")
+        assert "draw vO." in text
+        assert text.endswith("No books; a pen costs 5$.")
+
+
+@pytest.mark.parametrize(("version", "rubric"), [("qti21", "rubricBlock"), ("qti30", "qti-rubric-block")])
+def test_tests_of_qti_say_it_above_each_sheet(version: str, rubric: str, tmp_path: Path) -> None:
+    assert build(tmp_path, ENGLISH, "--format", version) == 0
+    with zipfile.ZipFile(tmp_path / "out" / f"{version}.zip") as archive:
+        (test,) = [archive.read(name) for name in archive.namelist() if re.fullmatch(r"t[0-9a-f]+\.xml", name)]
+    blocks = [e for e in ElementTree.fromstring(test).iter() if e.tag.endswith(f"}}{rubric}")]
+    assert len(blocks) == 2
+    for block in blocks:
+        assert block.get("view") == "candidate"
+        assert "Date: 12 May 2026" in " ".join("".join(block.itertext()).split())
+
+
+def test_bookmarks_of_sheets_without_names(tmp_path: Path) -> None:
+    assert build(tmp_path, "") == 0
+    codes = [s["code"] for s in json.loads((tmp_path / "out" / "manifest.json").read_text("utf-8"))["students"]]
+    document = pypdfium2.PdfDocument(tmp_path / "out" / "sheets.pdf")
+    found = [bookmark.get_title() for bookmark in document.get_toc()]
+    document.close()
+    assert found == [f"Variant 1 · {codes[0]}", f"Variant 2 · {codes[1]}"]

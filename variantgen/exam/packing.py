@@ -1,27 +1,30 @@
 """Solved problems as bytes, for other processes and for a build that goes on later.
 
-The exam and its families are not packed: they are named, and found again in the exam that the reader has. Reading
-makes only objects of the few classes that problems consist of, so that a file put in their place can do nothing.
+They are JSON, so that a file put in their place can be nothing but wrong data. The exam and its families are not
+packed: tasks and families are named by their places, forms by their names, and found again in the exam that the reader
+has. Numbers come back to the last bit: printed values are texts, others are written as Python writes them (the
+shortest that is read as the same).
+
+A problem is ``[task, family, form, printed values, sense, turns, attempt, answers]``, an answer ``[quantity, value,
+tolerance, margin, surd, unnoticed]``.
 """
 
 from __future__ import annotations
 
-import io
-import pickle
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
+from functools import lru_cache
+from math import isfinite
 from typing import Any
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Answer, Item
-from variantgen.families.family import Family, Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Surd
-
-_CLASSES = {(c.__module__, c.__qualname__): c for c in (Answer, Decimal, Item, Quantity, Surd, Unit, Variant)}
 
 
 class PackingError(VariantgenError):
@@ -30,69 +33,91 @@ class PackingError(VariantgenError):
 
 def pack(exam: Exam, items: Sequence[Item]) -> bytes:
     """Problems of an exam, with their answers, as bytes."""
-    file = io.BytesIO()
-    _Packer(file, exam).dump(tuple(items))
-    return file.getvalue()
+    places: dict[int, tuple[int, int]] = {}
+    tasks = {id(task): i for i, task in enumerate(exam.tasks)}
+    for i, task in enumerate(exam.tasks):
+        for k, family in enumerate(task.families):
+            places.setdefault(id(family), (i, k))  # the same object may belong to several tasks
+    told = [[tasks[id(item.task)], *_packed(item, places)] for item in items]
+    return json.dumps(told, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
+
+
+def _packed(item: Item, places: Mapping[int, tuple[int, int]]) -> list[Any]:
+    variant = item.variant
+    return [
+        places[id(variant.family)],
+        variant.form.name,
+        {name: str(value) for name, value in variant.printed.items()},
+        variant.sense,
+        variant.turns,
+        variant.attempt,
+        [
+            [a.quantity.name, a.value, a.tolerance, a.margin, a.surd and _numbers(a.surd), a.unnoticed]
+            for a in item.answers
+        ],
+    ]
+
+
+def _numbers(surd: Surd) -> tuple[int, int, int]:
+    return surd.numerator, surd.denominator, surd.radicand
 
 
 def unpack(exam: Exam, content: bytes) -> tuple[Item, ...]:
     """What was packed. Raises PackingError."""
     try:
-        found = _Reader(io.BytesIO(content), exam).load()
-    except PackingError:
-        raise
-    # What damaged bytes lead to is not restricted to errors of the module.
-    except Exception as error:
+        found = json.loads(content)
+        if type(found) is not list:
+            raise ValueError("no list")
+        return tuple(_item(exam, *one) for one in found)
+    except (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, RecursionError) as error:
         raise PackingError(f"packed problems cannot be read: {type(error).__name__}") from error
-    if not (isinstance(found, tuple) and all(isinstance(one, Item) for one in found)):
-        raise PackingError("packed problems cannot be read: they are something else")
-    return found
 
 
-class _Packer(pickle.Pickler):
-    """Names tasks, families and forms by their places in the exam.
-
-    They are told from other objects by their class: a method that is asked about every object takes longer than all
-    the rest.
-    """
-
-    def __init__(self, file: io.BytesIO, exam: Exam) -> None:
-        super().__init__(file, protocol=5)
-        names: dict[int, tuple[object, ...]] = {}
-        for i, task in enumerate(exam.tasks):
-            names.setdefault(id(task), (i,))
-            for k, family in enumerate(task.families):
-                names.setdefault(id(family), (i, k))
-                for name, form in family.forms.items():
-                    names.setdefault(id(form), (i, k, name))
-
-        def named(item: object) -> tuple[Any, ...]:
-            return _named, names[id(item)]
-
-        self.dispatch_table = {Task: named, Family: named, Form: named}
-
-
-def _named(*place: Any) -> Task | Family | Form:
-    """The object of an exam that has a name; a reader puts its own exam behind it."""
-    raise PackingError(f"{place} names something only in an exam")
+def _item(
+    exam: Exam,
+    task: int,
+    place: tuple[int, int],
+    name: str,
+    printed: Mapping[str, str],
+    sense: int,
+    turns: int,
+    attempt: int,
+    answers: Sequence[Sequence[Any]],
+) -> Item:
+    """A problem. Raises one of the errors that :func:`unpack` expects if there cannot be such a one."""
+    family = exam.tasks[place[0]].families[place[1]]
+    form = family.forms[name]
+    if printed.keys() != form.parameters.keys() or sense not in (1, -1) or turns not in range(4):
+        raise ValueError(name)
+    values = {parameter: Decimal(text) for parameter, text in printed.items()}
+    if not (all(value.is_finite() for value in values.values()) and _are(int, (sense, turns, attempt))):
+        raise ValueError(name)
+    variant = Variant(family, form, values, sense, turns, attempt)
+    return Item(exam.tasks[task], variant, tuple(_answer(family.length_unit, *answer) for answer in answers))
 
 
-class _Reader(pickle.Unpickler):
-    def __init__(self, file: io.BytesIO, exam: Exam) -> None:
-        super().__init__(file)
-        self._exam = exam
+def _answer(
+    length: str,
+    name: str,
+    value: float,
+    tolerance: float,
+    margin: float,
+    surd: Sequence[int] | None,
+    unnoticed: Sequence[str],
+) -> Answer:
+    quantity, unit = _quantity(name, length)
+    numbers = value, tolerance, margin
+    if not (_are(float, numbers) and all(map(isfinite, numbers)) and _are(int, surd or ()) and _are(str, unnoticed)):
+        raise ValueError(name)
+    return Answer(quantity, unit, value, tolerance, margin, Surd(*surd) if surd else None, tuple(unnoticed))
 
-    def find_class(self, module_name: str, global_name: str) -> Any:
-        """One of the classes of problems, or what finds the objects of the exam."""
-        if (module_name, global_name) == (_named.__module__, _named.__qualname__):
-            return self._found
-        if (module_name, global_name) not in _CLASSES:
-            raise PackingError(f"packed problems cannot be read: they hold a {module_name}.{global_name}")
-        return _CLASSES[module_name, global_name]
 
-    def _found(self, number: int, family: int | None = None, form: str | None = None) -> Task | Family | Form:
-        """The object of the exam that has this name."""
-        task: Task = self._exam.tasks[number]
-        if family is None:
-            return task
-        return task.families[family] if form is None else task.families[family].forms[form]
+def _are(kind: type, values: Sequence[object]) -> bool:
+    return all(type(value) is kind for value in values)
+
+
+@lru_cache(maxsize=4096)
+def _quantity(name: str, length: str) -> tuple[Quantity, Unit]:
+    """A quantity and its unit, where lengths have this one."""
+    quantity = split_name(name)
+    return quantity, quantity.unit(length)

@@ -163,9 +163,10 @@ def recorded(quantity: Quantity, value: float) -> float:
 
 
 def split_name(text: str) -> Quantity:
-    """The quantity of a name that is known to be one."""
+    """The quantity of a name that is known to be one; ValueError if it is none."""
     match = _PATTERN.fullmatch(text)
-    assert match is not None
+    if match is None:
+        raise ValueError(f"{text} is no name of a quantity")
     return Quantity(match[1], match[2], match[3] or "")
 
 

@@ -9,14 +9,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
+from variantgen.tables import shown
 
 VERSION = 1
 QUIET = 4  # modules around a code that stay white
 
 # Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
 _MASK = 3
+
+# Letters of a text; 64 capitals take 33 modules in a row, those of our sheets 25.
+_LONGEST = 64
 
 _BAR = re.compile(rb"\x01+")
 
@@ -29,9 +34,17 @@ def qr_text(exam: Exam, seed: str, sheet: Sheet) -> str:
 
 
 def qr_rows(text: str) -> Rows:
-    """The modules of a code from the top, without the white around them; error level M."""
+    """The modules of a code from the top, without the white around them; error level M.
+
+    Raises InputError for a text that is longer than what a reader finds on 10 mm of paper.
+    """
     import segno
 
+    if len(text) > _LONGEST:
+        remedy = "was the manifest changed? or write  qr = false  under [page]"
+        raise InputError(
+            Problem(f"the text of a QR code has more than {_LONGEST} characters", value=shown(text), remedy=remedy)
+        )
     made = segno.make(text, error="m", mask=_MASK, micro=False, boost_error=False)
     return tuple(map(bytes, made.matrix))
 

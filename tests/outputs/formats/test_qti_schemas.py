@@ -43,6 +43,7 @@ PROBLEMS = (
     'family = "movable_pulley"',
     'family = "slider_crank"\nnice = true',
 )
+HEAD = 'formats = ["qti21", "qti30"]\ndate = "12 May"\ninstructions = "Take $g = 9.8$ <b>."'
 OPTIONS = {
     "ru": '[solutions]\nlanguage = "en"',
     "en": "\n".join(
@@ -55,7 +56,7 @@ OPTIONS = {
 def out(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A build for two students in a language, each with other options."""
     language = request.param
-    text = exam(*PROBLEMS, language=language, head='formats = ["qti21", "qti30"]', tables=OPTIONS[language])
+    text = exam(*PROBLEMS, language=language, head=HEAD, tables=OPTIONS[language])
     return build(tmp_path_factory.mktemp("schemas") / language, text)
 
 

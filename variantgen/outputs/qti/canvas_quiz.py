@@ -13,6 +13,7 @@ from xml.etree.ElementTree import Element
 from variantgen.exam.blueprint import Exam
 from variantgen.outputs.qti.canvas_item import field
 from variantgen.outputs.qti.dialect import XSI
+from variantgen.outputs.qti.options import introduction
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.tree import element, number
 
@@ -76,7 +77,7 @@ def meta(name: str, title: str, exam: Exam, points: Decimal, assigned: bool) -> 
     explained = _yes(exam.solutions.wanted)
     fields = {
         "title": title,
-        "description": "",
+        "description": introduction(exam),
         "shuffle_answers": "false",
         "scoring_policy": "keep_highest",
         "hide_results": "",

@@ -69,6 +69,12 @@ class Dialect:
         inner = self.element("contentBody", {}, content) if self.modern else content
         return self.element("modalFeedback", attributes, inner)
 
+    def rubric(self, content: Element) -> Element:
+        """What candidates read above the items of a section."""
+        inner = self.element("contentBody", {}, content) if self.modern else content
+        purpose = {"use": "instructions"} if self.modern else {}
+        return self.element("rubricBlock", {**purpose, "view": "candidate"}, inner)
+
 
 def _kebab(name: str) -> str:
     return _CAPITAL.sub(r"-\1", name).lower()

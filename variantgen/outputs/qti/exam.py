@@ -18,7 +18,7 @@ from variantgen.outputs.formats import Part, Piece, Whole
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import Items, identifier
-from variantgen.outputs.qti.options import Options, read_options
+from variantgen.outputs.qti.options import Options, introduction, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, pack, package
 from variantgen.outputs.qti.tree import document, element, images, line
@@ -146,9 +146,13 @@ class _Writer:
         make = self.dialect.element
         own = {"identifier": f"s{sheet['code']}", "title": self._variant(sheet), "visible": "true"}
         refs = ({"identifier": item["name"], "href": _file(item["name"])} for item in sheet["items"])
-        return make(
-            "assessmentSection", {**own, "keepTogether": "true"}, *(make("assessmentItemRef", ref) for ref in refs)
-        )
+        parts = [*self._introduction(), *(make("assessmentItemRef", ref) for ref in refs)]
+        return make("assessmentSection", {**own, "keepTogether": "true"}, *parts)
+
+    def _introduction(self) -> Iterator[Element]:
+        """What the exam says to everybody, if it says anything."""
+        if self.exam.notices:
+            yield self.dialect.rubric(element("div", {}, *self.dialect.html(introduction(self.exam))))
 
     def _outcome(self, name: str) -> Element:
         make = self.dialect.element

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from variantgen.exam.blueprint import Exam
+from variantgen.figure.drawing import Drawing
 from variantgen.outputs.qti.figures import FORMS, Figures
-from variantgen.outputs.web.fragments import Style
+from variantgen.outputs.web.fragments import Style, notices_html
 from variantgen.tables import Table
 from variantgen.wording.formula import Formula
 from variantgen.wording.html import to_html
@@ -35,6 +37,15 @@ class Options:
 def in_text(formula: Formula, display: bool) -> str:
     """A formula as letters, indices and powers, which every platform shows."""
     return to_html(formula)
+
+
+def introduction(exam: Exam) -> str:
+    """What the exam says to everybody, as HTML with formulas that every platform shows."""
+    return notices_html(exam.notices, exam.spoken, Style(in_text, _no_figure))
+
+
+def _no_figure(drawing: Drawing, millimetres: float) -> str:
+    raise AssertionError("an introduction has no figures")
 
 
 def read_options(table: Table, key: str, words: tuple[str, str], usual: Options) -> Options:

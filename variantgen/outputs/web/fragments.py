@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from html import escape
 
 from variantgen.exam.content import Solved
+from variantgen.exam.notices import Notices
 from variantgen.exam.shown import Shown
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.rows import Pieces, breadth, rows
@@ -19,7 +20,8 @@ from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
 from variantgen.wording.solution.plain import plain_text
-from variantgen.wording.statement import Statement, Text
+from variantgen.wording.statement import Statement
+from variantgen.wording.text import Text
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
@@ -81,6 +83,13 @@ def statement_html(said: Statement, language: Language, style: Style) -> str:
     given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given, '.')}</p>" if said.given else ""
     found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked, '.')}</p>"
     return f"<p>{style.text(said.text)}</p>{given}{found}"
+
+
+def notices_html(notices: Notices, language: Language, style: Style) -> str:
+    """What an exam says at the head of its sheets, as paragraphs; nothing where it says nothing."""
+    words = language.words("notices")
+    facts = (f"<p><strong>{escape(words[name])}</strong> {style.text(text)}</p>" for name, text in notices.facts)
+    return "".join((*facts, *(f"<p>{style.text(text)}</p>" for text in notices.instructions)))
 
 
 def notes_html(notes: Sequence[str]) -> str:
