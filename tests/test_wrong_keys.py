@@ -209,3 +209,9 @@ def test_a_family_without_worked_cases_is_told_so(tmp_path: Path, capsys: pytest
     (path / "cases.toml").unlink()
     assert main(["check", str(path), "--seeds", str(SEEDS)]) == 0
     assert "(no worked cases: nothing from outside confirms the answers" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("family", ["point_on_rotating_disc", "sliding_block_on_rotating_rod"])
+def test_a_rate_of_nothing_is_as_exact_as_the_others(family: str) -> None:
+    """A given relative acceleration of 0 is solved to within the rounding of the other accelerations."""
+    assert not [failure for failure in check_family(family, 20).failures if "the sheet says" in failure]

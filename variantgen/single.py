@@ -51,9 +51,12 @@ def one_variant(
     family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else (), nice, beyond=True)
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
-        _check_values(only)
         variant = Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
-        _check_places(variant)
+        try:
+            _check_values(only)
+            _check_places(variant)
+        except InputError as error:
+            raise error.located(family_or_file) from None
         return variant
     return draw(family, tuple(ask) or None, [(seed, *SINGLE)], judge=Margins())[0]
 

@@ -12,12 +12,15 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.limits import KEY_PARTS, TOML_BYTES
+from variantgen.limits import DIGITS, KEY_PARTS, TOML_BYTES
 
 T = TypeVar("T")
 # Part after part of a dotted key, bare or in quotes; what has been read is not read again in another way.
 _PART = r"""(?:[A-Za-z0-9_-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')[ \t]*+"""
 _DEEP_KEY = re.compile(rf"(?<![A-Za-z0-9_-])(?:{_PART}\.[ \t]*+){{{KEY_PARTS},}}")
+
+# A value that begins like a number and goes on: Python does not write out whole numbers of any length.
+_LONG_NUMBER = re.compile(rf"(?<=[=\[,])[ \t\r\n]*[+-]?(?:0[xob])?[0-9A-Fa-f_]{{{DIGITS + 1},}}+")
 
 
 def read_limited(path: Path, limit: int) -> bytes:
@@ -48,10 +51,13 @@ def read_text(path: Path) -> str:
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
     """The content of the text of a file, numbers with a decimal point as Decimal. Raises InputError."""
-    if deep := _DEEP_KEY.search(text):
-        message = f"a key of more than {KEY_PARTS} parts in line {text.count(chr(10), 0, deep.start()) + 1}"
-        remedy = "no key has so many; if it is a text, part it by spaces"
-        raise InputError(Problem(message, file=str(path), value=shown(deep[0]), remedy=remedy))
+    for found, what, remedy in (
+        (_DEEP_KEY.search(text), f"a key of more than {KEY_PARTS} parts", "no key has so many; part a text by spaces"),
+        (_LONG_NUMBER.search(text), f"a number of more than {DIGITS} digits", "no quantity is that large: shorten it"),
+    ):
+        if found:
+            message = f"{what} in line {text.count(chr(10), 0, found.start()) + 1}"
+            raise InputError(Problem(message, file=str(path), value=shown(found[0].strip()), remedy=remedy))
     try:
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:

@@ -130,3 +130,13 @@ def test_two_names_for_one_place(tmp_path, capsys, words):
     told = capsys.readouterr().err
     assert "bodies.OA: the points O and Q of this body lie in one place: two names for one point" in told
     assert "use one of the names everywhere" in told
+
+
+def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
+    def nowhere(*_):
+        raise NoWayError("nowhere")
+
+    monkeypatch.setattr(compose.walk, "velocities", nowhere)
+    monkeypatch.setattr(compose, "_by_one_method", nowhere)
+    assert main(["check", written(tmp_path, LEVEL)]) == 0
+    assert "no method of solution leads to omega_p, v_O" in capsys.readouterr().out

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from variantgen.check.explained import check_explained
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
@@ -64,6 +65,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
             report.fail(f"{item.quantity} is the same for {100 * item.commonest:.0f} % of the variants", where)
     check_texts(variants, motion, report)
     check_quantities(variants[0], report)
+    check_explained(variants[0], motion, asked, report, where)
     _check_nice(family, form, found, where, report)
 
 

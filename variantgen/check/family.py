@@ -6,14 +6,13 @@ import time
 from pathlib import Path
 
 from variantgen.check.draws import check_form
+from variantgen.check.explained import check_scene
 from variantgen.check.report import Report
 from variantgen.check.texts import check_languages
 from variantgen.families.cases import AGREES, load_cases
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.mechanism.outcome import Outcome
-from variantgen.single import one_variant
-from variantgen.variants.variant import solve_variants
 
 _NO_CASES = (
     "no worked cases: nothing from outside confirms the answers of this family;"
@@ -30,14 +29,12 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
     family = load_family(name_or_path, folders)
     report = Report(family.name)
     _check_cases(family, report)
-    if any(form.parameters for form in family.forms.values()):
+    if family.folder is not None or any(form.grid_size > 1 for form in family.forms.values()):
         check_languages(family, report)
         for form in family.forms.values():
             check_form(family, form, seeds, report)
     else:
-        outcome = Outcome(int(solve_variants([one_variant(name_or_path, folders=folders)], 1).outcome[0]))
-        if outcome is not Outcome.SOLVED:
-            report.fail(outcome.text)
+        check_scene(name_or_path, folders, report)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 

@@ -133,4 +133,5 @@ def _grouped(copies: Sequence[Finding]) -> str:
     if not others:
         return text
     shown = "; ".join(others[:_SHOWN]) + ("; ..." if len(others) > _SHOWN else "")
-    return f"{text}\n      and {len(others)} more forms/variants: {shown}"
+    what = "form/variant" if len(others) == 1 else "forms/variants"
+    return f"{text}\n      and {len(others)} more {what}: {shown}"

@@ -15,7 +15,7 @@ from variantgen.exam import printable
 from variantgen.tables import Table
 from variantgen.wording.inline import inline
 from variantgen.wording.language import languages, load_language
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 FACTS = ("date", "duration", "deadline")
 _INSTRUCTIONS = "instructions"

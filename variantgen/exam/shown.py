@@ -16,7 +16,7 @@ from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 STATEMENT = "statement"
 _MOST = 3  # figures in a row

@@ -57,7 +57,7 @@ def recompute(motion: Motion) -> Recomputed:
     """
     chain = Chain(motion)
     h = _time_step(motion, chain.length)
-    inverse = np.linalg.inv(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
+    inverse = _inverse(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
     q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))
     times = _OFFSETS[:, None] * h
     size = np.inf
@@ -85,6 +85,16 @@ def recompute(motion: Motion) -> Recomputed:
         largest_change(motion.v, v, motion.omega, omega, chain.length),
         largest_change(motion.a, a, motion.epsilon, epsilon, chain.length),
     )
+
+
+def _inverse(matrices: Vector) -> Vector:
+    """The inverses, shape (N, n, n); not numbers where a matrix is singular, so that nothing is confirmed by it."""
+    try:
+        return np.asarray(np.linalg.inv(matrices))
+    except np.linalg.LinAlgError:
+        regular = np.linalg.matrix_rank(matrices) == matrices.shape[-1]
+        eye = np.eye(matrices.shape[-1])
+        return np.where(regular[:, None, None], np.linalg.inv(np.where(regular[:, None, None], matrices, eye)), np.nan)
 
 
 def _time_step(motion: Motion, length: Field) -> Field:

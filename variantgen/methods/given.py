@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from variantgen.families.expressions import Expression as FamilyExpression
 from variantgen.families.family import Template
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.extension import Extension
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
+from variantgen.mechanism.scene import label
 from variantgen.methods.book import Book, Known, Rate, resultant
 from variantgen.methods.expression import Constant, Expression, Total, Value
 from variantgen.methods.geometry import Geometry, degrees, normal_angle
@@ -18,11 +22,15 @@ from variantgen.methods.step import Body, Fact, Point
 from variantgen.methods.timed import law_behind
 from variantgen.methods.tracks import on_track
 
+_IN_GROUPS = (Rotation, Extension, RelativeTravel, Circling)  # relative motion: given with a group of the route
 _REST = 1e-12  # of the natural scale: a vector below it is none
 
 
 def take(book: Book) -> None:
-    """Enter what the drivers give at the order that is being worked out; what has to be worked out is a step."""
+    """Enter what the drivers give at the order that is being worked out; what has to be worked out is a step.
+
+    Raises LookupError for a driver of a kind that neither this step nor a group knows.
+    """
     with book.step(f"given.{book.measure}") as made:
         for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
             if isinstance(driver, Rotation) and driver.relative_to is None:
@@ -32,6 +40,8 @@ def take(book: Book) -> None:
                 book.vectors[driver.point] = _straight(book, template, driver.point)
             elif isinstance(driver, Travel):
                 _take_travel(book, template, driver.point)
+            elif not isinstance(driver, _IN_GROUPS):
+                raise LookupError(f"no step takes what is given by {label(driver)}")
     if not made.items:
         book.steps.remove(made)
 
@@ -111,10 +121,13 @@ def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
 
 
 def _name_of(book: Book, template: Template, key: str) -> Name:
-    """The name of a rate that is not given itself."""
-    target = template.fields.get("body") or template.fields.get("point")
-    assert isinstance(target, str)
-    return Name(key, target)
+    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
+    fields = template.fields
+    if template.component is Rotation:
+        return Name(key, fields["body"])
+    is_relative = template.component in (RelativeTravel, Circling, Extension)
+    target = fields["end"] if template.component is Extension else fields["point"]
+    return Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
 
 
 def unsigned(expression: Expression | None) -> Expression | None:

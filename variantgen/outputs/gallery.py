@@ -26,7 +26,8 @@ from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.html import to_html
 from variantgen.wording.language import Language, load_language
-from variantgen.wording.statement import Statement, Text, statement
+from variantgen.wording.statement import Statement, statement
+from variantgen.wording.text import Text
 
 FILES = ("index.html", "gallery.pdf", "figures/*.svg")
 

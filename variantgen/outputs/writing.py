@@ -9,7 +9,7 @@ from variantgen.outputs.markup import heading, markup
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Equation, Formula, Surd, UnitText
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 
 class Writing(Protocol):

@@ -29,7 +29,7 @@ from variantgen.wording.formula import (
     UnitText,
 )
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 _DOLLAR = re.compile(r"(?<!\\)\$")
 _DEEPEST = 8  # parentheses inside each other

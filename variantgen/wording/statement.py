@@ -21,8 +21,8 @@ from variantgen.variants.variant import Variant, speeding
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.language import Language
 from variantgen.wording.template import StatementTemplate, load_template
+from variantgen.wording.text import Text
 
-Text = tuple[str | Formula, ...]
 # Code points of the private use area enclose the number of a formula on its way through the template.
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}(\\d+){_CLOSE}")

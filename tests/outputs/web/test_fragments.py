@@ -17,7 +17,7 @@ from variantgen.wording.language import load_language
 from variantgen.wording.mathml import to_mathml
 from variantgen.wording.solution.document import Line, Lines
 from variantgen.wording.solution.explain import explain
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 A, B = Symbol("A"), Symbol("B")
 STYLE = Style(lambda formula, display: f"<m>{to_plain(formula)}</m>", lambda drawing, millimetres: "<svg/>")

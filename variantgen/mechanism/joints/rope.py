@@ -53,7 +53,7 @@ class Rope(Joint):
     @property
     def _drums(self) -> tuple[tuple[Bend, float], ...]:
         """Drums at the ends: the bend and the sign of its rotation in the row."""
-        ends = ((self.path[0], 1.0), (self.path[-1], -1.0))
+        ends = [(self.path[0], 1.0), (self.path[-1], -1.0)] if self.path else []
         return tuple(end for end in ends if end[0].body is not None)
 
     def shapes(self) -> tuple[Shape, ...]:
@@ -68,7 +68,7 @@ class Rope(Joint):
 
     def hanging(self) -> tuple[str, ...]:
         """Free ends: loads, or points of bodies that the rope is tied to."""
-        ends = (self.path[0], self.path[-1])
+        ends = (self.path[0], self.path[-1]) if self.path else ()
         return tuple(end.point for end in ends if end.body is None and not end.fixed)
 
     def sound(self, at: Placement) -> Flags:

@@ -11,8 +11,8 @@ from variantgen.outputs.latex.text import Tex, latex_text
 from variantgen.outputs.qr import qr_bars, qr_rows
 from variantgen.wording.formula import Equation, Formula, Surd, UnitText
 from variantgen.wording.latex import sign_to_latex, to_latex
-from variantgen.wording.statement import Text
 from variantgen.wording.surds import with_surd
+from variantgen.wording.text import Text
 
 
 @dataclass(frozen=True)

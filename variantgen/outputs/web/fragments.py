@@ -20,7 +20,8 @@ from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
 from variantgen.wording.solution.plain import plain_text
-from variantgen.wording.statement import Statement, Text
+from variantgen.wording.statement import Statement
+from variantgen.wording.text import Text
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from variantgen.families.quantities import Quantity
 from variantgen.wording.formula import Formula
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 
 @dataclass(frozen=True, slots=True)

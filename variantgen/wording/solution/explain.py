@@ -21,8 +21,8 @@ from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.symbols import Symbols
 from variantgen.wording.solution.writer import Writer
-from variantgen.wording.statement import Text
 from variantgen.wording.surds import surd, with_surd
+from variantgen.wording.text import Text
 from variantgen.wording.vector_names import centre_letters
 
 WHOLE = Wish()

@@ -10,7 +10,7 @@ from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Line, Lines, Paragraph, Program, SolutionText, VectorTable
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.statement import Text
+from variantgen.wording.text import Text
 
 COLUMNS = 100
 _INDENT = "    "

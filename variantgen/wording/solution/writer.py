@@ -57,8 +57,8 @@ from variantgen.wording.solution.document import (
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import Field, Letter
 from variantgen.wording.solution.symbols import Symbols
-from variantgen.wording.statement import Text
 from variantgen.wording.surds import surd
+from variantgen.wording.text import Text
 
 _NOTHING = Number("0")
 _EQUALS, _NEARLY = "=", "≈"

@@ -1,0 +1,48 @@
+"""Whether answers can be computed, marked and explained: what ``solve``, ``--explain`` and ``build`` would do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from variantgen.check.report import Report
+from variantgen.errors import VariantgenError
+from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.outcome import Outcome
+from variantgen.single import asked_quantities, one_variant, solution_document
+from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.language import languages, load_language
+from variantgen.wording.solution.explain import UnexplainedError, explain
+
+
+def check_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
+    """Look at a scene in which nothing varies. Raises InputError for one that cannot be read or contradicts itself."""
+    variant = one_variant(name_or_path, folders=folders)
+    document = solution_document(variant)
+    outcome = Outcome[document["outcome"].upper()]
+    if outcome is not Outcome.SOLVED:
+        report.fail(outcome.text)
+        return
+    asked = asked_quantities(variant)
+    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    check_explained(variant, motion, asked, report)
+    try:
+        statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
+    except VariantgenError as error:
+        report.fail(f"the figure cannot be drawn: {error}")
+
+
+def check_explained(
+    variant: Variant, motion: Motion, asked: Sequence[Quantity], report: Report, where: str = ""
+) -> None:
+    """Write the solution of the first variant of a solved batch; that there is no method for it is a remark."""
+    for language in languages():
+        try:
+            explain(variant, motion, 0, asked, load_language(language))
+        except UnexplainedError as error:
+            report.remarks.append(str(error))
+            return
+        except VariantgenError as error:
+            report.fail(f"the worked solution ({language}): {error}", where)
