@@ -66,6 +66,14 @@ def test_a_printed_length_is_the_distance_of_its_points(
     assert "but these points are" in found[0]
 
 
+def test_a_length_is_read_as_it_is_printed(tmp_path: Path) -> None:
+    """The crank OA has its own length, and it is printed as that of the fixed link OC."""
+    was, now = 'OA = { unit = "cm",', 'OA = { symbol = "OC", unit = "cm",'
+    other, name = 'OC = { unit = "cm",', 'OC = { symbol = "OA", unit = "cm",'
+    path = damaged(tmp_path, "oscillating_cylinder", ("family.toml", was, now), ("family.toml", other, name))
+    assert sum("the sheet says OA = " in failure for failure in failures(path)) == 1
+
+
 def test_the_message_names_both_lengths(tmp_path: Path) -> None:
     """The crank is printed with 14 to 40 cm, and is twice as long."""
     path = damaged(tmp_path, "oscillating_cylinder", ("family.toml", 'distance = "OA"', 'distance = "2*OA"'))
