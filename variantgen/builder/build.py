@@ -17,6 +17,7 @@ from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import Others, Workers, local_workers
 from variantgen.errors import InputError
+from variantgen.exam.assembly import Standing
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.order import in_order
 from variantgen.exam.roster import Student
@@ -63,6 +64,7 @@ def build(
     progress: Progress = lambda stage, done, total: None,
     executor: Executor | Others | None = None,
     resume: bool = False,
+    standing: Sequence[Standing] = (),
 ) -> Built:
     """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
 
@@ -70,7 +72,8 @@ def build(
     :mod:`variantgen.outputs.formats`). The work is done by ``jobs`` processes or by an ``executor`` (of processes, of
     threads, that of Dask, of mpi4py, ...), whose workers need this version of the package and nothing else; the bytes
     are the same. Sheets stand by group and name, unless the exam wants the order of ``students``. With ``resume`` it
-    goes on from the parts that an interrupted build has finished. Raises InputError for
+    goes on from the parts that an interrupted build has finished. The sheets
+    are kept apart from those ``standing``, which other students of the same exam have already. Raises InputError for
     wrong input, ToolMissingError where a format needs something that is not installed.
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
@@ -81,13 +84,16 @@ def build(
         formats()[name].check(exam, students)
     with terminable(), typesetter() as engine:
         carried = Carried.of(exam, exam.seed if seed is None else seed)
-        with writing(out), unfinished(out, _plan(carried, students), resume, (RECORDS, *exam.formats)) as parts:
+        with (
+            writing(out),
+            unfinished(out, _plan(carried, students, standing), resume, (RECORDS, *exam.formats)) as parts,
+        ):
             with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
                 try:
-                    draw_all(exam, students, carried, parts, workers, progress)
+                    draw_all(exam, students, carried, parts, workers, progress, standing)
                 except InputError as error:
                     raise error.located(str(exam.path)) from None
-                sheets = StoredSheets(exam, students, carried.seed, parts)
+                sheets = StoredSheets(exam, students, carried.seed, parts, [sheet.code for sheet in standing])
                 kept = _make_all(exam, sheets, carried, parts, workers, progress)
             notes: list[str] = []
             with whole_folder(out, force, known, notes) as folder:
@@ -105,11 +111,13 @@ def _workers(executor: Executor | Others | None, jobs: int) -> Iterator[Workers]
             yield executor if isinstance(executor, Others) else Others(executor, AHEAD)
 
 
-def _plan(carried: Carried, students: Sequence[Student]) -> dict[str, str]:
+def _plan(carried: Carried, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
     """What must be the same for a build to go on: by the words that tell what is different."""
     roster = hashlib.sha256()
     for student in students:
         roster.update(repr((student.id, student.name, student.group)).encode())
+    for sheet in standing:
+        roster.update(repr((sheet.student.id, sheet.code)).encode())
     return {
         "version of the program, its templates or families": _hash(sorted(carried.made_with.items())),
         "seed": carried.seed,

@@ -12,7 +12,7 @@ from variantgen.builder.carried import Carried
 from variantgen.builder.jobs import STUDENTS_PER_DRAW, Compare, Draw
 from variantgen.builder.unfinished import Unfinished
 from variantgen.builder.workers import Workers
-from variantgen.exam.assembly import Drawer, Wish, again_of, alike_of, keep_apart, redrawn_of
+from variantgen.exam.assembly import Drawer, Standing, Wish, again_of, alike_of, keep_apart, redrawn_of
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
@@ -31,8 +31,12 @@ def draw_all(
     parts: Unfinished,
     workers: Workers,
     progress: Progress,
+    standing: Sequence[Standing] = (),
 ) -> None:
-    """Draw everything that was not drawn before. Raises InputError where a problem leaves too few valid variants."""
+    """Draw everything that was not drawn before, apart from what is ``standing``.
+
+    Raises InputError where a problem leaves too few valid variants.
+    """
     wishes, drawer = _Wishes(exam, students), Drawer(exam, carried.seed)
     if parts.is_settled([(start, problem) for start, problem, _ in wishes.batches()]):
         return
@@ -44,7 +48,7 @@ def draw_all(
         found = dict(workers.run(carried, ((k, Compare(chosen)) for k, chosen in _batches(again))))
         return Traits.joined([found[k] for k in sorted(found)])
 
-    settled = keep_apart(drawer, wishes, first, more)
+    settled = keep_apart(drawer, wishes, first, more, standing)
     _change(exam, again_of(wishes, settled), carried, parts, workers)
     parts.settle(redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike), cut)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 from variantgen.builder.jobs import PackedPart
@@ -16,9 +16,11 @@ from variantgen.outputs.formats import STUDENTS_PER_PART
 class StoredSheets(Sequence[Sheet]):
     """The sheets in their order; to go through them in turn is best."""
 
-    def __init__(self, exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished) -> None:
+    def __init__(
+        self, exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished, taken: Collection[str] = ()
+    ) -> None:
         self._exam, self._students, self._parts = exam, students, parts
-        self._codes = variant_codes(seed, students)
+        self._codes = variant_codes(seed, students, taken)
         self._begun = {student.group: place for place, student in reversed(list(enumerate(students)))}
         self._last: tuple[int, tuple[Sheet, ...]] = (-1, ())
 

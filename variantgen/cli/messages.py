@@ -8,9 +8,12 @@ command.
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from typing import TextIO
 
 from variantgen.letters import spelled_out
+
+_NAMED = 12  # students that a message names
 
 
 def say(text: object = "") -> None:
@@ -26,6 +29,13 @@ def tell(text: object) -> None:
 def counted(number: int, one: str, many: str = "") -> str:
     """``1 sheet``, ``2 sheets``; ``many`` is the plural where it is not made with an s."""
     return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def some_of(ids: Sequence[str], mark: str = ", ", listed: str = "") -> str:
+    """Some students; of many the count, some of them and where all are ``listed``."""
+    if len(ids) <= _NAMED:
+        return mark.join(ids)
+    return f"{len(ids)} students ({mark.join(ids[:3])}{mark}...)" + (f", {listed}" if listed else "")
 
 
 def _write(stream: TextIO, text: object) -> None:

@@ -42,6 +42,15 @@ class Assembly:
     alike: Mapping[str, int]
 
 
+@dataclass(frozen=True)
+class Standing:
+    """A sheet that is handed out already: new ones are kept apart from it. It has a variant for every problem."""
+
+    student: Student
+    code: str
+    variants: tuple[Variant, ...]
+
+
 class Drawer:
     """Draws, solves and verifies problems of an exam. What follows from the exam alone is worked out once."""
 
@@ -127,12 +136,33 @@ def wishes_of(exam: Exam, students: Iterable[Student]) -> list[Wish]:
     return [Wish(student, place) for student in students for place in range(len(exam.tasks))]
 
 
-def keep_apart(drawer: Drawer, wishes: Sequence[Wish], first: Traits, more: More) -> Settled:
+def keep_apart(
+    drawer: Drawer, wishes: Sequence[Wish], first: Traits, more: More, standing: Sequence[Standing] = ()
+) -> Settled:
     """Who has to draw again; ``more`` draws. Raises InputError where there are too few variants."""
+    if not wishes:
+        return Settled({}, ())
+    kept = _standing_traits(drawer.exam, standing)
     try:
-        return settle(first, lambda i: drawer.priority(wishes[i]), more) if wishes else Settled({}, ())
+        return settle(
+            Traits.joined([first, *kept]), lambda i: drawer.priority(wishes[i]), more, sum(len(own) for own in kept)
+        )
     except TooFewError as error:
-        raise too_few(error, [drawer.drawing(wish) for wish in wishes]) from None
+        others = (Wish(sheet.student, place) for place in range(len(drawer.exam.tasks)) for sheet in standing)
+        raise too_few(error, [drawer.drawing(wish) for wish in (*wishes, *others)]) from None
+
+
+def _standing_traits(exam: Exam, standing: Sequence[Standing]) -> list[Traits]:
+    """What is compared of sheets that are handed out, by problems."""
+    return [
+        traits(
+            [sheet.variants[place] for sheet in standing],
+            [read_ask(sheet.variants[place].form, task.ask) for sheet in standing],
+            [sheet.student.group for sheet in standing],
+        )
+        for place, task in enumerate(exam.tasks)
+        if standing
+    ]
 
 
 def alike_of(drawer: Drawer, wishes: Sequence[Wish], alike: Iterable[int]) -> dict[str, int]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
@@ -79,21 +80,26 @@ class Sheet:
     items: tuple[Item, ...]
 
 
-def variant_codes(seed: str, students: Sequence[Student]) -> list[str]:
-    """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same.
+def variant_codes(seed: str, students: Sequence[Student], taken: Collection[str] = ()) -> list[str]:
+    """A short code like ``7Q4-K2M`` for the sheet of each student, no two the same, and none that is ``taken``.
 
     Where two students would have the same code, one of them gets another three letters; the ids decide which.
     """
     numbers = [int.from_bytes(digest("code", seed, student.id), "big") for student in students]
     found = [_code(number, 2) for number in numbers]
     for length in range(3, 10):
-        holders: dict[str, int] = {}
+        holders = dict.fromkeys(taken, -1)
         for i in sorted(range(len(students)), key=lambda i: numbers[i]):
             if holders.setdefault(found[i], i) != i:
                 found[i] = _code(numbers[i], length)
-        if len(holders) == len(students):
+        if len(holders) == len(students) + len(set(taken)):
             break
     return found
+
+
+def is_code(text: str) -> bool:
+    """Whether a text is a code as sheets have it: asked of what was read from a file, before others are named by it."""
+    return re.fullmatch(rf"[{_CODE_LETTERS}]{{3}}(-[{_CODE_LETTERS}]{{3}}){{1,8}}", text) is not None
 
 
 def _code(number: int, groups: int) -> str:
@@ -172,11 +178,13 @@ def batches_of(
 
 
 def answer_variants(
-    variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance]
+    variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance], marked: bool = False
 ) -> list[tuple[Answer, ...]]:
-    """The answers of variants in printed units, with absolute tolerances."""
+    """The answers of variants in printed units, with absolute tolerances and, ``marked``, unnoticed mistakes."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     solved, found = solve_all(variants, asked), dict[int, tuple[Answer, ...]]()
+    if marked:
+        return answers_of(variants, asked, solved, {own: Margins(own) for own in tolerances}, tolerances)
     for tolerance, places in places_by_tolerance(tolerances).items():
         own = _answers(*_taken(places, variants, asked, solved), Margins(tolerance))
         found.update(zip(places, own, strict=True))

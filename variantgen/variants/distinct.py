@@ -47,9 +47,12 @@ class TooFewError(Exception):
         return int(np.unique(self._identities[np.array(own)]).size)
 
 
-def settle(first: Traits, priority: Callable[[int], bytes], more: More) -> Settled:
-    """Give everyone a draw, from the first draw of each owner 0 .. N-1. Raises TooFewError."""
-    pool = _Pool(first, priority)
+def settle(first: Traits, priority: Callable[[int], bytes], more: More, kept: int = 0) -> Settled:
+    """Give everyone a draw, from the first draw of each owner 0 .. N-1. Raises TooFewError.
+
+    The last ``kept`` of them keep theirs, whatever it is.
+    """
+    pool = _Pool(first, priority, kept)
     idle = seen = 0
     while wanting := pool.choose():
         before, seen = seen, pool.contested
@@ -64,9 +67,10 @@ def settle(first: Traits, priority: Callable[[int], bytes], more: More) -> Settl
 class _Pool:
     """All draws so far, and which of them everyone takes."""
 
-    def __init__(self, first: Traits, priority: Callable[[int], bytes]) -> None:
+    def __init__(self, first: Traits, priority: Callable[[int], bytes], kept: int) -> None:
         self.traits = first
         self._count = len(first)
+        self._kept = range(self._count - kept, self._count)
         self._owner = list(range(self._count))
         self._more: dict[int, list[int]] = {}  # draws of owners with several, after their first
         self._priority = priority
@@ -93,7 +97,7 @@ class _Pool:
     def settled(self) -> Settled:
         """What was chosen."""
         again = {owner: int(self.traits.attempt[taken]) for owner, taken in self._taken.items() if taken != owner}
-        everyone = range(self._count if self._crowds else 0)
+        everyone = range(self._kept.start if self._crowds else 0)
         crowded = {i for i in everyone if int(self.traits.room[self._taken.get(i, i)]) in self._crowds}
         return Settled(dict(sorted(again.items())), tuple(sorted(self._alike | crowded)))
 
@@ -106,7 +110,8 @@ class _Pool:
         contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
         draws = [i for owner in contested for i in self._draws(owner)]
         self.contested = np.unique(self.traits.identity[np.array(draws, dtype=int)]).size
-        held: set[int] = set()
+        held = set(self._kept)
+        contested.difference_update(self._kept)
         wanting = []
         self._taken = {}
         for owner in sorted(contested, key=self._priority):

@@ -10,7 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from variantgen.cli.messages import counted, tell
+from variantgen.cli.late import late
+from variantgen.cli.messages import counted, some_of, tell
 from variantgen.cli.options import add_families, at_least_one, format_names
 from variantgen.cli.progress import Progress
 from variantgen.errors import InputError, Problem
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from variantgen.builder import Built
     from variantgen.exam.roster import Student
 
-_NAMED = 12  # students that a message names
 HELP = "build an exam"
 DESCRIPTION = (
     "Build an exam in a new folder: key.csv, manifest.json and the outputs that are wished, usually sheets.pdf,\n"
@@ -60,6 +60,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, e.g. tcp://10.0.0.1:8786"
     )
     parser.add_argument(
+        "--only-new",
+        action="store_true",
+        help="only for students who are not in DIR yet, into a folder of their own: DIR-new, DIR-new-2, ...",
+    )
+    parser.add_argument(
         "--resume", action="store_true", help="go on from the parts that an interrupted build has finished"
     )
     parser.add_argument(
@@ -83,25 +88,31 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem("expected 1 to 1000000", key="--variants", value=str(arguments.variants)))
     students = _students(arguments)
     path = exam_path(arguments.exam)
-    exam = read_exam(path, family_folders(arguments.families, beside=path))
+    folders = family_folders(arguments.families, beside=path)
+    exam = read_exam(path, folders)
     if arguments.no_solutions:
         exam = replace(exam, solutions=replace(exam.solutions, depth=NO_SOLUTIONS))
     if arguments.format:
         exam = replace(exam, formats=chosen([w for text in arguments.format for w in text.split(",")], "--format"))
+    out, students, standing = late(arguments, exam, students, folders)
+    if arguments.only_new and not students:
+        tell("nobody is new: nothing was made")
+        return 0
     start = time.perf_counter()
     with ExitStack() as stack:
-        stack.enter_context(_what_is_kept(arguments.out))
+        stack.enter_context(_what_is_kept(out))
         executor = stack.enter_context(scheduled_workers(arguments.scheduler)) if arguments.scheduler else None
         made = build(
             exam,
             students,
-            arguments.out,
+            out,
             arguments.seed,
             arguments.jobs,
             arguments.force,
             stack.enter_context(Progress()).show,
             executor,
             arguments.resume,
+            standing,
         )
     _report(made, time.perf_counter() - start)
     return 0
@@ -139,8 +150,10 @@ def _what_is_kept(out: Path) -> Iterator[None]:
 
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
+    from variantgen.exam.order import natural
+
     if made.redrawn:
-        told = _few(made.redrawn, f"listed as redrawn in {made.folder / 'manifest.json'}")
+        told = some_of(natural(made.redrawn), listed=f"listed as redrawn in {made.folder / 'manifest.json'}")
         tell(f"drawn again to keep variants distinct: {told}")
     if made.cut:
         tell(f"drawn again for tolerance.ceiling: {counted(made.cut, 'problem')}")
@@ -152,10 +165,3 @@ def _report(made: Built, seconds: float) -> None:
         have = "sheet has" if count == 1 else "sheets have"
         tell(f"{where}: {count} {have} nearly the data of another in their group (too little room)")
     tell(f"{counted(made.students, 'sheet')} in {made.folder} ({seconds:.1f} s)")
-
-
-def _few(ids: Sequence[str], listed: str) -> str:
-    """Some ids; of many the count, some of them and where all are ``listed``."""
-    if len(ids) <= _NAMED:
-        return ", ".join(ids)
-    return f"{len(ids)} students ({', '.join(ids[:3])}, ...), {listed}"

@@ -1,0 +1,101 @@
+"""Students who come, go or change after an exam was built, and the sheets that are handed out already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam.assembly import Standing
+from variantgen.exam.blueprint import Exam
+from variantgen.exam.order import in_order
+from variantgen.exam.record import NAME, Record, read_record
+from variantgen.exam.roster import Student
+from variantgen.finished.restore import restore
+
+
+@dataclass(frozen=True)
+class Changes:
+    """A class against earlier builds: who is ``new``, who is ``gone``, whose id another name or group had.
+
+    ``changed`` has pairs: who it was, who it is.
+    """
+
+    new: tuple[Student, ...]
+    gone: tuple[Student, ...]
+    changed: tuple[tuple[Student, Student], ...]
+
+
+def changes(records: Sequence[Record], students: Sequence[Student]) -> Changes:
+    """What is different; each part by group and name."""
+    before = {sheet.student.id: sheet.student for record in records for sheet in record.sheets}
+    now = {student.id: student for student in in_order(students)}
+    return Changes(
+        tuple(student for student in now.values() if student.id not in before),
+        tuple(student for student in in_order(list(before.values())) if student.id not in now),
+        tuple((before[student.id], student) for student in now.values() if before.get(student.id, student) != student),
+    )
+
+
+def is_same_exam(record: Record, exam: Exam, seed: str) -> bool:
+    """Whether an output is of this exam file and of this seed."""
+    return record.exam_hash == exam.hash and record.seed == seed
+
+
+def series(out: Path) -> tuple[list[Path], Path]:
+    """A finished build, those of students who were late (``OUT-new``, ``OUT-new-2``, ...), and the next name."""
+    names = _names(out)
+    found: list[Path] = []
+    for folder in names:
+        if not folder.exists():
+            break
+        found.append(folder)
+    return found, out if not found else folder
+
+
+def _names(out: Path) -> Iterator[Path]:
+    yield out
+    number = 1
+    while True:
+        yield out.with_name(f"{out.name}-new" if number == 1 else f"{out.name}-new-{number}")
+        number += 1
+
+
+def earlier(folders: Sequence[Path], exam: Exam, seed: str) -> list[Record]:
+    """The manifests of earlier builds of an exam. Raises InputError where there are none or of another exam."""
+    if not folders:
+        remedy = "leave the option out: everybody is new"
+        raise InputError(Problem("there is no finished build in the folder of --out", key="--only-new", remedy=remedy))
+    found = [read_record(folder) for folder in folders]
+    for record in found:
+        if not is_same_exam(record, exam, seed):
+            what = "seed" if record.exam_hash == exam.hash else "exam file"
+            remedy = (
+                "give the one it was built with (the manifest has it), or build the whole class into another folder"
+            )
+            raise InputError(
+                Problem(
+                    f"the folder was built with another {what}", file=str(record.path), key="--only-new", remedy=remedy
+                )
+            )
+    return found
+
+
+def standing(records: Sequence[Record], folders: tuple[Path, ...]) -> tuple[list[Standing], list[str]]:
+    """The sheets that are handed out, and what is not as it was when they were; ``folders`` hold own families."""
+    found: list[Standing] = []
+    differences: dict[str, None] = {}
+    for record in records:
+        finished = restore(record, folders)
+        differences.update(dict.fromkeys(finished.differences))
+        found += [
+            Standing(sheet.student, sheet.code, tuple(own))
+            for sheet, own in zip(record.sheets, finished.variants, strict=True)
+        ]
+    return found, list(differences)
+
+
+def has_manifest(folder: Path) -> bool:
+    """Whether a folder holds a finished build."""
+    return (folder / NAME).is_file()
