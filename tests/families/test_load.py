@@ -232,7 +232,7 @@ def test_unknown_field_offers_a_field_that_is_not_in_the_file(bench: Bench) -> N
 
 
 def test_unknown_screen_offers_a_screen_that_is_not_in_the_file(bench: Bench) -> None:
-    assert "did you mean spacing?" in bench.refused(CRANK + "[screens]\nspaceing = 1\n")
+    assert "did you mean spacing" in bench.refused(CRANK + "[screens]\nspaceing = 1\n")
 
 
 @pytest.mark.parametrize("content", ["", HEAD + POINTS, HEAD + POINTS + JOINT], ids=["empty", "points", "fixed point"])
@@ -402,3 +402,37 @@ def test_show_to_an_impossible_file(name: str, tmp_path: Path, capsys: pytest.Ca
     assert "--out" in message
     assert "Traceback" not in message
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "number"),
+    [
+        ('en = "Four-bar linkage"', r'en = "Four\u0001bar"', "title.en", "U+0001"),
+        ('en = "Four-bar linkage"', r'en = "Four\ue000bar"', "title.en", "U+E000"),
+        ('en = "Four-bar linkage"', r'en = "Four\u202ebar"', "title.en", "U+202E RIGHT-TO-LEFT OVERRIDE"),
+        ("[forms.crank]", r'[forms."crank\u200b"]', "U+200B", "U+200B ZERO WIDTH SPACE"),
+    ],
+)
+def test_names_and_texts_that_cannot_be_seen(
+    old: str, new: str, key: str, number: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = family(tmp_path, "{{ OABC }}")
+    text = (folder / "family.toml").read_text("utf-8")
+    assert old in text
+    (folder / "family.toml").write_text(text.replace(old, new), "utf-8")
+    assert main(["show", str(folder)]) == 2
+    message = capsys.readouterr().err
+    assert number in message
+    assert key in message
+    assert str(folder / "family.toml") in message
+
+
+def test_a_choice_cannot_bring_marks_of_formulas(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Words of choices may stand in a statement, where such characters enclose the number of a formula."""
+    folder = family(tmp_path, "{{ OABC }} {{ choice.side }}")
+    path = folder / "family.toml"
+    text = path.read_text("utf-8")
+    assert "choices = { left = 1, right = -1 }" in text
+    path.write_text(text.replace("{ left = 1,", r'{ "\ue0009\ue001" = 1,'), "utf-8")
+    assert main(["show", str(folder)]) == 2
+    assert "holds a character of private use (got U+E000)" in capsys.readouterr().err

@@ -9,6 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import html5lib
+import pypdfium2
 import pytest
 
 from tests.pdf_text import page_texts
@@ -207,3 +208,12 @@ def test_tests_of_qti_say_it_above_each_sheet(version: str, rubric: str, tmp_pat
     for block in blocks:
         assert block.get("view") == "candidate"
         assert "Date: 12 May 2026" in " ".join("".join(block.itertext()).split())
+
+
+def test_bookmarks_of_sheets_without_names(tmp_path: Path) -> None:
+    assert build(tmp_path, "") == 0
+    codes = [s["code"] for s in json.loads((tmp_path / "out" / "manifest.json").read_text("utf-8"))["students"]]
+    document = pypdfium2.PdfDocument(tmp_path / "out" / "sheets.pdf")
+    found = [bookmark.get_title() for bookmark in document.get_toc()]
+    document.close()
+    assert found == [f"Variant 1 · {codes[0]}", f"Variant 2 · {codes[1]}"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -12,8 +12,10 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
+from variantgen.families.repeated import told_once
 from variantgen.families.solving import check_methods
 from variantgen.families.units import unit
+from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
 from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
@@ -63,6 +65,9 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     """A family from the content of its file; ``path`` gives its name and folder."""
     problems: list[Problem] = []
     top = Table(data, "", problems)
+    for key, letter, kind in _unseen(data, ""):
+        remedy = "remove it: type the text anew instead of pasting it"
+        problems.append(Problem(f"holds {kind}", key=key, value=named(letter), remedy=remedy))
     version = top.take("schema", int, SCHEMA)
     if version != SCHEMA:
         age = "newer than this program: update the program" if version > SCHEMA else "too old: see CHANGELOG.md"
@@ -94,7 +99,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             forms[name] = form
     _check_symbols(forms, problems)
     if problems:
-        raise InputError(dict.fromkeys(problems))
+        raise InputError(told_once(problems, overlays))
     is_family = path.name == FAMILY
     return Family(
         path.resolve().parent.name if is_family else path.stem,
@@ -118,6 +123,20 @@ def _check_symbols(forms: Mapping[str, Form], problems: list[Problem]) -> None:
     for name in sorted({name for form in forms.values() for name in form.symbols} - known):
         remedy = nearest(name, known)
         problems.append(Problem("unknown body or parameter", key=f"symbols.{name}", value=name, remedy=remedy))
+
+
+def _unseen(value: Any, key: str) -> Iterator[tuple[str, str, str]]:
+    """What cannot be seen in the names and texts of a file: where, the character, what it is."""
+    if isinstance(value, dict):
+        for name, item in value.items():
+            inner = f"{key}.{name}" if key else name
+            yield from ((inner, letter, kind) for letter, kind in unseen(name).items())
+            yield from _unseen(item, inner)
+    elif isinstance(value, list):
+        for number, item in enumerate(value, start=1):
+            yield from _unseen(item, f"{key}[{number}]")
+    elif isinstance(value, str):
+        yield from ((key, letter, kind) for letter, kind in unseen(value, allowed="\n\r\t").items())
 
 
 def _overlaid(base: dict[str, Any], overlay: dict[str, Any]) -> dict[str, Any]:

@@ -76,14 +76,21 @@ def file_hashes(folder: Path) -> dict[str, str]:
 
 
 @contextmanager
-def whole_folder(target: Path, force: bool, known: Collection[str], notes: list[str] | None = None) -> Iterator[Path]:
+def whole_folder(
+    target: Path,
+    force: bool,
+    known: Collection[str],
+    notes: list[str] | None = None,
+    renewed: Collection[str] | None = None,
+) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
     the name ``.NAME.replaced`` for the moment of the change; the next run ends the change if it was cut short.
     ``known`` are the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
-    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where.
+    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where;
+    ``renewed``, which may be filled inside the block, are the only ones that the new folder does not have as they are.
     """
     target = target.resolve()
     replaced = target.with_name(f".{target.name}.replaced")
@@ -99,7 +106,7 @@ def whole_folder(target: Path, force: bool, known: Collection[str], notes: list[
             if target.exists():
                 target.rename(replaced)
             work.rename(target)
-            _finish(target, replaced, notes)
+            _finish(target, replaced, notes, renewed)
         finally:
             for left in target.parent.glob(f"{glob.escape(mine)}*"):
                 shutil.rmtree(left, ignore_errors=True)
@@ -113,10 +120,10 @@ def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None
         raise WritingError(error.problems) from None
 
 
-def _finish(target: Path, replaced: Path, notes: list[str] | None) -> None:
+def _finish(target: Path, replaced: Path, notes: list[str] | None, renewed: Collection[str] | None = None) -> None:
     """Remove an output that was replaced, but for what somebody has edited in it."""
     if notes is not None and replaced.is_dir() and not replaced.is_symlink():
-        notes += filter(None, [keep_edited(replaced, target)])
+        notes += filter(None, [keep_edited(replaced, target, renewed)])
     if replaced.is_dir():
         # Under its name it would be taken for one with work in it if this is cut short.
         old = replaced.rename(target.with_name(f".{target.name}.partial-{os.getpid()}-replaced"))

@@ -91,6 +91,11 @@ def variant_number(student: Student, language: Language) -> str:
     return language.words("notices")["variant"].format(number=student.id)
 
 
+def who(sheet: Sheet, language: Language) -> str:
+    """What a sheet is called in a list: by the name, or by the number of the variant and the code."""
+    return sheet.student.name or f"{variant_number(sheet.student, language)} · {sheet.code}"
+
+
 def blank_labels(language: Language) -> list[str]:
     """What is filled in by hand on the sheet of a student without a name."""
     words = language.words("notices")

@@ -72,9 +72,8 @@ class Dialect:
     def rubric(self, content: Element) -> Element:
         """What candidates read above the items of a section."""
         inner = self.element("contentBody", {}, content) if self.modern else content
-        return self.element(
-            "rubricBlock", {"view": "candidate"} | ({"use": "instructions"} if self.modern else {}), inner
-        )
+        purpose = {"use": "instructions"} if self.modern else {}
+        return self.element("rubricBlock", {**purpose, "view": "candidate"}, inner)
 
 
 def _kebab(name: str) -> str:
