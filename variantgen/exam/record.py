@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.exam import printable
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.exam.sheets import is_code
 from variantgen.exam.tolerance import LARGEST, Tolerance
 from variantgen.families.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
@@ -185,11 +187,21 @@ def _strings(table: Table) -> dict[str, str]:
 
 
 def _sheet(table: Table) -> RecordedSheet:
-    student = Student(table.need("id", str, ""), table.need("name", str, ""), table.need("group", str, ""))
+    student = Student(*(_name(table, key) for key in ("id", "name", "group")))
     problems = tuple(_problem(problem) for problem in table.tables("problems"))
-    found = RecordedSheet(student, table.need("code", str, ""), problems)
+    code = table.need("code", str, "")
+    if not is_code(code):
+        table.problem("expected the code of a sheet, like 7Q4-K2M: files are named by it", "code", code)
+    found = RecordedSheet(student, code, problems)
     table.finish()
     return found
+
+
+def _name(table: Table, key: str) -> str:
+    """A name as class lists have it: nothing in it that cannot be seen."""
+    text = table.need(key, str, "")
+    table.problems += printable.problems(text, f"the {key}", table.key(key))
+    return text
 
 
 def _problem(table: Table) -> RecordedProblem:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -94,6 +95,11 @@ def variant_codes(seed: str, students: Sequence[Student], taken: Collection[str]
         if len(holders) == len(students) + len(set(taken)):
             break
     return found
+
+
+def is_code(text: str) -> bool:
+    """Whether a text is a code as sheets have it: asked of what was read from a file, before others are named by it."""
+    return re.fullmatch(rf"[{_CODE_LETTERS}]{{3}}(-[{_CODE_LETTERS}]{{3}}){{1,8}}", text) is not None
 
 
 def _code(number: int, groups: int) -> str:
