@@ -192,3 +192,9 @@ def test_pictures_are_small() -> None:
     sizes = {path.name: path.stat().st_size for path in (ROOT / "docs" / "pictures").iterdir()}
     assert sizes.keys() > set(PICTURES)
     assert not {name for name, size in sizes.items() if size > 100_000} - set(PICTURES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_page_has_two_versions(name: str) -> None:
+    """Marks of a merge that nobody has resolved."""
+    assert not re.search(r"^(<{7}|={7}|>{7})( |$)", BY_NAME[name], re.MULTILINE)
