@@ -66,6 +66,14 @@ def test_a_printed_length_is_the_distance_of_its_points(
     assert "but these points are" in found[0]
 
 
+def test_a_length_is_read_as_it_is_printed(tmp_path: Path) -> None:
+    """The crank OA has its own length, and it is printed as that of the fixed link OC."""
+    was, now = 'OA = { unit = "cm",', 'OA = { symbol = "OC", unit = "cm",'
+    other, name = 'OC = { unit = "cm",', 'OC = { symbol = "OA", unit = "cm",'
+    path = damaged(tmp_path, "oscillating_cylinder", ("family.toml", was, now), ("family.toml", other, name))
+    assert sum("the sheet says OA = " in failure for failure in failures(path)) == 1
+
+
 def test_the_message_names_both_lengths(tmp_path: Path) -> None:
     """The crank is printed with 14 to 40 cm, and is twice as long."""
     path = damaged(tmp_path, "oscillating_cylinder", ("family.toml", 'distance = "OA"', 'distance = "2*OA"'))
@@ -147,7 +155,26 @@ def test_words_for_directions_agree_with_the_motion(
 def test_names_exchanged_in_one_language(family: str, language: str, one: str, two: str, tmp_path: Path) -> None:
     changes = exchanged(f"statement.{language}.j2", f"{{{{ {one} }}}}", f"{{{{ {two} }}}}")
     found = failures(damaged(tmp_path, family, *changes))
-    assert any(f"{one} and {two} stand exchanged" in failure for failure in found)
+    assert any(f"{min(one, two)} and {max(one, two)} stand exchanged" in failure for failure in found)
+
+
+def test_names_exchanged_at_one_place(tmp_path: Path) -> None:
+    """The cranks of the last sentence, which each have their own rate there; elsewhere they stand right."""
+    one, two = "кривошип {{ OA }} имеет", "кривошип {{ BC }} — угловую"
+    changes = [("{{ OA }} имеет", "{{ BC }} имеет"), ("{{ BC }} — угловую", "{{ OA }} — угловую")]
+    text = (catalog_dir() / "two_cranks_and_rod" / "statement.ru.j2").read_text("utf-8")
+    assert one in text
+    assert two in text
+    found = failures(damaged(tmp_path, "two_cranks_and_rod", *(("statement.ru.j2", old, new) for old, new in changes)))
+    assert any("BC and OA stand exchanged" in failure for failure in found)
+
+
+def test_the_order_of_points_is_only_remarked(tmp_path: Path) -> None:
+    """Both orders may be right: the ends A and B of a rod, on the wall and on the floor."""
+    change = ("statement.ru.j2", "осей {{ O }} и {{ C }}", "осей {{ C }} и {{ O }}")
+    report = check_family(str(damaged(tmp_path, "two_cranks_and_rod", change)), SEEDS)
+    assert list(report.failures) == []
+    assert report.remarks == ["statement.ru.j2: C and O stand exchanged, compared with the text in en; is it meant?"]
 
 
 # What one language says and the other does not.
