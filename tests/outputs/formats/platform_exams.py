@@ -30,7 +30,7 @@ def built(
 ) -> Path:
     """The output folder of an exam file with these lines."""
     folder.mkdir(parents=True, exist_ok=True)
-    head = f'title = {json.dumps(title)}\ncourse = {json.dumps(title)}\nlanguage = "{language}"\n'
+    head = f'title = {json.dumps(title)}\ncourse = {json.dumps(title)}\nlanguage = "{language}"\nsort = "roster"\n'
     (folder / "exam.toml").write_text(head + body, "utf-8")
     build(read_exam(folder / "exam.toml"), students or numbered(count), folder / "out", jobs=jobs)
     return folder / "out"
