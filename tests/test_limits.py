@@ -91,11 +91,20 @@ def test_problems_without_number(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert "at least one problem" not in told
 
 
+@pytest.mark.parametrize(("key", "value"), [("families", "four_bar"), ("ask", "v_B"), ("form", "crank")])
+def test_lists_of_a_problem(key: str, value: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exam, family = tmp_path / "exam.toml", "" if key == "families" else 'family = "four_bar"'
+    exam.write_text(f"{EXAM}[[problem]]\n{family}\n{key} = {[value] * 9000}\n", "utf-8")
+    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert f"exam.toml: problem[1].{key}: expected at most 100 entries (got 9000)" in told
+    assert "missing" not in told
+
+
 @pytest.mark.parametrize(
     ("section", "lines", "key", "bound"),
     [
         ("derived", [f"x{i} = 'x{i + 1} + OA'" for i in range(3999)] + ["x3999 = 'OA'"], "derived", "200"),
-        ("parameters", [f"p{i} = {{ unit = 'cm', values = [1] }}" for i in range(700)], "parameters", "100"),
+        ("parameters", [f"p{i} = {{ unit = 'cm', values = [1] }}" for i in range(700)], "parameters", "40"),
         ("angles", ["{ name = 'OA', at = 'O', from = '+x', to = 'A' }," * 1500], "figure.angles", "60"),
         ("lengths", ["{ name = 'OA', from = 'O', to = 'A' }," * 1500], "figure.lengths", "60"),
         ("points", [f"P{i} = {{ foot = {{ point = 'O' }} }}" for i in range(999)], "points", "200"),

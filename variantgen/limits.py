@@ -9,12 +9,12 @@ from __future__ import annotations
 TOML_BYTES = 200_000
 # A name like ``a.b.c`` of n parts costs the reader of TOML n * n; no key of ours has more than five parts.
 KEY_PARTS = 50
-DIGITS = 100  # of a number
+DIGITS = 1000  # of a number
 
 # A family: its forms, and of one form the entries of each section. The catalogue has at most 4 forms, 13 parameters,
 # 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.
 FORMS = 50
-PARAMETERS = 100  # each is moved by itself to see how the answers depend on it
+PARAMETERS = 40  # each is moved by itself, in every draw, to see how the answers depend on it
 VALUES = 10_000  # of one parameter
 GRID = 50_000  # values of all parameters of a form together: they are in memory as they are printed
 DERIVED = 200
@@ -22,8 +22,10 @@ PARTS = 200  # points, bodies, joints, drivers, conditions, and what is required
 MARKS = 60  # of one kind in a figure: every label looks for a place between all others
 FAMILY_FILES = 50  # the family, its worked cases, a statement for each language
 
-# An exam: problems of one sheet. A hundred pages for one student are a book.
+# An exam: problems of one sheet (a hundred pages for one student are a book), and what one of them lists: the families
+# that it is drawn from, the quantities that it asks.
 PROBLEMS = 100
+LISTED = 100
 
 # What is unpacked of one stream of a PDF that is read back (the table of objects of half a million students), and what
 # one page may need of them with its fonts.

@@ -21,6 +21,7 @@ _DEEP_KEY = re.compile(rf"(?<![A-Za-z0-9_-])(?:{_PART}\.[ \t]*+){{{KEY_PARTS},}}
 
 # A value that begins like a number and goes on: Python does not write out whole numbers of any length.
 _LONG_NUMBER = re.compile(rf"(?<=[=\[,])[ \t\r\n]*[+-]?(?:0[xob])?[0-9A-Fa-f_]{{{DIGITS + 1},}}+")
+_LAST_KEY = re.compile(r"([A-Za-z0-9_.-]+)[ \t]*=[^=]*\Z")
 
 
 def read_limited(path: Path, limit: int) -> bytes:
@@ -57,7 +58,9 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
     ):
         if found:
             message = f"{what} in line {text.count(chr(10), 0, found.start()) + 1}"
-            raise InputError(Problem(message, file=str(path), value=shown(found[0].strip()), remedy=remedy))
+            before = _LAST_KEY.search(text, text.rfind("\n", 0, found.start()) + 1, found.start())
+            key, value = before[1] if before else "", shown(found[0].strip())
+            raise InputError(Problem(message, str(path), key, value, remedy))
     try:
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, RecursionError, MemoryError, ValueError, ArithmeticError) as error:

@@ -1,4 +1,4 @@
-"""The command, its folder, and the summary in the README."""
+"""The command, its folder, and the summary in docs/accuracy.md."""
 
 from __future__ import annotations
 
@@ -67,14 +67,14 @@ def test_summary_replaces_the_marked_part_only(measured: Measured) -> None:
     assert summary.refreshed(new, short(measured)) == new
 
 
-def test_readme_has_the_summary_and_its_diagrams() -> None:
+def test_docs_have_the_summary_and_its_diagrams() -> None:
     checkout = catalog_dir().parent
-    text = (checkout / "README.md").read_text("utf-8")
+    text = (checkout / "docs" / "accuracy.md").read_text("utf-8")
     marked = text.split("<!-- accuracy -->")[1].split("<!-- end of accuracy -->")[0]
     assert marked.count("\n| ") > 10
     for name in summary.PICTURES:
-        assert f".github/figures/{name}" in text
-        assert (checkout / ".github" / "figures" / name).is_file()
+        assert f'src="pictures/{name}"' in text
+        assert (checkout / "docs" / "pictures" / name).is_file()
 
 
 def test_command_refuses_a_foreign_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -96,5 +96,5 @@ def test_missing_packages_are_told(
 
     monkeypatch.setattr(builtins, "__import__", without)
     assert main(["accuracy", "--quick", "--out", str(tmp_path / "out")]) == 3
-    assert "variantgen[accuracy]" in capsys.readouterr().err
+    assert 'pip install ".[accuracy]"' in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

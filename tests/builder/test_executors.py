@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
@@ -18,6 +19,7 @@ import pytest
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from variantgen.builder import WorkerLostError, build, scheduled_workers
 from variantgen.builder.carried import OtherVersionError
+from variantgen.builder.workers import Others
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
@@ -147,6 +149,42 @@ def test_a_lost_worker_is_told_and_the_build_goes_on_later(reference: dict[str, 
     assert not out.exists()
     build(exam(tmp_path), numbered(STUDENTS), out, resume=True)
     assert content(out) == reference
+
+
+def test_workers_that_have_all_gone_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The scheduler would wait for new ones for ever, without a word."""
+    monkeypatch.setattr("variantgen.builder.workers.ABSENCE", 1)
+    out, own = tmp_path / "out", Cluster(tmp_path / "workers", 1).cluster
+
+    def progress(stage: str, done: int, total: int) -> None:
+        if stage == "typesetting" and done == 0:
+            own.scale(0)
+
+    with (
+        own,
+        scheduled_workers(own.scheduler_address) as workers,
+        pytest.raises(WorkerLostError, match="no worker has been there"),
+    ):
+        build(exam(tmp_path), numbered(STUDENTS), out, executor=workers, progress=progress)
+    assert not out.exists()
+    assert (tmp_path / ".out.unfinished" / "plan.json").exists(), "one can go on"
+
+
+def test_workers_that_are_slow_are_waited_for(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    asked: list[int] = []
+
+    def there() -> bool:
+        asked.append(1)
+        return len(asked) % 3 != 0  # away for a moment
+
+    class Slow(ThreadPoolExecutor):
+        def submit(self, fn, /, *args, **kwargs):  # type: ignore[no-untyped-def]
+            return super().submit(lambda: (time.sleep(0.4), fn(*args, **kwargs))[1])
+
+    monkeypatch.setattr("variantgen.builder.workers.ABSENCE", 0.3)
+    with Slow(1) as executor:
+        build(exam(tmp_path), numbered(3), tmp_path / "out", executor=Others(executor, 4, there))
+    assert len(asked) > 3
 
 
 def test_workers_of_another_version_are_refused(tmp_path: Path) -> None:

@@ -232,7 +232,7 @@ def test_unknown_field_offers_a_field_that_is_not_in_the_file(bench: Bench) -> N
 
 
 def test_unknown_screen_offers_a_screen_that_is_not_in_the_file(bench: Bench) -> None:
-    assert "did you mean spacing?" in bench.refused(CRANK + "[screens]\nspaceing = 1\n")
+    assert "did you mean spacing" in bench.refused(CRANK + "[screens]\nspaceing = 1\n")
 
 
 @pytest.mark.parametrize("content", ["", HEAD + POINTS, HEAD + POINTS + JOINT], ids=["empty", "points", "fixed point"])

@@ -252,3 +252,37 @@ def test_a_damaged_file_of_the_class_is_told(
     told = capsys.readouterr().err
     assert "not the same: sheets.pdf" in told
     assert "Traceback" not in told
+
+
+@pytest.mark.parametrize(
+    "code", ["../victim/report", "/{0}/victim/report", "", "7Q4", "7Q4-K2M/../x", "con", "7q4-k2m\n"]
+)
+@pytest.mark.parametrize("options", [(), ("--anyway",)])
+def test_a_code_of_the_manifest_names_no_other_file(
+    code: str, options: tuple[str, ...], out: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    victim = out.parent / "victim"
+    victim.mkdir()
+    (victim / "report.pdf").write_bytes(b"mine")
+    here = out.parent / "here"
+    here.mkdir()
+    monkeypatch.chdir(here)
+    change(out, lambda manifest: manifest["students"][0].update(code=code.format(out.parent)))
+    capsys.readouterr()
+    assert main(["remake", str(out), "--student", "s0", *options]) == 2
+    said = capsys.readouterr().err
+    assert "manifest.json" in said
+    assert "students[1].code" in said
+    assert "like 7Q4-K2M" in said
+    assert (victim / "report.pdf").read_bytes() == b"mine"
+    assert list(here.iterdir()) == []
+
+
+@pytest.mark.parametrize("key", ["id", "name", "group"])
+def test_names_of_the_manifest_are_as_in_class_lists(key: str, out: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change(out, lambda manifest: manifest["students"][3].update({key: "Bob\x1b[2J"}))
+    capsys.readouterr()
+    remade(out, "s0", code=2)
+    said = capsys.readouterr().err
+    assert f"students[4].{key}" in said
+    assert "\x1b" not in said

@@ -130,3 +130,10 @@ def test_any_text_is_read_or_refused(text: str) -> None:
     for run in runs:
         if not isinstance(run, str):
             assert all(write(run) for write in (to_plain, to_typst, to_latex, to_mathml))
+
+
+@pytest.mark.parametrize("typed", ["9.8 м/с^2", "9,8 м/с²", "9.8 m/s^2"])
+def test_a_unit_may_be_typed_as_the_language_writes_it_or_by_its_name_in_files(typed: str) -> None:
+    assert inline(f"$g = {typed}$", RU) == (
+        Chain((Symbol("g"), Measured(Number("9,8"), UnitText((("м/с", 2),)))), ("=",)),
+    )

@@ -1,4 +1,4 @@
-"""The summary of the measurement in README.md, between markers.
+"""The summary of the measurement in docs/accuracy.md, between markers.
 
     python -m variantgen.accuracy.summary [DIR]
 
@@ -29,10 +29,10 @@ def refreshed(text: str, summary: str) -> str:
 
 def renew(folder: Path, checkout: Path) -> None:
     """Put the summary of a report and its diagrams into a checkout."""
-    readme = checkout / "README.md"
-    readme.write_text(refreshed(readme.read_text("utf-8"), (folder / SUMMARY).read_text("utf-8")), "utf-8")
+    page = checkout / "docs" / "accuracy.md"
+    page.write_text(refreshed(page.read_text("utf-8"), (folder / SUMMARY).read_text("utf-8")), "utf-8")
     for name in PICTURES:
-        shutil.copyfile(folder / name, checkout / ".github" / "figures" / name)
+        shutil.copyfile(folder / name, checkout / "docs" / "pictures" / name)
 
 
 def main() -> None:

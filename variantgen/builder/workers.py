@@ -7,7 +7,8 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Iterator
+import time
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 _Key = TypeVar("_Key")
 PATIENCE = 10  # seconds in which a scheduler must answer
+# A worker that was killed may come back by itself: for so many seconds nobody needs to be there.
+ABSENCE = 60
 
 
 class WorkerLostError(VariantgenError):
@@ -48,10 +51,14 @@ class Here:
 
 @dataclass(frozen=True)
 class Others:
-    """An executor and how many jobs it is given at a time: more would only be held in memory."""
+    """An executor and how many jobs it is given at a time: more would only be held in memory.
+
+    ``there`` says whether anybody is there who could do a job; where it cannot be known, it is taken to be so.
+    """
 
     executor: Executor
     ahead: int
+    there: Callable[[], bool] = lambda: True
 
     def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
@@ -60,9 +67,9 @@ class Others:
             for key, job in jobs:
                 pending[self.executor.submit(perform, carried, job)] = key
                 while len(pending) >= self.ahead:
-                    yield from _ready(pending)
+                    yield from self._ready(pending)
             while pending:
-                yield from _ready(pending)
+                yield from self._ready(pending)
         except Exception as error:
             if _is_loss(error):
                 what = "a worker ended before its work was done; was there enough memory?"
@@ -72,14 +79,19 @@ class Others:
             for future in pending:
                 future.cancel()
 
+    def _ready(self, pending: dict[Future[Any], _Key]) -> Iterator[tuple[_Key, Any]]:
+        """The results that come next. Raises WorkerLostError when nobody has been there for long."""
+        from concurrent.futures import FIRST_COMPLETED, wait
 
-def _ready(pending: dict[Future[Any], _Key]) -> Iterator[tuple[_Key, Any]]:
-    from concurrent.futures import FIRST_COMPLETED, wait
-
-    done, _ = wait(pending, return_when=FIRST_COMPLETED)
-    for future in done:
-        key = pending.pop(future)
-        yield key, future.result()
+        seen = time.monotonic()
+        while not (done := wait(pending, ABSENCE / 6, return_when=FIRST_COMPLETED).done):
+            if self.there():
+                seen = time.monotonic()
+            elif time.monotonic() - seen > ABSENCE:
+                raise WorkerLostError(f"no worker has been there for {ABSENCE} seconds: start some again")
+        for future in done:
+            key = pending.pop(future)
+            yield key, future.result()
 
 
 def _is_loss(error: Exception) -> bool:
@@ -161,4 +173,12 @@ def scheduled_workers(address: str) -> Iterator[Others]:
             raise InputError(Problem("the scheduler has no workers", key="--scheduler", value=address, remedy=remedy))
         # A job that was lost with its worker is given to another one.
         with client.get_executor(pure=False, retries=3) as executor:
-            yield Others(executor, 2 * threads + 2)
+            yield Others(executor, 2 * threads + 2, lambda: _has_workers(client))
+
+
+def _has_workers(client: Any) -> bool:
+    """Whether a scheduler has workers, and answers."""
+    try:
+        return bool(client.nthreads())
+    except (OSError, TimeoutError):
+        return False

@@ -10,7 +10,7 @@ import numpy as np
 
 from variantgen.check.reading import Sheet, two_points
 from variantgen.families.hints import DIRECTIONS
-from variantgen.families.quantities import quantity_names, split_name
+from variantgen.families.quantities import Quantity, quantity_names, split_name
 from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Placement
@@ -76,11 +76,17 @@ def _false_rates(variant: Variant, motion: Motion, place: int) -> Iterator[Fault
         quantity = split_name(parameter.symbol)
         if quantity.component:
             continue
-        rate = abs(float(quantity.value(motion)[place]))
-        if not _near(rate, variant.si(name)):
+        rate, given = abs(float(quantity.value(motion)[place])), abs(variant.si(name))
+        if abs(rate - given) > _EQUAL * max(given, _largest(quantity, motion, place)):
             measured = parameter.unit
             message = f"the sheet says {name} = {variant.printed[name]} {measured.name}, but {parameter.symbol} is"
             yield f"rate {name}", f"{message} {measured.from_si(rate):.6g} {measured.name}; write it so in the driver"
+
+
+def _largest(quantity: Quantity, motion: Motion, place: int) -> float:
+    """The largest velocity, acceleration or rate of turning of the scene: small ones are as exact as it."""
+    tables = (motion.v, motion.a) if quantity.is_vector else (motion.omega, motion.epsilon)
+    return max((float(abs(values[place])) for values in tables[quantity.order - 1].values()), default=0.0)
 
 
 def _false_marks(variant: Variant, motion: Motion, place: int) -> Iterator[Fault]:

@@ -15,14 +15,14 @@ from variantgen.exam.asked import check_forms, read_asked
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.order import NAME, SORTS
 from variantgen.exam.solutions import Solutions, read_solutions
-from variantgen.exam.tolerance import Tolerance, read_tolerance
+from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
 from variantgen.families.asking import Ask, check_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
-from variantgen.limits import PROBLEMS
+from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.wish import Depth, Wish
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
@@ -97,6 +97,18 @@ class Exam:
     def explained(self) -> Language:
         """The language of the solutions, in the notation of the exam."""
         return load_language(self.solutions.language, self.notation)
+
+
+def with_floors(exam: Exam, floors: Mapping[int | None, float]) -> Exam:
+    """The exam with other least tolerances, by the number of a problem; None for those without one of their own."""
+    usual = with_floor(exam.tolerance, floors.get(None, exam.tolerance.floor))
+    tasks = tuple(
+        replace(task, tolerance=with_floor(exam.tolerance_of(task), floors[task.number]))
+        if task.number in floors
+        else task
+        for task in exam.tasks
+    )
+    return replace(exam, tolerance=usual, tasks=tasks)
 
 
 def read_exam(
@@ -205,6 +217,10 @@ def _notation(table: Table) -> Notation:
 
 def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance) -> Task | None:
     before = len(table.problems)
+    for key in ("families", "form", "ask", "method"):
+        table.bounded(key, LISTED)
+    if len(table.problems) > before:
+        return None
     names = table.strings("families")
     if "family" in table.data:
         if names:

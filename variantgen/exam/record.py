@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.exam import printable
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
+from variantgen.exam.sheets import is_code
+from variantgen.exam.tolerance import LARGEST, Tolerance
 from variantgen.families.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table, read_limited
@@ -65,7 +68,9 @@ class RecordedSheet:
 class Record:
     """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
 
-    ``exam_id`` is the short name of the build that QR codes have.
+    ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been
+    changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
+    of students who drew again.
     """
 
     path: Path
@@ -78,6 +83,9 @@ class Record:
     sheets: tuple[RecordedSheet, ...]
     files: Mapping[str, str]
     exam_id: str = ""
+    tolerance: Tolerance = Tolerance()
+    floors: Mapping[int | None, float] = field(default_factory=dict)
+    redrawn: tuple[str, ...] = ()
 
     def differences(self, exam: Exam) -> list[str]:
         """What a sheet depends on and is not as it was when the exam was made, in words."""
@@ -109,6 +117,8 @@ def read_record(folder: Path) -> Record:
 
 
 def _json(path: Path) -> Any:
+    if path.exists() and not path.is_file():
+        raise InputError(Problem("expected a file", file=str(path), remedy="restore the manifest from a copy"))
     try:
         return json.loads(read_limited(path, _MAX_BYTES), parse_float=Decimal, parse_constant=Decimal)
     except FileNotFoundError:
@@ -130,7 +140,7 @@ def _record(top: Table, path: Path) -> Record:
         return Record(path, {}, "", "", None, (), "", (), {})
     exam = top.table("exam")
     solutions = top.table("solutions") if top.data.get("solutions") is not None else None
-    top.expect("solutions", "program", "notation", "redrawn")
+    top.expect("solutions", "program", "notation")
     return Record(
         path,
         _strings(top.table("made_with")),
@@ -142,7 +152,36 @@ def _record(top: Table, path: Path) -> Record:
         tuple(_sheet(table) for table in top.tables("students")),
         _strings(top.table("files")),
         exam.take("id", str, ""),
+        _tolerance(exam),
+        _floors(exam.table("problem_tolerances")),
+        top.strings("redrawn"),
     )
+
+
+def _tolerance(exam: Table) -> Tolerance:
+    """The marking; that of the usual tolerance where it is not recorded."""
+    usual = Tolerance()
+    floor = _floor(exam, "tolerance", usual.floor)
+    ceiling = exam.data.get("tolerance_ceiling")
+    return Tolerance(
+        floor,
+        None if ceiling is None else float(exam.number("tolerance_ceiling", 0)),
+        exam.take("mistakes_screened", bool, usual.mistakes),
+    )
+
+
+def _floors(table: Table) -> dict[int | None, float]:
+    """The least tolerances of problems with one of their own, by their numbers."""
+    return {int(name): _floor(table, name) for name in table.data if name.isascii() and name.isdigit()}
+
+
+def _floor(table: Table, name: str, usual: float = Tolerance().floor) -> float:
+    """A least tolerance; one that cannot be is noted."""
+    found = float(table.number(name, Decimal(str(usual))))
+    if not 0 < found <= LARGEST:
+        table.problem(f"expected a number between 0 and {LARGEST:g}", name, found)
+        return usual
+    return found
 
 
 def _strings(table: Table) -> dict[str, str]:
@@ -150,11 +189,21 @@ def _strings(table: Table) -> dict[str, str]:
 
 
 def _sheet(table: Table) -> RecordedSheet:
-    student = Student(table.need("id", str, ""), table.need("name", str, ""), table.need("group", str, ""))
+    student = Student(*(_name(table, key) for key in ("id", "name", "group")))
     problems = tuple(_problem(problem) for problem in table.tables("problems"))
-    found = RecordedSheet(student, table.need("code", str, ""), problems)
+    code = table.need("code", str, "")
+    if not is_code(code):
+        table.problem("expected the code of a sheet, like 7Q4-K2M: files are named by it", "code", code)
+    found = RecordedSheet(student, code, problems)
     table.finish()
     return found
+
+
+def _name(table: Table, key: str) -> str:
+    """A name as class lists have it: nothing in it that cannot be seen."""
+    text = table.need(key, str, "")
+    table.problems += printable.problems(text, f"the {key}", table.key(key))
+    return text
 
 
 def _problem(table: Table) -> RecordedProblem:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -96,6 +97,11 @@ def variant_codes(seed: str, students: Sequence[Student], taken: Collection[str]
     return found
 
 
+def is_code(text: str) -> bool:
+    """Whether a text is a code as sheets have it: asked of what was read from a file, before others are named by it."""
+    return re.fullmatch(rf"[{_CODE_LETTERS}]{{3}}(-[{_CODE_LETTERS}]{{3}}){{1,8}}", text) is not None
+
+
 def _code(number: int, groups: int) -> str:
     """Groups of three letters from a number."""
     letters = []
@@ -172,11 +178,13 @@ def batches_of(
 
 
 def answer_variants(
-    variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance]
+    variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance], marked: bool = False
 ) -> list[tuple[Answer, ...]]:
-    """The answers of variants in printed units, with absolute tolerances."""
+    """The answers of variants in printed units, with absolute tolerances and, ``marked``, unnoticed mistakes."""
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     solved, found = solve_all(variants, asked), dict[int, tuple[Answer, ...]]()
+    if marked:
+        return answers_of(variants, asked, solved, {own: Margins(own) for own in tolerances}, tolerances)
     for tolerance, places in places_by_tolerance(tolerances).items():
         own = _answers(*_taken(places, variants, asked, solved), Margins(tolerance))
         found.update(zip(places, own, strict=True))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
 
 from variantgen.tables import Table
 
-_LARGEST = 0.2
+LARGEST = 0.2
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,8 @@ def read_tolerance(table: Table, usual: Tolerance = Tolerance()) -> Tolerance:
     given: Any = table.take("tolerance", (int, Decimal, dict), {}, "a number or a table")
     if not isinstance(given, dict):
         floor = float(given)
-        if not 0 < floor <= _LARGEST:
-            table.problem(f"expected a number between 0 and {_LARGEST:g}", "tolerance", floor)
+        if not 0 < floor <= LARGEST:
+            table.problem(f"expected a number between 0 and {LARGEST:g}", "tolerance", floor)
             return usual
         return Tolerance(floor, _at_least(usual.ceiling, floor), usual.mistakes)
     inner = table.table("tolerance")
@@ -55,13 +55,19 @@ def read_tolerance(table: Table, usual: Tolerance = Tolerance()) -> Tolerance:
     inner.expect("ceiling")
     mistakes = inner.take("mistakes", bool, usual.mistakes)
     inner.finish()
-    if not 0 < floor <= _LARGEST:
-        inner.problem(f"expected a number between 0 and {_LARGEST:g}", "floor", floor)
+    if not 0 < floor <= LARGEST:
+        inner.problem(f"expected a number between 0 and {LARGEST:g}", "floor", floor)
         return usual
-    if ceiling is not None and not floor <= ceiling <= _LARGEST:
-        inner.problem(f"expected a number between the floor, {floor:g}, and {_LARGEST:g}", "ceiling", ceiling)
+    if ceiling is not None and not floor <= ceiling <= LARGEST:
+        inner.problem(f"expected a number between the floor, {floor:g}, and {LARGEST:g}", "ceiling", ceiling)
         return usual
     return Tolerance(floor, ceiling, mistakes)
+
+
+def with_floor(tolerance: Tolerance, floor: float) -> Tolerance:
+    """A tolerance with another floor; a ceiling that would be below it is left out."""
+    kept = tolerance.ceiling is not None and tolerance.ceiling >= floor
+    return replace(tolerance, floor=floor, ceiling=tolerance.ceiling if kept else None)
 
 
 def _at_least(ceiling: float | None, floor: float) -> float | None:

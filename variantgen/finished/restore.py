@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.blueprint import Exam, Task, with_floors
 from variantgen.exam.record import Record, RecordedProblem, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet, answer_variants
 from variantgen.exam.solutions import NONE, Solutions
@@ -36,14 +36,17 @@ class Finished:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
         return [[variant for variant in own if variant is not None] for own in found]
 
-    def sheets(self, places: Sequence[int]) -> tuple[Sheet, ...]:
-        """The sheets of some students, by their places, with answers computed anew."""
+    def sheets(self, places: Sequence[int], marked: bool = False) -> tuple[Sheet, ...]:
+        """The sheets of some students, by their places, with answers computed anew.
+
+        ``marked``: with the mistakes that go unnoticed in answers, which only a key shows.
+        """
         chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
         tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
         flat = [variant for _, own in chosen for variant in own]
         every = [task for own in tasks for task in own]
         tolerances = [self.exam.tolerance_of(task) for task in every]
-        answers = iter(answer_variants(flat, [task.ask for task in every], tolerances))
+        answers = iter(answer_variants(flat, [task.ask for task in every], tolerances, marked))
         return tuple(
             Sheet(
                 sheet.student,
@@ -64,7 +67,13 @@ def restore(record: Record, folders: tuple[Path, ...]) -> Finished:
     exam = parse_exam(record.exam_text, record.path.with_name("exam.toml"), folders)
     options: Mapping[str, str] = record.solutions or {"depth": NONE}
     known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}
-    exam = replace(exam, solutions=replace(exam.solutions, **known), formats=record.formats or exam.formats)
+    exam = replace(
+        exam,
+        solutions=replace(exam.solutions, **known),
+        formats=record.formats or exam.formats,
+        tolerance=record.tolerance,
+    )
+    exam = with_floors(exam, record.floors)
     return Finished(record, exam, tuple(record.differences(exam)))
 
 

@@ -17,6 +17,8 @@ from types import FrameType
 from variantgen.errors import InputError, Problem
 from variantgen.outputs.edited import EDITED, file_hash, keep_edited
 
+_SINGLY = 100  # files that are brought to the disk one by one, at some 5 ms each; of more, all at once is sooner
+
 
 class WritingError(InputError):
     """The system refused to write: no room, no rights, no disk; or the place was taken in the meantime."""
@@ -76,14 +78,21 @@ def file_hashes(folder: Path) -> dict[str, str]:
 
 
 @contextmanager
-def whole_folder(target: Path, force: bool, known: Collection[str], notes: list[str] | None = None) -> Iterator[Path]:
+def whole_folder(
+    target: Path,
+    force: bool,
+    known: Collection[str],
+    notes: list[str] | None = None,
+    renewed: Collection[str] | None = None,
+) -> Iterator[Path]:
     """A new folder beside the target that takes the target's name when the block ends without an error.
 
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
     the name ``.NAME.replaced`` for the moment of the change; the next run ends the change if it was cut short.
     ``known`` are the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
-    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where.
+    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where;
+    ``renewed``, which may be filled inside the block, are the only ones that the new folder does not have as they are.
     """
     target = target.resolve()
     replaced = target.with_name(f".{target.name}.replaced")
@@ -95,14 +104,28 @@ def whole_folder(target: Path, force: bool, known: Collection[str], notes: list[
         try:
             work = _made(target, mine)
             yield work
+            _flush(work)
             _check_still_free(target, force, known)
             if target.exists():
                 target.rename(replaced)
             work.rename(target)
-            _finish(target, replaced, notes)
+            _finish(target, replaced, notes, renewed)
         finally:
             for left in target.parent.glob(f"{glob.escape(mine)}*"):
                 shutil.rmtree(left, ignore_errors=True)
+
+
+def _flush(folder: Path) -> None:
+    """See to it that all files below a folder are on the disk: what they were made of is removed after that."""
+    if os.name != "posix":
+        return  # only files that are being written can be asked for it
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    if len(files) > _SINGLY:
+        os.sync()
+        return
+    for path in files:
+        with path.open("rb") as file:
+            os.fsync(file.fileno())
 
 
 def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None:
@@ -113,10 +136,10 @@ def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None
         raise WritingError(error.problems) from None
 
 
-def _finish(target: Path, replaced: Path, notes: list[str] | None) -> None:
+def _finish(target: Path, replaced: Path, notes: list[str] | None, renewed: Collection[str] | None = None) -> None:
     """Remove an output that was replaced, but for what somebody has edited in it."""
     if notes is not None and replaced.is_dir() and not replaced.is_symlink():
-        notes += filter(None, [keep_edited(replaced, target)])
+        notes += filter(None, [keep_edited(replaced, target, renewed)])
     if replaced.is_dir():
         # Under its name it would be taken for one with work in it if this is cut short.
         old = replaced.rename(target.with_name(f".{target.name}.partial-{os.getpid()}-replaced"))

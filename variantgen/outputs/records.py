@@ -36,17 +36,26 @@ def write_records(
     pieces: Mapping[str, Sequence[Path]],
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
-    with (folder / "key.csv").open("wb") as file:
+    write_key_csv(folder / "key.csv", pieces["key.csv"])
+    write_manifest(folder / NAME, manifest_frame(exam, seed, made_with, redrawn, file_hashes(folder)), pieces[NAME])
+
+
+def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
+    """Write the key from the pieces of all students."""
+    with path.open("wb") as file:
         file.write(("\ufeff" + _rows([_COLUMNS])).encode())
-        for path in pieces["key.csv"]:
-            file.write(path.read_bytes())
+        for piece in pieces:
+            file.write(piece.read_bytes())
         _keep(file)
-    before, after = manifest_frame(exam, seed, made_with, redrawn, file_hashes(folder))
-    with (folder / NAME).open("wb") as file:
-        file.write(before.encode())
-        for number, path in enumerate(pieces[NAME]):
-            file.write((b",\n" if number else b"\n") + path.read_bytes())
-        file.write(f"\n{after}".encode())
+
+
+def write_manifest(path: Path, frame: tuple[str, str], pieces: Iterable[Path]) -> None:
+    """Write the manifest from its frame (see :func:`manifest_frame`) and the pieces of all students."""
+    with path.open("wb") as file:
+        file.write(frame[0].encode())
+        for number, piece in enumerate(pieces):
+            file.write((b",\n" if number else b"\n") + piece.read_bytes())
+        file.write(f"\n{frame[1]}".encode())
         _keep(file)
 
 
@@ -109,6 +118,9 @@ def manifest_frame(
             "tolerance": exam.tolerance.floor,
             "tolerance_ceiling": exam.tolerance.ceiling,
             "mistakes_screened": exam.tolerance.mistakes,
+            "problem_tolerances": {
+                str(task.number): task.tolerance.floor for task in exam.tasks if task.tolerance is not None
+            },
         },
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
         "notation": asdict(exam.notation),

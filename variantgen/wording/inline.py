@@ -63,9 +63,12 @@ def inline(text: str, language: Language) -> Text:
 
 @cache
 def _units(language: Language) -> list[tuple[str, UnitText]]:
-    """The units of a language as they are written, the longest first."""
-    found = [(language.tables["units"][name], language.unit(unit)) for name, unit in UNITS.items()]
-    return sorted(((text, unit) for text, unit in found if text), key=lambda pair: -len(pair[0]))
+    """The units as one types them, the longest first: as the language writes them, and by their names in files."""
+    found: dict[str, UnitText] = {}
+    for name, unit in UNITS.items():
+        own = language.tables["units"][name]
+        found |= dict.fromkeys((own, own.replace("^2", "²"), name), language.unit(unit)) if own else {}
+    return sorted(found.items(), key=lambda pair: -len(pair[0]))
 
 
 class _Reader:

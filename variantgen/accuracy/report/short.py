@@ -1,4 +1,4 @@
-"""The summary for the README: a line for each class of cases, a line for each passage."""
+"""The summary for docs/accuracy.md: a line for each class of cases, a line for each passage."""
 
 from __future__ import annotations
 

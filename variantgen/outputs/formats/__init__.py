@@ -8,7 +8,9 @@ A module has
 - ``check(exam, students)``: raises ToolMissingError or InputError before any work is done;
 - ``make(part)``: what can be made of the content of a few students, as pieces;
 - ``SUMMARIES``: pairs of a number of parts and a function that makes pieces of an overview of them, like a key;
-- ``finish(whole)``: puts the pieces of all students together in the output folder.
+- ``finish(whole)``: puts the pieces of all students together in the output folder;
+- ``write_key``: a function that writes only those of its files that show tolerances, from the pieces of ``SUMMARIES``;
+  None where all files do.
 
 ``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
 """
@@ -103,6 +105,7 @@ class Format(Protocol):
     FILES: tuple[str, ...]
     TARGETS: str
     SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...]
+    write_key: Callable[[Whole], None] | None
 
     def read_options(self, table: Table) -> Any:
         """The options of the format, of the table of its name in an exam file."""

@@ -30,6 +30,7 @@ HELP = "canvas.zip, quizzes for Canvas (QTI 1.2)"
 FILES = ("canvas.zip",)
 TARGETS = "package"
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> canvas.CanvasOptions:

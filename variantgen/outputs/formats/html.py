@@ -115,12 +115,10 @@ def _documents(exam: Exam) -> Iterator[_Document]:
 def finish(whole: Whole) -> None:
     """Write the pages."""
     folder, documents = whole.folder / "html", list(_documents(whole.exam))
-    folder.mkdir()
+    write_key(whole)
     if _files(whole.exam) == GROUPS:
         _write_groups(whole, documents, folder)
         return
-    rows = {where: whole.pieces[_rows(where)] for where in _tables(whole)}
-    _write_key(whole, folder / "key.html", whole.pieces["key"], rows)
     single = _files(whole.exam) == STUDENTS
     for document in documents:
         paths, target = whole.pieces[document.target], folder / document.target
@@ -147,18 +145,30 @@ def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet],
     )
 
 
+def write_key(whole: Whole) -> None:
+    """The key of the class, or that of each group."""
+    folder = whole.folder / "html"
+    folder.mkdir()
+    if _files(whole.exam) != GROUPS:
+        every = {where: whole.pieces[_rows(where)] for where in _tables(whole)}
+        _write_key(whole, folder / "key.html", whole.pieces["key"], every)
+        return
+    found = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
+    keys, rows = found.of_parts(whole.pieces["key"], STUDENTS_PER_OVERVIEW), _rows_of_groups(whole)
+    (folder / "key").mkdir()
+    for group in found.places:
+        _write_key(whole, folder / "key" / f"{found.stems[group]}.html", keys[group], rows[group], group)
+
+
 def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) -> None:
     """Pages for each group, and a list of them."""
     found = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
-    keys, rows = found.of_parts(whole.pieces["key"], STUDENTS_PER_OVERVIEW), _rows_of_groups(whole)
-    for target in ("key", *(document.target for document in documents)):
+    for target in (document.target for document in documents):
         (folder / target).mkdir()
     for group, places in found.places.items():
-        name = f"{found.stems[group]}.html"
-        _write_key(whole, folder / "key" / name, keys[group], rows[group], group)
         for document in documents:
-            paths = [whole.pieces[document.target][i] for i in places]
-            _write(whole.exam, document, folder / document.target / name, [whole.sheets[i] for i in places], paths)
+            paths, path = [whole.pieces[document.target][i] for i in places], f"{found.stems[group]}.html"
+            _write(whole.exam, document, folder / document.target / path, [whole.sheets[i] for i in places], paths)
     exam, language = whole.exam, whole.exam.spoken
     write_page(
         folder / "index.html",

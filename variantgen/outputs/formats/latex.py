@@ -137,6 +137,16 @@ SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_k
 
 def finish(whole: Whole) -> None:
     """Put the pieces into documents and compile them."""
+    _write_documents(whole)
+
+
+def write_key(whole: Whole) -> None:
+    """The key alone: its pieces are all that there are."""
+    _write_documents(whole)
+
+
+def _write_documents(whole: Whole) -> None:
+    """The documents of which there are pieces."""
     exam, chosen = whole.exam, _options(whole.exam)
     folder = whole.folder / "latex"
     folder.mkdir()

@@ -39,6 +39,7 @@ HELP = "moodle.xml, cloze questions for the question bank of Moodle"
 FILES = ("moodle.xml",)
 TARGETS = "[0-9A-Z]+(-[0-9A-Z]+)+"  # of families: two numbers; of students: their codes
 SUMMARIES = ()
+write_key = None
 
 FAMILIES, STUDENTS = "families", "students"
 _LONGEST = 200  # characters of a name; Moodle holds 255

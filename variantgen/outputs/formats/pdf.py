@@ -102,27 +102,37 @@ def finish(whole: Whole) -> None:
 
     exam, chosen = whole.exam, _options(whole.exam)
     names = [Named(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
+    write_key(whole)
     for target, paths in whole.pieces.items():
-        language = exam.solutions.language if target == "solutions" else exam.language
-        path, even = whole.folder / f"{target}.pdf", exam.duplex and target != "key"
-        if target == "key" and not chosen.for_groups:
-            join_pdfs(paths, path, exam.title, language, even)
-        elif chosen.joined:
-            join_pdfs(paths, path, exam.title, language, even, names)
+        if target != "key" and chosen.joined:
+            language = exam.solutions.language if target == "solutions" else exam.language
+            join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
     if chosen.for_groups:
-        _join_groups(whole, names)
+        _join_groups(whole, [target for target in whole.pieces if target != "key"], names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
-def _join_groups(whole: Whole, names: Sequence[Named]) -> None:
+def write_key(whole: Whole) -> None:
+    """Join the parts of the key of the class, or of each group."""
+    from variantgen.outputs.join import join_pdfs
+
+    exam = whole.exam
+    if _options(exam).for_groups:
+        _join_groups(whole, ["key"], [])
+    else:
+        join_pdfs(whole.pieces["key"], whole.folder / "key.pdf", exam.title, exam.language, False)
+
+
+def _join_groups(whole: Whole, targets: Sequence[str], names: Sequence[Named]) -> None:
     """Files for each group; they are named by it, so bookmarks do without."""
     from variantgen.outputs.join import join_pdfs
 
     exam, groups = whole.exam, GroupFiles.of(sheet.student.group for sheet in whole.sheets)
-    for target, paths in whole.pieces.items():
+    for target in targets:
+        paths = whole.pieces[target]
         (whole.folder / target).mkdir(exist_ok=True)
         language = exam.solutions.language if target == "solutions" else exam.language
         if target == "key":

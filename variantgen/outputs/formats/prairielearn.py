@@ -39,6 +39,7 @@ HELP = "prairielearn/, questions for a course of PrairieLearn"
 FILES = ("prairielearn/*",)
 TARGETS = r"[A-Za-z0-9_-]+(/clientFilesQuestion/[0-9a-f]{20}\.(svg|png))?"
 SUMMARIES = ()
+write_key = None
 
 _LONGEST = 200  # characters of a title
 _FOLDER = "prairielearn"

@@ -28,6 +28,7 @@ HELP = "qti21.zip, a package of QTI 2.1 for learning platforms"
 FILES = ("qti21.zip",)
 TARGETS = "package"
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> Options:

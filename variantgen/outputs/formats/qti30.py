@@ -28,6 +28,7 @@ HELP = "qti30.zip, a package of QTI 3.0 for learning platforms"
 FILES = ("qti30.zip",)
 TARGETS = "package"
 SUMMARIES = ()
+write_key = None
 
 
 def read_options(table: Table) -> Options:

@@ -20,6 +20,7 @@ HELP = "key.xlsx and grading.xlsx, a form for marking by hand"
 FILES = ("key.xlsx", "grading.xlsx", "key/*.xlsx", "grading/*.xlsx")
 TARGETS = "(?!)"  # there are no pieces
 SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...] = ()
+write_key = None
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,200 @@
+"""README and docs cannot rot: commands parse, exam files are read, paths and names exist, links lead somewhere."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shlex
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from variantgen.cli.app import _parser
+from variantgen.families.load import family_names
+from variantgen.outputs.formats import chosen, formats, parse_exam
+from variantgen.tables import Table
+
+# Only a checkout has the files of the project.
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", ROOT / "catalog" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+BY_NAME = {path.relative_to(ROOT).as_posix(): path.read_text("utf-8") for path in PAGES}
+NAMES = sorted(BY_NAME)
+GUIDES = [name for name in NAMES if name.startswith("docs/guide.")]
+
+FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
+SPAN = re.compile(r"`([^`\n]+)`")
+# Files of the project are named from its root; what a build makes is named otherwise.
+PATH = re.compile(r"(?:variantgen|templates|catalog|tests|benchmarks|docs|\.ci)/[\w./<>*-]*")
+PYTHON = re.compile(r"`(variantgen/[\w/]+\.py)`:((?:,? (?:and )?`[\w.]+`)+)")
+LINK = re.compile(r"\]\(([^)\s]+)\)|<img src=\"([^\"]+)\"")
+
+
+def blocks(text: str, *languages: str) -> list[str]:
+    return [body for language, body in FENCE.findall(text) if language.split(" ")[0] in languages]
+
+
+def prose(text: str) -> str:
+    return FENCE.sub("", text)
+
+
+def command_lines(text: str) -> list[str]:
+    """What is typed after ``variantgen``, in blocks for a shell and between backticks."""
+    lines = [line for block in blocks(text, "sh", "powershell") for line in block.splitlines()]
+    lines += SPAN.findall(prose(text))
+    found = [re.search(r"(?:^|&& |[/\\])variantgen (.+)$", line) for line in lines]
+    return [match[1].partition(" && ")[0] for match in found if match]
+
+
+def words_of(line: str) -> list[str]:
+    return shlex.split(line.replace("\\", "/"), comments=True)
+
+
+def parsers() -> dict[str, argparse.ArgumentParser]:
+    action = next(a for a in _parser([])._actions if isinstance(a, argparse._SubParsersAction))
+    return dict(action.choices)
+
+
+def options_of(parser: argparse.ArgumentParser) -> set[str]:
+    return {option for action in parser._actions for option in action.option_strings}
+
+
+COMMANDS = parsers()
+OPTIONS = set().union(*map(options_of, COMMANDS.values()), {"--version"})
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_commands_parse(name: str) -> None:
+    for line in command_lines(BY_NAME[name]):
+        words = words_of(line)
+        if words[0] in COMMANDS and len(words) == 1:  # the command is spoken of
+            continue
+        try:
+            _parser(words).parse_args(words)
+        except SystemExit as end:  # --version and --help end so too
+            assert end.code == 0, f"{name}: variantgen {line}"
+        used = {word.partition("=")[0] for word in words if re.match(r"--[a-z]", word)}
+        known = options_of(COMMANDS[words[0]]) if words[0] in COMMANDS else OPTIONS
+        assert used <= known, f"{name}: variantgen {line}"  # no abbreviations
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_commands_name_families_and_formats_that_there_are(name: str) -> None:
+    for line in command_lines(BY_NAME[name]):
+        words = words_of(line)
+        if words[0] in ("show", "solve") and words[1:] and re.fullmatch("[a-z_]+", words[1]):
+            assert words[1] in (*family_names(), "my_mechanism", "wheel_and_rod"), line
+        for option, value in pairwise(words):
+            if option == "--format":
+                assert chosen(value.split(","))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_options_exist(name: str) -> None:
+    """Those that are named alone, between backticks."""
+    spans = [span for span in SPAN.findall(prose(BY_NAME[name])) if span.startswith("--")]
+    assert {re.split("[ =]", span)[0] for span in spans} <= OPTIONS
+
+
+def test_the_commands_are_there_to_be_tested() -> None:
+    assert sum(len(command_lines(text)) for text in BY_NAME.values()) > 40
+    used = {words_of(line)[0] for text in BY_NAME.values() for line in command_lines(text)}
+    assert used >= COMMANDS.keys()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_exam_files_are_read(name: str) -> None:
+    """Every block of TOML that belongs to an exam file, completed by what it leaves out."""
+    if name == "catalog/README.md":  # of families: test_authoring_guide.py
+        return
+    for block in blocks(BY_NAME[name], "toml"):
+        text = block
+        for key, value in (("title", "x"), ("language", "en")):
+            if not re.search(f"^{key} =", text.partition("\n[")[0], re.MULTILINE):
+                text = f'{key} = "{value}"\n{text}'
+        if "[[problem]]" not in text:
+            text += '\n[[problem]]\nfamily = "four_bar"\n'
+        assert parse_exam(text, Path("exam.toml"), ()).tasks
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_paths_exist(name: str) -> None:
+    for span in SPAN.findall(BY_NAME[name]):
+        if PATH.fullmatch(span):
+            pattern = re.sub(r"<\w+>", "*", span).rstrip("/")
+            assert any(ROOT.glob(pattern)), f"{name}: {span}"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_python_names_exist(name: str) -> None:
+    """``file.py``: ``name``, ``Class.method`` are defined in that file."""
+    for path, listed in PYTHON.findall(BY_NAME[name]):
+        source = (ROOT / path).read_text("utf-8")
+        for wanted in SPAN.findall(listed):
+            for part in wanted.split("."):
+                assert re.search(rf"^\s*(?:def|class) {part}\b|^\s*{part}\b.*[:=]", source, re.MULTILINE), (
+                    path,
+                    wanted,
+                )
+
+
+def anchors(text: str) -> set[str]:
+    """The anchors of headings, as they are made of them on the web."""
+    heads = re.findall(r"^#+ (.+)$", prose(text), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_links_lead_somewhere(name: str) -> None:
+    for groups in LINK.findall(prose(BY_NAME[name])):
+        target = "".join(groups)
+        if re.match("https?:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        goal = ((ROOT / name).parent / path).resolve() if path else ROOT / name
+        assert goal.exists(), f"{name}: {target}"
+        if anchor:
+            assert anchor in anchors(goal.read_text("utf-8")), f"{name}: {target}"
+
+
+def test_every_page_is_reached_from_the_readme() -> None:
+    found, left = set(), ["README.md"]
+    while left:
+        name = left.pop()
+        if name in found or name not in BY_NAME:
+            continue
+        found.add(name)
+        for target, _ in LINK.findall(prose(BY_NAME[name])):
+            path = (ROOT / name).parent / target.partition("#")[0]
+            if path.suffix == ".md" and path.resolve().is_relative_to(ROOT):
+                left.append(path.resolve().relative_to(ROOT).as_posix())
+    assert found >= set(NAMES)
+
+
+def test_the_table_of_outputs_is_complete() -> None:
+    """A row for each format, with every key that its table in an exam file may have."""
+    rows = {}
+    for first, rest in re.findall(r"^\| (`[^|]+`) \| (.*) \|$", BY_NAME["docs/outputs.md"], re.MULTILINE):
+        for format_name in SPAN.findall(first):
+            rows[format_name] = rest
+    assert rows.keys() == set(formats())
+    for format_name, row in rows.items():
+        table = Table({}, format_name, [])
+        formats()[format_name].read_options(table)
+        assert table._seen
+        assert all(f"`{key}`" in row for key in table._seen), (format_name, table._seen)
+
+
+def test_pictures_are_small() -> None:
+    """Whoever reads the pages loads them; the diagrams of the accuracy report are made by the report."""
+    from variantgen.accuracy.summary import PICTURES
+
+    sizes = {path.name: path.stat().st_size for path in (ROOT / "docs" / "pictures").iterdir()}
+    assert sizes.keys() > set(PICTURES)
+    assert not {name for name, size in sizes.items() if size > 100_000} - set(PICTURES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_page_has_two_versions(name: str) -> None:
+    """Marks of a merge that nobody has resolved."""
+    assert not re.search(r"^(<{7}|={7}|>{7})( |$)", BY_NAME[name], re.MULTILINE)
