@@ -242,3 +242,26 @@ def test_a_family_without_worked_cases_is_told_so(tmp_path: Path, capsys: pytest
 def test_a_rate_of_nothing_is_as_exact_as_the_others(family: str) -> None:
     """A given relative acceleration of 0 is solved to within the rounding of the other accelerations."""
     assert not [failure for failure in check_family(family, 20).failures if "the sheet says" in failure]
+
+
+def test_words_that_are_right_pass(tmp_path: Path) -> None:
+    """A picture that is never mirrored: the crank turns clockwise, the wheel rolls to the right, in both languages."""
+    crank = damaged(
+        tmp_path,
+        "oscillating_cylinder",
+        ("family.toml", "mirror = true", "mirror = false"),
+        ("family.toml", "sense = { choices = { counter_clockwise = 1, clockwise = -1 } }\n", ""),
+        ("family.toml", "sense * omega_OA", "-omega_OA"),
+        ("statement.en.j2", "The rod", "The crank {{ OA }} turns clockwise, not to the left of {{ C }}. The rod"),
+        ("statement.ru.j2", "Шток", "Кривошип {{ OA }} вращается по часовой стрелке. Шток"),
+    )
+    (crank / "cases.toml").unlink()
+    assert failures(crank) == []
+    wheel = damaged(
+        tmp_path,
+        "rolling_wheel",
+        ("family.toml", "[screens]", "[pose]\nmirror = false\n[screens]"),
+        ("statement.en.j2", "At the given instant its centre {{ O }}", "Its centre {{ O }} moves to the right and"),
+        ("statement.ru.j2", "В данный момент его центр {{ O }}", "Его центр {{ O }} движется вправо и"),
+    )
+    assert failures(wheel) == []
