@@ -170,8 +170,8 @@ rotation = { body = "OA", omega = 2 }
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        (BASE.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 100 digits in line 11"),
-        (BASE.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 100 digits in line 11"),
+        (BASE.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 1000 digits in line 11"),
+        (BASE.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 1000 digits in line 11"),
         (f"{'.'.join('a' * 3000)} = 1\n{BASE}", "a key of more than 50 parts in line 1"),
         (BASE + '[[joints]]\npivot = { point = "O" }\n' * 2500, "joints: expected at most 200 entries (got 2501)"),
         (

@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.check import Report, check_family
+from variantgen.check.vocabulary import vocabulary
 from variantgen.cli import main
 from variantgen.resources import catalog_dir
+from variantgen.wording.language import languages
 
 SEEDS = 8
 
@@ -64,6 +66,14 @@ def test_a_printed_length_is_the_distance_of_its_points(
     found = [failure for failure in failures(path) if f"the sheet says {length} = " in failure]
     assert len(found) == 1
     assert "but these points are" in found[0]
+
+
+def test_a_length_is_read_as_it_is_printed(tmp_path: Path) -> None:
+    """The crank OA has its own length, and it is printed as that of the fixed link OC."""
+    was, now = 'OA = { unit = "cm",', 'OA = { symbol = "OC", unit = "cm",'
+    other, name = 'OC = { unit = "cm",', 'OC = { symbol = "OA", unit = "cm",'
+    path = damaged(tmp_path, "oscillating_cylinder", ("family.toml", was, now), ("family.toml", other, name))
+    assert sum("the sheet says OA = " in failure for failure in failures(path)) == 1
 
 
 def test_the_message_names_both_lengths(tmp_path: Path) -> None:
@@ -147,7 +157,26 @@ def test_words_for_directions_agree_with_the_motion(
 def test_names_exchanged_in_one_language(family: str, language: str, one: str, two: str, tmp_path: Path) -> None:
     changes = exchanged(f"statement.{language}.j2", f"{{{{ {one} }}}}", f"{{{{ {two} }}}}")
     found = failures(damaged(tmp_path, family, *changes))
-    assert any(f"{one} and {two} stand exchanged" in failure for failure in found)
+    assert any(f"{min(one, two)} and {max(one, two)} stand exchanged" in failure for failure in found)
+
+
+def test_names_exchanged_at_one_place(tmp_path: Path) -> None:
+    """The cranks of the last sentence, which each have their own rate there; elsewhere they stand right."""
+    one, two = "кривошип {{ OA }} имеет", "кривошип {{ BC }} — угловую"
+    changes = [("{{ OA }} имеет", "{{ BC }} имеет"), ("{{ BC }} — угловую", "{{ OA }} — угловую")]
+    text = (catalog_dir() / "two_cranks_and_rod" / "statement.ru.j2").read_text("utf-8")
+    assert one in text
+    assert two in text
+    found = failures(damaged(tmp_path, "two_cranks_and_rod", *(("statement.ru.j2", old, new) for old, new in changes)))
+    assert any("BC and OA stand exchanged" in failure for failure in found)
+
+
+def test_the_order_of_points_is_only_remarked(tmp_path: Path) -> None:
+    """Both orders may be right: the ends A and B of a rod, on the wall and on the floor."""
+    change = ("statement.ru.j2", "осей {{ O }} и {{ C }}", "осей {{ C }} и {{ O }}")
+    report = check_family(str(damaged(tmp_path, "two_cranks_and_rod", change)), SEEDS)
+    assert list(report.failures) == []
+    assert report.remarks == ["statement.ru.j2: C and O stand exchanged, compared with the text in en; is it meant?"]
 
 
 # What one language says and the other does not.
@@ -215,3 +244,58 @@ def test_a_family_without_worked_cases_is_told_so(tmp_path: Path, capsys: pytest
 def test_a_rate_of_nothing_is_as_exact_as_the_others(family: str) -> None:
     """A given relative acceleration of 0 is solved to within the rounding of the other accelerations."""
     assert not [failure for failure in check_family(family, 20).failures if "the sheet says" in failure]
+
+
+def test_words_that_are_right_pass(tmp_path: Path) -> None:
+    """A picture that is never mirrored: the crank turns clockwise, the wheel rolls to the right, in both languages."""
+    crank = damaged(
+        tmp_path,
+        "oscillating_cylinder",
+        ("family.toml", "mirror = true", "mirror = false"),
+        ("family.toml", "sense = { choices = { counter_clockwise = 1, clockwise = -1 } }\n", ""),
+        ("family.toml", "sense * omega_OA", "-omega_OA"),
+        ("statement.en.j2", "The rod", "The crank {{ OA }} turns clockwise, not to the left of {{ C }}. The rod"),
+        ("statement.ru.j2", "Шток", "Кривошип {{ OA }} вращается по часовой стрелке. Шток"),
+    )
+    (crank / "cases.toml").unlink()
+    assert failures(crank) == []
+    wheel = damaged(
+        tmp_path,
+        "rolling_wheel",
+        ("family.toml", "[screens]", "[pose]\nmirror = false\n[screens]"),
+        ("statement.en.j2", "At the given instant its centre {{ O }}", "Its centre {{ O }} moves to the right and"),
+        ("statement.ru.j2", "В данный момент его центр {{ O }}", "Его центр {{ O }} движется вправо и"),
+    )
+    assert failures(wheel) == []
+
+
+def test_every_language_can_be_read() -> None:
+    """The same senses and nouns in each language, so that texts can be compared."""
+    words = [vocabulary(name) for name in languages()]
+    assert len(words) >= 2
+    assert all(word.senses.keys() == words[0].senses.keys() for word in words)
+    assert all(word.nouns.keys() == words[0].nouns.keys() for word in words)
+    assert {"faster", "slower", "clockwise", "counter_clockwise", "up", "down", "left", "right"} <= words[
+        0
+    ].senses.keys()
+
+
+@pytest.mark.parametrize(
+    ("language", "key", "yes", "no"),
+    [
+        ("en", "clockwise", "turns clockwise", "turns counter-clockwise"),
+        ("en", "counter_clockwise", "turns anticlockwise", "turns clockwise"),
+        ("en", "up", "moves vertically upwards", "speeds up"),
+        ("en", "down", "is moving down", "slows down"),
+        ("en", "left", "moves to the left", "moves to the left of the wall"),
+        ("ru", "clockwise", "по часовой стрелке", "против часовой стрелки"),
+        ("ru", "counter_clockwise", "против хода часовой стрелки", "по ходу часовой стрелки"),
+        ("ru", "down", "движется вертикально вниз", "движется вверх"),
+        ("ru", "faster", "вращение ускоренное", "угловое ускорение"),
+        ("ru", "right", "движется вправо", "справа от стены"),
+    ],
+)
+def test_words_are_told_apart(language: str, key: str, yes: str, no: str) -> None:
+    pattern = vocabulary(language).senses[key]
+    assert pattern.search(yes)
+    assert not pattern.search(no)

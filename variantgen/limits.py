@@ -9,7 +9,7 @@ from __future__ import annotations
 TOML_BYTES = 200_000
 # A name like ``a.b.c`` of n parts costs the reader of TOML n * n; no key of ours has more than five parts.
 KEY_PARTS = 50
-DIGITS = 100  # of a number
+DIGITS = 1000  # of a number
 
 # A family: its forms, and of one form the entries of each section. The catalogue has at most 4 forms, 13 parameters,
 # 4 derived quantities, 8 points, 7 joints, 5 marks of a kind.

@@ -14,7 +14,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam.margins import Margins
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
@@ -58,6 +58,8 @@ def one_variant(
         except InputError as error:
             raise error.located(family_or_file) from None
         return variant
+    if ask:
+        check_ask(family, tuple(ask), load_family(family_or_file, folders))
     return draw(family, tuple(ask) or None, [(seed, *SINGLE)], judge=Margins())[0]
 
 

@@ -36,6 +36,11 @@ pivot = { point = "O" }
 [[drivers]]
 rotation = { body = "OA", omega = 2 }
 """
+RATES = """
+turn = { unit = "rad/s", values = [2] }
+gain = { unit = "rad/s^2", values = [3] }
+time = { unit = "s", values = [1] }
+"""
 
 
 def exam(folder: Path, problem: str) -> Path:
@@ -90,6 +95,10 @@ def test_a_value_of_another_form_is_refused_with_that_form(tmp_path: Path) -> No
     message = refused(tmp_path, 'family = "four_bar"\nform = ["crank", "rocker"]\nset = { OC = 120 }\n')
     assert "outside the range of the family, 40 to 100 cm (got 120 cm)" in message
     assert 'choose form = "crank"' in message
+    # The form "directions" has no OC at all.
+    message = refused(tmp_path, 'family = "four_bar"\nset = { OC = 30 }\n')
+    assert "outside the range of the family, 40 to 100 cm (got 30 cm)" in message
+    assert "take a value in it" in message
 
 
 def test_single_variants_may_lie_outside_the_range(capsys: pytest.CaptureFixture[str]) -> None:
@@ -124,9 +133,25 @@ def test_a_plain_number_beside_an_angle_is_asked_about(angle: str, number: str, 
 
 
 def test_a_plain_number_compared_with_an_angle_is_asked_about(tmp_path: Path) -> None:
-    for require in ("phi < 60", "2 * phi - alpha > 45"):
+    for require in ("phi < 60", "2 * phi - alpha > 45", "turn * time < 300"):
         with pytest.raises(InputError, match="stands where an angle is meant"):
-            read_family(crank(tmp_path, '"phi"', f'[screens]\nrequire = ["{require}"]\n'))
+            read_family(crank(tmp_path, '"phi"', RATES + f'[screens]\nrequire = ["{require}"]\n'))
+
+
+@pytest.mark.parametrize(
+    "require",
+    [
+        "phi < 60 * deg",
+        "phi > 0",
+        "phi / alpha < 1.5",
+        "phi * 180 / pi < 60",
+        "gain / turn**2 < 3",
+        "cos(phi) + 1 > 1.2",
+    ],
+)
+def test_ratios_are_compared_with_plain_numbers(require: str, tmp_path: Path) -> None:
+    form = read_family(crank(tmp_path, '"phi"', RATES + f'[screens]\nrequire = ["{require}"]\n')).forms[""]
+    assert [comparison.text for comparison in form.screens.require] == [require]
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -119,8 +120,6 @@ def test_files_that_were_added_among_ours_are_kept(folder: Path) -> None:
 
 
 def test_what_cannot_be_read_is_kept(folder: Path) -> None:
-    import os
-
     (folder / "out" / "key.xlsx").unlink()
     os.mkfifo(folder / "out" / "key.xlsx")  # reading it would wait for ever
     (folder / "out" / "key.csv").unlink()
@@ -129,6 +128,16 @@ def test_what_cannot_be_read_is_kept(folder: Path) -> None:
     kept = folder / "out" / "edited" / "1"
     assert kept.joinpath("key.xlsx").is_fifo()
     assert kept.joinpath("key.csv").is_symlink()
+
+
+def test_a_pipe_in_the_place_of_the_manifest(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "out" / "manifest.json").unlink()
+    os.mkfifo(folder / "out" / "manifest.json")
+    code, told = verified(folder, capsys)
+    assert code == 2
+    assert "manifest.json: expected a file" in told
+    assert build(folder, "--force") == 0
+    assert (folder / "out" / "edited" / "1" / "manifest.json").is_fifo()
 
 
 @pytest.mark.parametrize("moment", ["moved", "half", "removed"])

@@ -65,6 +65,7 @@ NAMED = ("pdf", "latex", "html", "moodle", "qti21", "qti30", "xlsx")  # have the
 
 HEAD = """
 title = {title}
+sort = "roster"
 course = {title}
 language = "en"
 formats = {formats}
@@ -248,7 +249,7 @@ def test_a_title_that_cannot_be_seen_is_refused(text: str, tmp_path: Path, capsy
 def test_no_cell_of_the_key_is_a_formula(start: str, tmp_path: Path) -> None:
     work = tmp_path / "work"
     work.mkdir()
-    (work / "exam.toml").write_text('title = "T"\nlanguage = "en"\nformats = ["xlsx"]\n[[problem]]\nfamily = "spool"\n')
+    (work / "exam.toml").write_text(HEAD.format(title='"T"', formats='["xlsx"]'), "utf-8")
     (work / "class.csv").write_text(f'id,name,group\n"{start}","{start}","{start}"\n2,Bob,B\n', "utf-8")
     arguments = ["build", str(work / "exam.toml"), "--roster", str(work / "class.csv"), "--out", str(work / "out")]
     assert main(arguments) == 0

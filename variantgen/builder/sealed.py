@@ -1,4 +1,4 @@
-"""Files of parts: written whole and on the disk, and read only if they are as they were written.
+"""Files of parts: written whole, and read only if they are as they were written.
 
 A sealed file begins with a line that is a digest of a key, the name of the file and the rest of it.
 """
@@ -26,15 +26,19 @@ class DamagedError(VariantgenError):
 
 
 def write(folder: Path, name: str, content: bytes, key: bytes | None = None) -> None:
-    """Write a file, sealed if there is a key; it has its name when all of it is on the disk."""
+    """Write a file, sealed if there is a key; it has its name when all of it is written, and if sealed on the disk.
+
+    To wait for the disk takes some milliseconds: there are few sealed files, and what others have lost is seen.
+    """
     path = folder / name
     new = path.with_name(f"{path.name}{NEW}")
     with open(new, "wb", opener=_opened) as file:
         if key is not None:
             file.write(_seal(name, content, key))
         file.write(content)
-        file.flush()
-        os.fsync(file.fileno())
+        if key is not None:
+            file.flush()
+            os.fsync(file.fileno())
     os.replace(new, path)  # noqa: PTH105  (Path.replace does the same and is slower)
 
 

@@ -42,7 +42,7 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
 def _check_cases(family: Family, report: Report) -> None:
     cases = load_cases(family)
     if not cases and family.folder is not None:
-        report.remarks.append(_NO_CASES)
+        report.remark(_NO_CASES)
     for case in cases:
         if not case.exact:
             report.fail("exact results are missing, so it proves nothing", f"case {case.id}")

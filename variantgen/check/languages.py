@@ -6,14 +6,23 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import SequenceMatcher
 from itertools import combinations
+from typing import NamedTuple
 
-from variantgen.check.printed import Fault
 from variantgen.check.reading import Datum, Sheet
 from variantgen.families.family import Form
 
 
-def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iterator[tuple[str, Fault]]:
-    """What the first language says otherwise than the others, each with the language that it is found in.
+class Difference(NamedTuple):
+    """What a statement says otherwise than that in another language; ``sure``: whether it is a mistake."""
+
+    language: str
+    kind: str
+    message: str
+    sure: bool = True
+
+
+def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iterator[Difference]:
+    """What the first language says otherwise than the others.
 
     ``given`` are the names of the printed data: what is said of them in one language is said in the others.
     """
@@ -23,20 +32,18 @@ def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iter
             for name in given:
                 if name in one.names and name not in two.names:
                     message = f"the text says nothing of {name}, that in {one.language} does"
-                    yield two.language, (f"unsaid {name}", message)
+                    yield Difference(two.language, f"unsaid {name}", message)
             others = Counter(map(_size, two.numbers))
             for datum in one.numbers:
                 others[_size(datum)] -= 1
                 if others[_size(datum)] < 0:
                     message = f"the text says {datum.written}, that in {two.language} does not"
-                    yield one.language, (f"number {_size(datum)}", message)
+                    yield Difference(one.language, f"number {_size(datum)}", message)
         for name in sorted(first.data.keys() & other.data.keys()):
             if {_size(datum) for datum in first.data[name]} != {_size(datum) for datum in other.data[name]}:
                 message = f"{name} is {_written(other, name)} here, and {_written(first, name)} in {first.language}"
-                yield other.language, (f"datum {name}", message)
-        for pair in _exchanged(first, other, form):
-            message = f"{' and '.join(sorted(pair))} stand exchanged, compared with the text in {first.language}"
-            yield other.language, (message, message)
+                yield Difference(other.language, f"datum {name}", message)
+        yield from _exchanged(first, other, form)
 
 
 def _size(datum: Datum) -> str:
@@ -47,24 +54,38 @@ def _written(sheet: Sheet, name: str) -> str:
     return " and ".join(dict.fromkeys(datum.written for datum in sheet.data[name]))
 
 
-def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[tuple[str, str]]:
+def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[Difference]:
     """Two names of which the second text says what the first says of the other one.
 
     What tells are the nouns before them (the rod BC, the rocker CD). Where these do not tell them apart, it is the
-    order of all names, if it becomes more alike when the two are exchanged.
+    order of all names, if it becomes more alike when the two are exchanged; of points alone that is no proof.
     """
     both = [name for name in dict.fromkeys(first.names) if name in other.names]
     alike = {name: _kind(name, form) for name in both}
     called, recalled = _nouns(first), _nouns(other)
-    for one, two in combinations(both, 2):
+    for one, two in combinations(sorted(both), 2):
         if alike[one] != alike[two]:
             continue
         straight = [called[a] & recalled[a] for a in (one, two)]
         crossed = [called[a] & recalled[b] for a, b in ((one, two), (two, one))]
-        if (all(crossed) and not any(straight)) or (
-            called[one] == called[two] and recalled[one] == recalled[two] and _in_wrong_order(first, other, one, two)
-        ):
-            yield one, two
+        proved = all(crossed) and not any(straight)
+        untold = called[one] == called[two] and recalled[one] == recalled[two]
+        if proved or (untold and _in_wrong_order(first, other, one, two)) or {one, two} == _crossed_once(first, other):
+            message = f"{one} and {two} stand exchanged, compared with the text in {first.language}"
+            yield Difference(other.language, message, message, proved or alike[one] != "point")
+
+
+def _crossed_once(first: Sheet, other: Sheet) -> set[str]:
+    """The names that stand in each other's place, if all others are in theirs and nouns do not tell why."""
+    pairs = list(zip(first.mentions, other.mentions, strict=False))
+    apart = [(one, two) for one, two in pairs if one.name != two.name]
+    if len(first.mentions) != len(other.mentions) or len(apart) != 2:
+        return set()
+    (one, here), (two, there) = apart
+    if (one.name, two.name) != (there.name, here.name):
+        return set()
+    told = one.noun != two.noun and (one.noun, two.noun) == (there.noun, here.noun)
+    return set() if told else {one.name, two.name}
 
 
 def _in_wrong_order(first: Sheet, other: Sheet, one: str, two: str) -> bool:

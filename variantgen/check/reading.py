@@ -60,8 +60,8 @@ class Datum:
 class Sheet:
     """What a statement says in one language.
 
-    ``data`` are the numbers by name, from the list of data and from sentences like "OA = 32 cm"; ``numbers`` all that
-    stand in the text with a unit.
+    ``mentions`` have the names of the family. ``data`` are the numbers by what is printed before them, in the list of
+    data and in sentences like "OA = 32 cm"; ``numbers`` all that stand in the text with a unit.
     """
 
     language: str
@@ -110,7 +110,7 @@ def read_sheet(said: Statement, form: Form, language: Language) -> Sheet:
     data: dict[str, tuple[Datum, ...]] = {}
     for equation in said.given:
         if isinstance(equation.right, Measured) and isinstance(equation.left, Symbol):
-            name = known.get(equation.left, to_plain(equation.left))
+            name = to_plain(equation.left)
             found = _datum(equation.right.number.text, to_plain(equation.right.unit), units)
             data[name] = (*data.get(name, ()), *found)
     measured = rf"{_NUMBER}[ \N{{NO-BREAK SPACE}}]?(?P<unit>{'|'.join(map(re.escape, sorted(units, key=len)[::-1]))})"

@@ -99,6 +99,11 @@ class Report:
         """Note a mistake; copies are told apart by ``where``, and known by ``kind`` (without one by the message)."""
         self.findings.append(Finding(kind or message, where, message))
 
+    def remark(self, text: str) -> None:
+        """Note once what is no failure, but should be looked at."""
+        if text not in self.remarks:
+            self.remarks.append(text)
+
     @property
     def failures(self) -> Sequence[str]:
         """The mistakes, each once: the first copy of it, and where the others were seen."""

@@ -117,6 +117,8 @@ def read_record(folder: Path) -> Record:
 
 
 def _json(path: Path) -> Any:
+    if path.exists() and not path.is_file():
+        raise InputError(Problem("expected a file", file=str(path), remedy="restore the manifest from a copy"))
     try:
         return json.loads(read_limited(path, _MAX_BYTES), parse_float=Decimal, parse_constant=Decimal)
     except FileNotFoundError:

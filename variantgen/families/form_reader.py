@@ -32,6 +32,10 @@ SECTIONS = (
 )  # fmt: skip
 
 
+_MARKED = (
+    'there are no parameters: declare the given number as one, such as  phi = { unit = "deg", values = [30] }'
+    "  in [parameters], and name it here; without a name the figure shows no letter"
+)
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
 _MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
     ("points", "conditions", "bodies", "joints", "drivers"), PARTS
@@ -64,6 +68,8 @@ class FormReader:
             return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
         self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
+        if len(self.problems) > before:  # what uses a wrong parameter would only repeat that it is unknown
+            return None
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
@@ -78,7 +84,7 @@ class FormReader:
         )
         screens = read_screens(self.top.table("screens"), self.expression, points)
         pose = read_pose(self.top.table("pose"))
-        figure = read_figure(self.top.table("figure"), set(points), bodies, self.expression)
+        figure = read_figure(self.top.table("figure"), set(points), bodies, self._templates.quantity)
         self._check_marks(figure)
         nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
@@ -155,7 +161,8 @@ class FormReader:
             for i, name in enumerate(found, start=1):
                 if name and name not in self.parameters:
                     key = f"figure.{kind}[{i}].name"
-                    self.top.problem("unknown parameter", key, name, nearest(name, self.parameters))
+                    remedy = nearest(name, self.parameters) if self.parameters else _MARKED
+                    self.top.problem("a mark carries the name of a parameter", key, name, remedy)
 
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Callable, Collection
 from dataclasses import replace
+from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
@@ -16,6 +17,7 @@ from variantgen.limits import MARKS, PARTS
 from variantgen.tables import Table
 
 ExpressionReader = Callable[..., Expression]
+QuantityReader = Callable[[str, int | Decimal | str], Expression]
 _COMPARISON = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)")
 DIRECTIONS = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
 
@@ -85,7 +87,7 @@ def read_pose(table: Table) -> Pose:
 
 
 def read_figure(
-    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], expression: ExpressionReader
+    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], quantity: QuantityReader
 ) -> FigureHints:
     """The marks that the drawing needs."""
     for key in table.data:
@@ -93,7 +95,7 @@ def read_figure(
     angles = [_angle(item, points) for item in table.tables("angles")]
     lengths = [_length(item, points) for item in table.tables("lengths")]
     right_angles = [_right_angle(item, points) for item in table.tables("right_angles")]
-    discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, expression))]
+    discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, quantity))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
     lines, thin, grooves, walls = (_paths(table, key, points) for key in ("lines", "thin", "grooves", "walls"))
@@ -175,7 +177,7 @@ def _length(table: Table, points: set[str]) -> LengthMark:
 
 
 def _disc(
-    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], expression: ExpressionReader
+    table: Table, points: set[str], bodies: dict[str, tuple[str, ...]], quantity: QuantityReader
 ) -> DiscMark | None:
     centre = _known(table, "centre", table.need("centre", str, ""), points)
     name = table.take("name", str, "")
@@ -184,7 +186,8 @@ def _disc(
         table.problem("unknown body", "body", body, nearest(body, bodies))
     found = None
     with table.collecting("radius"):
+        radius: Any = table.need("radius", (str, int, Decimal), 0, "a length")
         label, arc = table.take("label", str, ""), table.take("arc", bool, False)
-        found = DiscMark(centre, expression(table.need("radius", str, "0"), "length"), name, body, label, arc)
+        found = DiscMark(centre, quantity("length", radius), name, body, label, arc)
     table.finish()
     return found

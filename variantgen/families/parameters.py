@@ -91,7 +91,13 @@ def _listed(table: Table) -> tuple[Decimal, ...]:
     values = table.take("values", list, [], "a list of numbers")
     wrong = [v for v in values if isinstance(v, bool) or not isinstance(v, int | Decimal) or not _is_sound(v)]
     if wrong or not values:
-        table.problem("expected a list of numbers", "values", values)
+        remedy = ""
+        if any(isinstance(value, str) for value in values):
+            remedy = (
+                "write each as a decimal number without quotes, 1.667 for 5/3: what is printed is what is solved;"
+                " an exact fraction of another quantity is made where it is used, or in [derived]"
+            )
+        table.problem("expected a list of numbers", "values", values, remedy)
         return (Decimal(1),)
     return tuple(dict.fromkeys(Decimal(v) for v in values))
 
@@ -129,4 +135,5 @@ def _is_sound(value: int | Decimal) -> bool:
 
 def unknown_name(name: str, known: list[str], text: str) -> Problem:
     """The problem of an expression that uses a name that is no parameter."""
-    return Problem("unknown name in an expression", value=f"{name} in {text}", remedy=nearest(name, known))
+    remedy = nearest(name, known) if known else "no names are known: declare it in [parameters] or [derived]"
+    return Problem("unknown name in an expression", value=f"{name} in {text}", remedy=remedy)

@@ -74,8 +74,8 @@ class _Reading:
         match node:
             case ast.BinOp(op=ast.Add() | ast.Sub()):
                 return self._together(kinds)
-            case ast.BinOp(op=ast.Div()) if kinds[1] is Part.ANGLE or _is_turn(kinds[1]):
-                return Part.OTHER  # an angle divided by an angle, or by pi
+            case ast.BinOp(op=ast.Div()) if not isinstance(kinds[1], frozenset) or _is_turn(kinds[1]):
+                return Part.OTHER  # an angle divided by an angle, by pi, or by what may be one: epsilon / omega**2
             case ast.BinOp(op=ast.Pow()):
                 return Part.OTHER
         return Part.ANGLE if kinds[0] is Part.ANGLE or Part.ANGLE in kinds[1:] else Part.OTHER
@@ -130,6 +130,6 @@ def _in_radians(value: float) -> bool:
     return abs(value) <= _LARGEST and abs(steps - round(steps)) < 1e-4
 
 
-def _is_turn(kind: Kind) -> bool:
+def _is_turn(values: frozenset[float]) -> bool:
     """Whether a plain number is a multiple of pi, and not zero."""
-    return isinstance(kind, frozenset) and all(value != 0 and _in_radians(value) for value in kind)
+    return all(value != 0 and _in_radians(value) for value in values)

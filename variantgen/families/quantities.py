@@ -148,8 +148,27 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     """The quantity of that name in a scene; InputError with the nearest (``offered``) names if it has none such."""
     known = quantity_names(scene)
     if text not in known:
-        raise InputError(Problem("unknown quantity", key=key, value=text, remedy=nearest(text, offered or known)))
+        remedy = _proposed(text, known) or nearest(text, offered or known)
+        raise InputError(Problem("unknown quantity", key=key, value=text, remedy=remedy))
     return split_name(text)
+
+
+# How others write a quantity, and how it is written here.
+_OTHERWISE = {"alpha": "epsilon", "eps": "epsilon", "w": "omega", "om": "omega", "vel": "v", "acc": "a"}
+_POSITIONS = ("theta", "phi", "beta", "gamma", "psi", "x", "y", "z", "s", "l", "r", "angle")
+
+
+def _proposed(text: str, known: Sequence[str]) -> str:
+    """What to ask for in place of a quantity in other letters, or of a position; "" where nothing is known of it."""
+    letter, _, target = text.partition("_")
+    own = f"{_OTHERWISE.get(letter, letter)}_{target}"
+    if letter in _OTHERWISE and own in known:
+        return f"write {own}: angular velocities are omega, angular accelerations epsilon"
+    if letter not in _POSITIONS or not target:
+        return ""
+    rates = [name for kind in ("omega", "v", "epsilon", "a") if (name := f"{kind}_{target}") in known]
+    found = f" of {target}: " + ", ".join(rates) if rates else ""
+    return f"positions (angles, lengths, coordinates) are given by the data and not asked; ask for a rate{found}"
 
 
 def recorded(quantity: Quantity, value: float) -> float:

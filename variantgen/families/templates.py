@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from decimal import Decimal
 from typing import Any
@@ -12,6 +13,10 @@ from variantgen.families.family import Template
 from variantgen.families.units import UNITS, Unit, is_number, parse_value, sound
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.tables import Table, shown
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_NOTHING = -12  # power of ten below which a number is what rounding left of a zero: 20 * cos(90 deg) = 1.2e-15
+_TINY = re.compile(r"[+-]?\d(?:\.\d*)?[eE]-(?:1[3-9]|[2-9]\d)\s*([A-Za-z][A-Za-z0-9/^-]*)?")  # the same as a text
 
 
 class TemplateReader:
@@ -75,15 +80,23 @@ class TemplateReader:
             raise wrong
         if isinstance(value, str) and value in spec.words:
             return number(spec.words[value])
-        return self._number(spec, value)
+        if spec.words and isinstance(value, str) and _WORD.fullmatch(value):
+            try:
+                return self._expression(value, spec.dimension)  # a choice may carry such a name
+            except InputError:
+                raise wrong from None
+        return self.quantity(spec.dimension, value)
 
-    def _number(self, spec: FieldSpec, value: int | Decimal | str) -> Expression:
-        default = self._printed_unit(spec.dimension)
+    def quantity(self, dimension: str, value: int | Decimal | str) -> Expression:
+        """A number in the printed unit of its dimension, a number with a unit, or an expression. Raises InputError."""
+        default = self._printed_unit(dimension)
         if not isinstance(value, str):
-            return number(default.to_si(sound(Decimal(value), "")), default.measures)
+            return number(default.to_si(sound(_cleaned(Decimal(value)), "")), default.measures)
+        if tiny := _TINY.fullmatch(value.strip()):
+            value = f"0 {tiny[1] or default.name}"
         if is_number(value):
             return number(default.to_si(parse_value(value, default, "")), default.measures)
-        return self._expression(value, spec.dimension)
+        return self._expression(value, dimension)
 
     def _printed_unit(self, dimension: str) -> Unit:
         """The unit of a bare number in a file: the family's length unit, degrees, seconds."""
@@ -97,3 +110,8 @@ class TemplateReader:
             "angular acceleration": "rad/s^2",
         }
         return UNITS[names.get(dimension, "1")]
+
+
+def _cleaned(value: Decimal) -> Decimal:
+    """A number, or the zero that it is but for rounding."""
+    return Decimal(0) if value.is_finite() and value and value.adjusted() < _NOTHING else value

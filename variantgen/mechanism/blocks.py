@@ -110,8 +110,11 @@ def _surplus_part(depends: Sequence[set[int]], owner: dict[int, int], start: set
     return found
 
 
-def indeterminate(free: Sequence[str], surplus: Sequence[str]) -> list[Problem]:
-    """What to tell the author of a scene whose equations do not determine its motion, by the names of the parts."""
+def indeterminate(free: Sequence[str], surplus: Sequence[str], remedies: Sequence[str] = ()) -> list[Problem]:
+    """What to tell the author of a scene whose equations do not determine its motion, by the names of the parts.
+
+    ``remedies`` are what the surplus joints propose to write in their places.
+    """
     problems = []
     if free:
         problems.append(
@@ -119,7 +122,7 @@ def indeterminate(free: Sequence[str], surplus: Sequence[str]) -> list[Problem]:
                 "the motion is not determined: more unknowns than equations",
                 key="scene",
                 value=", ".join(free),
-                remedy="add a driver or a joint that fixes one of these",
+                remedy=_fixing(free),
             )
         )
     if surplus:
@@ -128,7 +131,19 @@ def indeterminate(free: Sequence[str], surplus: Sequence[str]) -> list[Problem]:
                 "joints or drivers repeat or contradict each other: more equations than unknowns",
                 key="scene",
                 value=", ".join(dict.fromkeys(surplus)),
-                remedy="remove one of these",
+                remedy="; or: ".join(dict.fromkeys(remedies)) or "remove one of these",
             )
         )
     return problems
+
+
+def _fixing(free: Sequence[str]) -> str:
+    """What fixes unknowns that nothing determines, by their names."""
+    bodies = [name.removeprefix("omega of ") for name in free if name.startswith("omega of ")]
+    text = "add a driver or a joint that fixes one of these"
+    if len(bodies) == len(free) == 1:
+        text += (
+            f": nothing turns {bodies[0]}; a wheel rolls (rolling), meshes (gears) or has a rope on it, any body can be"
+            " driven (rotation) or kept from turning (translation)"
+        )
+    return text

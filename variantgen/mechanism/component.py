@@ -28,6 +28,10 @@ class Words(tuple[tuple[str, float], ...]):
     """Annotation of a numeric field that may also be written as one of a few words."""
 
 
+class Means(str):
+    """Annotation of a field whose words need an explanation."""
+
+
 class Least(str):
     """Annotation of a numeric field that must be ``above 0`` or ``not negative``."""
 
@@ -68,6 +72,7 @@ class FieldSpec:
         self.ref = next((str(mark) for mark in marks if isinstance(mark, Ref)), "")
         self.dimension = next((str(mark) for mark in marks if isinstance(mark, Dim)), "")
         self.least = next((str(mark) for mark in marks if isinstance(mark, Least)), "")
+        self.means = next((str(mark) for mark in marks if isinstance(mark, Means)), "")
         self.words = dict(next((mark for mark in marks if isinstance(mark, Words)), ()))
         self.part = _part(hint)
         self.many = get_origin(hint) is tuple and self.part is None
@@ -83,7 +88,9 @@ class FieldSpec:
         if self.ref:
             return f"a list of two {self.ref}s" if self.many else f"the name of a {self.ref}"
         words = " or ".join(f'"{word}"' for word in self.words)
-        return words or f"a number or an expression ({self.dimension}{', ' if self.least else ''}{self.least})"
+        if words:
+            return f"{words} ({self.means})" if self.means else words
+        return f"a number or an expression ({self.dimension}{', ' if self.least else ''}{self.least})"
 
 
 def _leaves(hint: Any) -> list[Any]:

@@ -82,14 +82,17 @@ def largest_change(
     bodies: Mapping[str, Field],
     bodies_again: Mapping[str, Field],
     length: Field,
+    least: Field | float = 0.0,
 ) -> Field:
     """Largest difference of two tables of velocities (or accelerations), relative to the largest of the first, (N,).
 
-    Rates of bodies count times the ``length`` of the mechanism.
+    Rates of bodies count times the ``length`` of the mechanism. The largest is taken to be ``least`` at least: where
+    all are nothing but rounding there is nothing to compare with.
     """
     if not points:
         return np.zeros_like(length)
     scale = np.max([np.abs(points[p]) for p in points] + [np.abs(bodies[b]) * length for b in bodies], axis=0)
+    scale = np.maximum(scale, least)
     worst = np.max(
         [np.abs(points[p] - points_again[p]) for p in points]
         + [np.abs(bodies[b] - bodies_again[b]) * length for b in bodies],

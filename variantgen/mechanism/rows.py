@@ -189,6 +189,10 @@ class Pair(Constraint, Protocol):
         """The circles of wheels, gears, pulleys that the joint takes for granted (m)."""
         ...
 
+    def when_surplus(self) -> str:
+        """What to write instead where the motion that this joint demands is demanded elsewhere too; "" for nothing."""
+        ...
+
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope, if any do."""
         ...
@@ -244,6 +248,10 @@ class Joint:
     def circles(self, at: Placement) -> tuple[Circle, ...]:
         """None (rolling, gears and ropes say)."""
         return ()
+
+    def when_surplus(self) -> str:
+        """Nothing (rolling says)."""
+        return ""
 
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope (a rope says)."""

@@ -93,6 +93,17 @@ def _equation_name(scene: Scene, equation: Equation) -> str:
     return f"hinge {step.point} of {step.body}"
 
 
+def _remedy(scene: Scene, equation: Equation) -> str:
+    """What the joint of an equation proposes to write in its place where there are too many of them."""
+    if isinstance(equation, RowEquation):
+        number = equation.constraint
+    elif isinstance(equation.step, Lead):
+        number = equation.step.constraint
+    else:
+        return ""
+    return scene.joints[number].when_surplus() if number < len(scene.joints) else ""
+
+
 @dataclass(frozen=True)
 class Block:
     """Equations and unknowns (numbers) that are solved together."""
@@ -136,6 +147,7 @@ def analyse(scene: Scene) -> Plan:
             indeterminate(
                 [reach.unknowns[i] for i in sorted(free)],
                 [_equation_name(scene, reach.equations[i]) for i in sorted(surplus)],
+                [text for i in sorted(surplus) if (text := _remedy(scene, reach.equations[i]))],
             )
         )
     return Plan(

@@ -30,6 +30,7 @@ _OFFSETS = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
 _FIRST = np.array([-1.0, 9.0, -45.0, 45.0, -9.0, 1.0]) / 60.0
 _SECOND = np.array([2.0, -27.0, 270.0, 270.0, -27.0, 2.0]) / 180.0
 _ITERATIONS = 25
+_NO_ACCELERATION = 0.01
 
 Vector = NDArray[np.float64]
 
@@ -83,8 +84,16 @@ def recompute(motion: Motion) -> Recomputed:
         omega,
         epsilon,
         largest_change(motion.v, v, motion.omega, omega, chain.length),
-        largest_change(motion.a, a, motion.epsilon, epsilon, chain.length),
+        largest_change(motion.a, a, motion.epsilon, epsilon, chain.length, _least_acceleration(motion, chain.length)),
     )
+
+
+def _least_acceleration(motion: Motion, length: Field) -> Field:
+    """What accelerations are compared with at least, a hundredth of ``v^2 / l``: a motion may have none at all."""
+    speeds = [np.abs(v) for v in motion.v.values()] + [np.abs(x) * length for x in motion.omega.values()]
+    fastest = np.max([np.zeros(motion.size), *speeds], axis=0)
+    result: Field = _NO_ACCELERATION * fastest**2 / np.where(length > 0, length, 1.0)
+    return result
 
 
 def _inverse(matrices: Vector) -> Vector:

@@ -17,6 +17,8 @@ from types import FrameType
 from variantgen.errors import InputError, Problem
 from variantgen.outputs.edited import EDITED, file_hash, keep_edited
 
+_SINGLY = 100  # files that are brought to the disk one by one, at some 5 ms each; of more, all at once is sooner
+
 
 class WritingError(InputError):
     """The system refused to write: no room, no rights, no disk; or the place was taken in the meantime."""
@@ -102,6 +104,7 @@ def whole_folder(
         try:
             work = _made(target, mine)
             yield work
+            _flush(work)
             _check_still_free(target, force, known)
             if target.exists():
                 target.rename(replaced)
@@ -110,6 +113,19 @@ def whole_folder(
         finally:
             for left in target.parent.glob(f"{glob.escape(mine)}*"):
                 shutil.rmtree(left, ignore_errors=True)
+
+
+def _flush(folder: Path) -> None:
+    """See to it that all files below a folder are on the disk: what they were made of is removed after that."""
+    if os.name != "posix":
+        return  # only files that are being written can be asked for it
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    if len(files) > _SINGLY:
+        os.sync()
+        return
+    for path in files:
+        with path.open("rb") as file:
+            os.fsync(file.fileno())
 
 
 def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None:

@@ -40,6 +40,12 @@ class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
 
 
+_FIXED = (
+    "all its numbers are fixed, so no other draw can pass: change one of them, or loosen what [screens] of the family"
+    " demands"
+)
+
+
 class FormDrawing:
     """Attempts of many students at one form."""
 
@@ -241,8 +247,10 @@ class FormDrawing:
 
     def _exhausted(self) -> Problem:
         narrow = [name for name, p in self.form.parameters.items() if p.given and len(p.printed) <= 2]
-        which = ", ".join(narrow or [name for name, p in self.form.parameters.items() if p.given])
-        remedy = f"widen the range of one of: {which}" + (", ask for less, or leave nice out" if self._nice else "")
+        given = [name for name, p in self.form.parameters.items() if p.given]
+        which = ", ".join(narrow or given)
+        remedy = f"widen the range of one of: {which}" if given else _FIXED
+        remedy += ", ask for less, or leave nice out" if self._nice else ""
         if self.form.screens.ceiling < Screens().ceiling:
             remedy += f", or raise the ceiling of its screens ({self.form.screens.ceiling:g})"
         return Problem(

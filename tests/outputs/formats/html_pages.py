@@ -44,6 +44,7 @@ def exam(
 ) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     head = f'title = "{TITLES[language]}"\ncourse = "Mechanics"\nlanguage = "{language}"\nformats = {formats}\n'
+    head += 'sort = "roster"\n'
     (folder / "exam.toml").write_text(head + more + problems, encoding="utf-8")
     rows = "".join(f"{number},{name},G-{number % 2}\n" for number, name in enumerate(NAMES, start=1))
     (folder / "class.csv").write_text("id,name,group\n" + rows, encoding="utf-8")

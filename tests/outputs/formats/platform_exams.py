@@ -30,7 +30,7 @@ def built(
 ) -> Path:
     """The output folder of an exam file with these lines."""
     folder.mkdir(parents=True, exist_ok=True)
-    head = f'title = {json.dumps(title)}\ncourse = {json.dumps(title)}\nlanguage = "{language}"\n'
+    head = f'title = {json.dumps(title)}\ncourse = {json.dumps(title)}\nlanguage = "{language}"\nsort = "roster"\n'
     (folder / "exam.toml").write_text(head + body, "utf-8")
     build(read_exam(folder / "exam.toml"), students or numbered(count), folder / "out", jobs=jobs)
     return folder / "out"
@@ -46,7 +46,7 @@ def hostile_family(folder: Path) -> None:
     (copy / "family.toml").write_text("\n".join(text), "utf-8")
     for language in ("en", "ru"):
         path = copy / f"statement.{language}.j2"
-        path.write_text("{% raw %}" + HOSTILE + "\x01{% endraw %} " + path.read_text("utf-8"), "utf-8")
+        path.write_text("{% raw %}" + HOSTILE + "{% endraw %} " + path.read_text("utf-8"), "utf-8")
 
 
 def key_rows(out: Path) -> dict[tuple[str, str], list[dict[str, str]]]:

@@ -44,6 +44,15 @@ class Rolling(Joint):
             points, bodies = (self.centre, self.on_point), (self.body, self.on)
         return (Shape(points, bodies) if self.axle_held else Shape(points, bodies, self.centre, self.on_point),)
 
+    def when_surplus(self) -> str:
+        """A second line or a guide holds the axle: the wheel then needs one condition, along the line."""
+        if self.axle_held:
+            return ""
+        return (
+            f"rolling by itself keeps {self.centre} at its distance from the line; where another belt, rack or guide"
+            f" does that, write axle_held = true in one of the joints rolling of {self.body}"
+        )
+
     def sound(self, at: Placement) -> Flags:
         """The wheel has a radius."""
         return np.abs(at.z[self.centre] - at.z[self.contact]) > 0

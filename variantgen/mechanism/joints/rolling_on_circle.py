@@ -42,6 +42,14 @@ class RollingOnCircle(Joint):
             return (Shape((self.centre,), (self.body,), lead=self.centre),)
         return (Shape((self.centre, self.around), (self.body, self.on), lead=self.centre, pole=self.around),)
 
+    def when_surplus(self) -> str:
+        """A joint that leaves the centre to what leads it."""
+        meshed = f'gears = {{ body = "{self.body}", centre = "{self.centre}", other_centre = "{self.around}", ... }}'
+        return (
+            f"rolling_on_circle by itself leads {self.centre} round {self.around}; where a crank or guide leads it,"
+            f" write {meshed} in its place, or leave out the driver of the crank and drive the wheel"
+        )
+
     def landmarks(self) -> tuple[str, ...]:
         """The centre of a fixed circle."""
         return (self.around,) if self.on is None else ()

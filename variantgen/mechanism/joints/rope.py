@@ -5,15 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import ClassVar
+from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along
-from variantgen.mechanism.component import BodyName, PointName, Radius, Side
+from variantgen.mechanism.component import BodyName, Means, PointName, Radius, Side
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.rows import Circle, Joint, Placement, ScalarRow, Shape, Speeds
 
+RopeSide: TypeAlias = Annotated[
+    Side,
+    Means(
+        "of the circle, looking along the rope from its first bend to its last: on the left side of the circle the"
+        " rope has the centre on its right, as where it goes up, over a pulley to the right, and down again"
+    ),
+]
 # Of the radii at its ends: how short a straight piece of a moving rope may become.
 _NEAR = 0.25
 
@@ -29,7 +36,7 @@ class Bend:
 
     point: PointName
     radius: Radius = 0.0
-    side: Side = 1.0
+    side: RopeSide = 1.0
     body: BodyName | None = None
     fixed: bool = False
     belongs: ClassVar[Mapping[str, str]] = {"point": "body"}

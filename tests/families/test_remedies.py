@@ -1,0 +1,201 @@
+"""Messages that lead an author to what helps: one test for each."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from variantgen.cli import main
+
+CRANK = """
+length_unit = "cm"
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { polar = { origin = "O", distance = 20, angle = 30 } }
+[bodies]
+OA = ["O", "A"]
+[[joints]]
+pivot = { point = "O" }
+[[drivers]]
+rotation = { body = "OA", omega = 2 }
+"""
+PLANET = """
+length_unit = "cm"
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { polar = { origin = "O", distance = 30, angle = 20 } }
+M = { polar = { origin = "A", distance = 10, angle = 60 } }
+[bodies]
+OA = ["O", "A"]
+wheel = ["A", "M"]
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+rolling_on_circle = { body = "wheel", centre = "A", radius = 10, around = "O" }
+[[drivers]]
+rotation = { body = "OA", omega = 2 }
+"""
+BELTS = """
+length_unit = "cm"
+ask = ["v_O", "omega_pinion"]
+[points]
+K = { coordinates = { x = 0, y = 0 } }
+O = { coordinates = { x = 0, y = 10 } }
+N = { coordinates = { x = 0, y = 20 } }
+A = { coordinates = { x = 40, y = 0 } }
+B = { coordinates = { x = 40, y = 20 } }
+E = { coordinates = { x = -40, y = 0 } }
+F = { coordinates = { x = -40, y = 20 } }
+[bodies]
+pinion = ["O", "K", "N"]
+low = ["A", "E"]
+up = ["B", "F"]
+[[joints]]
+guide = { point = "A", angle = 0 }
+[[joints]]
+translation = { body = "low" }
+[[joints]]
+guide = { point = "B", angle = 0 }
+[[joints]]
+translation = { body = "up" }
+[[joints]]
+rolling = { body = "pinion", centre = "O", contact = "K", on = "low", on_point = "A" }
+[[joints]]
+rolling = { body = "pinion", centre = "O", contact = "N", on = "up", on_point = "B" }
+[[drivers]]
+travel = { point = "A", v = 10, angle = 0 }
+[[drivers]]
+travel = { point = "B", v = 20, angle = 0 }
+"""
+ROPE = """
+length_unit = "cm"
+[points]
+K = { coordinates = { x = 0, y = 50 } }
+L = { coordinates = { x = -10, y = 0 } }
+T = { coordinates = { x = 10, y = 0 } }
+[[joints]]
+guide = { point = "L", angle = 90 }
+[[joints]]
+guide = { point = "T", angle = 90 }
+[[joints]]
+rope.path = [{ point = "L" }, { point = "K", radius = 10, side = "up", fixed = true }, { point = "T" }]
+[[drivers]]
+travel = { point = "L", v = 7, angle = 90 }
+"""
+WHEEL = """
+length_unit = "cm"
+[points]
+O = { coordinates = { x = 0, y = 10 } }
+M = { polar = { origin = "O", distance = 10, angle = 30 } }
+[bodies]
+wheel = ["O", "M"]
+[[joints]]
+guide = { point = "O", angle = 0 }
+[[drivers]]
+travel = { point = "O", v = 10, angle = 0 }
+"""
+
+
+@pytest.fixture
+def told(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    def solve(text: str, code: int, *words: str) -> str:
+        path = tmp_path / f"scene{len(list(tmp_path.iterdir()))}.toml"
+        path.write_text(text, encoding="utf-8")
+        assert main(["solve", str(path), *words]) == code
+        found = capsys.readouterr()
+        return found.err if code else found.out
+
+    return solve
+
+
+def test_a_crank_that_leads_a_wheel_on_a_circle(told):
+    message = told(PLANET, 2)
+    assert 'write gears = { body = "wheel", centre = "A", other_centre = "O", ... } in its place' in message
+    assert "or leave out the driver of the crank" in message
+    meshed = PLANET.replace("rolling_on_circle", "gears").replace("around", "other_centre")
+    # The carrier turns at 2, the planet at 2 (1 + R / r) = 2 * 30 / 10.
+    assert "omega_wheel = 6 rad/s" in told(meshed, 0)
+
+
+def test_two_belts_at_one_wheel(told):
+    assert "write axle_held = true in one of the joints rolling of pinion" in told(BELTS, 2)
+    held = BELTS.replace('on_point = "B" }', 'on_point = "B", axle_held = true }')
+    # The centre goes at the mean speed, the wheel turns clockwise at the difference over its diameter.
+    assert told(held, 0).split() == ["v_O", "=", "15", "cm/s", "omega_pinion", "=", "-0.5", "rad/s"]
+
+
+def test_sides_of_a_rope_are_told_in_words(told):
+    message = told(ROPE, 2)
+    assert 'rope.path[2].side: expected "left" or "right" (of the circle, looking along the rope' in message
+    assert "as where it goes up, over a pulley to the right, and down again" in message
+    assert "v_T = 7 cm/s" in told(ROPE.replace('"up"', '"left"'), 0)  # so it does here
+
+
+@pytest.mark.parametrize("small", ["1e-15", "-2.4e-16", '"1e-15 cm"'])
+def test_what_rounding_left_of_a_zero_is_zero(told, small):
+    assert "omega_OA = 2 rad/s" in told(CRANK.replace("y = 0", f"y = {small}"), 0)
+
+
+def test_a_fraction_among_values(told):
+    text = CRANK.replace("distance = 20", 'distance = "R"')
+    message = told('[parameters]\nR = { unit = "cm", values = ["5/3"] }\n' + text.replace('length_unit = "cm"', ""), 2)
+    assert "parameters.R.values: expected a list of numbers (got ['5/3'])" in message
+    assert "write each as a decimal number without quotes, 1.667 for 5/3" in message
+    assert "unknown name" not in message  # R is known, only wrong
+
+
+def test_a_quantity_that_one_form_is_given(capsys):
+    for words in (["solve", "slider_crank", "--ask", "v_B"], ["solve", "slider_crank", "--ask", "v_B", "--seed", "3"]):
+        assert main(words) == 2
+        message = capsys.readouterr().err
+        assert "is given, so it cannot be asked in the form driven_by_slider (got v_B)" in message
+        assert 'choose  form = "central" or "offset"' in message
+
+
+@pytest.mark.parametrize(
+    ("asked", "remedy"),
+    [
+        ("alpha_OA", "write epsilon_OA: angular velocities are omega, angular accelerations epsilon"),
+        ("w_OA", "write omega_OA: angular velocities are omega, angular accelerations epsilon"),
+        (
+            "theta_OA",
+            "positions (angles, lengths, coordinates) are given by the data and not asked; ask for a rate of OA",
+        ),
+        ("x_A", "not asked; ask for a rate of A: v_A, a_A"),
+    ],
+)
+def test_quantities_in_other_letters(told, asked, remedy):
+    assert remedy in told(f'ask = ["{asked}"]\n{CRANK}', 2)
+
+
+def test_nothing_to_widen(tmp_path, capsys):
+    """An exam with a scene in which nothing varies and that no screen lets pass."""
+    folder = tmp_path / "fixed"
+    folder.mkdir()
+    low = CRANK.replace("distance = 20", 'distance = "side * 20 * cm"')
+    parameters = "[parameters]\nside = { choices = { right = 1 } }\n[screens]\nspacing = 3\n"
+    (folder / "family.toml").write_text(
+        'title = { en = "T" }\nask = ["v_A"]\n' + low.replace("[points]", parameters + "[points]"), encoding="utf-8"
+    )
+    (folder / "statement.en.j2").write_text("The crank {{ OA }} turns.", encoding="utf-8")
+    exam = tmp_path / "exam.toml"
+    exam.write_text('title = "T"\nlanguage = "en"\nseed = 1\n[[problem]]\nfamily = "fixed"\n', encoding="utf-8")
+    assert main(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
+    message = capsys.readouterr().err
+    assert "widen the range of one of" not in message
+    assert "all its numbers are fixed, so no other draw can pass" in message
+
+
+def test_marks_carry_names_of_parameters(told):
+    marked = WHEEL + '[figure]\nangles = [{ name = "30", at = "O", from = "+x", to = "M" }]\n'
+    message = told(marked, 2)
+    assert "figure.angles[1].name: a mark carries the name of a parameter (got 30)" in message
+    assert 'phi = { unit = "deg", values = [30] }' in message
+
+
+def test_a_wheel_that_nothing_turns(told):
+    drawn = WHEEL + '[figure]\ndiscs = [{ centre = "O", radius = 10, body = "wheel" }]\n'
+    message = told(drawn, 2)  # the radius of a disc may be a number, like every other length
+    assert "(got omega of wheel)" in message
+    assert "nothing turns wheel; a wheel rolls (rolling), meshes (gears)" in message
