@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.check import Report, check_family
+from variantgen.check.vocabulary import vocabulary
 from variantgen.cli import main
 from variantgen.resources import catalog_dir
+from variantgen.wording.language import languages
 
 SEEDS = 8
 
@@ -242,3 +244,58 @@ def test_a_family_without_worked_cases_is_told_so(tmp_path: Path, capsys: pytest
 def test_a_rate_of_nothing_is_as_exact_as_the_others(family: str) -> None:
     """A given relative acceleration of 0 is solved to within the rounding of the other accelerations."""
     assert not [failure for failure in check_family(family, 20).failures if "the sheet says" in failure]
+
+
+def test_words_that_are_right_pass(tmp_path: Path) -> None:
+    """A picture that is never mirrored: the crank turns clockwise, the wheel rolls to the right, in both languages."""
+    crank = damaged(
+        tmp_path,
+        "oscillating_cylinder",
+        ("family.toml", "mirror = true", "mirror = false"),
+        ("family.toml", "sense = { choices = { counter_clockwise = 1, clockwise = -1 } }\n", ""),
+        ("family.toml", "sense * omega_OA", "-omega_OA"),
+        ("statement.en.j2", "The rod", "The crank {{ OA }} turns clockwise, not to the left of {{ C }}. The rod"),
+        ("statement.ru.j2", "Шток", "Кривошип {{ OA }} вращается по часовой стрелке. Шток"),
+    )
+    (crank / "cases.toml").unlink()
+    assert failures(crank) == []
+    wheel = damaged(
+        tmp_path,
+        "rolling_wheel",
+        ("family.toml", "[screens]", "[pose]\nmirror = false\n[screens]"),
+        ("statement.en.j2", "At the given instant its centre {{ O }}", "Its centre {{ O }} moves to the right and"),
+        ("statement.ru.j2", "В данный момент его центр {{ O }}", "Его центр {{ O }} движется вправо и"),
+    )
+    assert failures(wheel) == []
+
+
+def test_every_language_can_be_read() -> None:
+    """The same senses and nouns in each language, so that texts can be compared."""
+    words = [vocabulary(name) for name in languages()]
+    assert len(words) >= 2
+    assert all(word.senses.keys() == words[0].senses.keys() for word in words)
+    assert all(word.nouns.keys() == words[0].nouns.keys() for word in words)
+    assert {"faster", "slower", "clockwise", "counter_clockwise", "up", "down", "left", "right"} <= words[
+        0
+    ].senses.keys()
+
+
+@pytest.mark.parametrize(
+    ("language", "key", "yes", "no"),
+    [
+        ("en", "clockwise", "turns clockwise", "turns counter-clockwise"),
+        ("en", "counter_clockwise", "turns anticlockwise", "turns clockwise"),
+        ("en", "up", "moves vertically upwards", "speeds up"),
+        ("en", "down", "is moving down", "slows down"),
+        ("en", "left", "moves to the left", "moves to the left of the wall"),
+        ("ru", "clockwise", "по часовой стрелке", "против часовой стрелки"),
+        ("ru", "counter_clockwise", "против хода часовой стрелки", "по ходу часовой стрелки"),
+        ("ru", "down", "движется вертикально вниз", "движется вверх"),
+        ("ru", "faster", "вращение ускоренное", "угловое ускорение"),
+        ("ru", "right", "движется вправо", "справа от стены"),
+    ],
+)
+def test_words_are_told_apart(language: str, key: str, yes: str, no: str) -> None:
+    pattern = vocabulary(language).senses[key]
+    assert pattern.search(yes)
+    assert not pattern.search(no)

@@ -87,7 +87,7 @@ def test_folder(bench: Bench) -> None:
         ("title = \n", "line 1"),
         ("title = 'a'\ntitle = 'b'\n", "line 2"),
         (HEAD + "x = " + "[" * 5000, "not valid TOML"),
-        (HEAD + "seed = " + "9" * 5000, "a number of more than 100 digits in line 3"),
+        (HEAD + "seed = " + "9" * 5000, "a number of more than 1000 digits in line 3"),
         (GOOD + "#" * 1_000_001, "larger than"),
     ],
     ids=["png", "utf-16", "cp1251", "no value", "twice", "deep", "long number", "large"],
@@ -253,11 +253,16 @@ def test_impossible_ranges_name_file_and_problem(bench: Bench) -> None:
     assert "problem[2]" in message
 
 
-@pytest.mark.parametrize("students", [2, 300])
-def test_more_students_than_variants(students: int, bench: Bench) -> None:
-    """Everything is fixed, so there is one variant and its poses on paper."""
+@pytest.mark.parametrize(
+    ("ask", "students"),
+    [('ask = ["v_B", "a_B"]\n', 2), ("", 3), ("", 300)],
+    ids=["magnitudes", "the mirror image has rates of other signs", "many"],
+)
+def test_more_students_than_variants(ask: str, students: int, bench: Bench) -> None:
+    """Everything is fixed, so there is one variant and its mirror image."""
     fixed = "OA = 30, AB = 60, BC = 50, OC = 70, phi = 60, omega_OA = 2, epsilon_OA = 2"
-    message = bench.refused(GOOD + f'set = {{ {fixed}, sense = "clockwise", side = "left" }}\n', variants=students)
+    exam = GOOD + ask + f'set = {{ {fixed}, sense = "clockwise", side = "left" }}\n'
+    message = bench.refused(exam, variants=students)
     assert all(part in message for part in ("four_bar", "too few", str(students), "widen"))
 
 

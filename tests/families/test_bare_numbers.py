@@ -95,6 +95,10 @@ def test_a_value_of_another_form_is_refused_with_that_form(tmp_path: Path) -> No
     message = refused(tmp_path, 'family = "four_bar"\nform = ["crank", "rocker"]\nset = { OC = 120 }\n')
     assert "outside the range of the family, 40 to 100 cm (got 120 cm)" in message
     assert 'choose form = "crank"' in message
+    # The form "directions" has no OC at all.
+    message = refused(tmp_path, 'family = "four_bar"\nset = { OC = 30 }\n')
+    assert "outside the range of the family, 40 to 100 cm (got 30 cm)" in message
+    assert "take a value in it" in message
 
 
 def test_single_variants_may_lie_outside_the_range(capsys: pytest.CaptureFixture[str]) -> None:

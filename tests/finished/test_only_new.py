@@ -83,7 +83,9 @@ def test_only_new(capsys: pytest.CaptureFixture[str]) -> None:
     before = {path.name: path.read_bytes() for path in Path("out").iterdir()}
     late = [*FIRST[1:], ("e", "Eve"), ("f", "Fay")]
     roster(late)
+    capsys.readouterr()
     build("--only-new")
+    assert "tolerances" not in capsys.readouterr().err
     assert {path.name: path.read_bytes() for path in Path("out").iterdir()} == before
     assert sheets("out-new").keys() == {"e", "f"}
     text = "".join(page_texts(Path("out-new", "sheets.pdf")) + page_texts(Path("out-new", "key.pdf")))
@@ -103,6 +105,21 @@ def test_only_new(capsys: pytest.CaptureFixture[str]) -> None:
     roster([*FIRST, *late[3:], ("g", "Gil")])
     assert main(["build", "exam.toml", "--roster", "class.csv", "--out", "whole"]) == 0
     assert sheets("whole") == {**sheets(), **sheets("out-new"), **sheets("out-new-2")}
+
+
+def test_another_key_since_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    roster(FIRST)
+    build()
+    assert main(["rekey", "out", "--tolerance", "1=0.05"]) == 0
+    roster([*FIRST, ("e", "Eve")])
+    capsys.readouterr()
+    build("--only-new")
+    assert "out was given other tolerances since it was built" in capsys.readouterr().err
+    assert main(["rekey", "out-new", "--tolerance", "1=0.05"]) == 0
+    capsys.readouterr()
+    roster([*FIRST, ("e", "Eve"), ("f", "Fay")])
+    build("--only-new")
+    assert "other tolerances" in capsys.readouterr().err
 
 
 def test_wrong_options(capsys: pytest.CaptureFixture[str]) -> None:

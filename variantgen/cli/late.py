@@ -22,7 +22,15 @@ def late(
     arguments: argparse.Namespace, exam: Exam, students: Sequence[Student], folders: tuple[Path, ...]
 ) -> tuple[Path, Sequence[Student], Sequence[Standing]]:
     """Where to build, for whom, and which sheets are handed out; who is new, gone or changed since is told."""
-    from variantgen.finished.late import changes, earlier, has_manifest, is_same_exam, series, standing
+    from variantgen.finished.late import (
+        changes,
+        earlier,
+        has_manifest,
+        is_marked_otherwise,
+        is_same_exam,
+        series,
+        standing,
+    )
 
     seed = exam.seed if arguments.seed is None else arguments.seed
     if arguments.only_new:
@@ -34,6 +42,11 @@ def late(
         sheets, differences = standing(records, folders) if new else ([], [])
         for difference in differences:
             tell(f"not as when the exam was made: {difference}")
+        if new and is_marked_otherwise(records[0], exam):
+            tell(
+                f"{arguments.out} was given other tolerances since it was built: do the same to {out} with  "
+                f"variantgen rekey, for its key has those of the exam file"
+            )
         return out, new, sheets
     if has_manifest(arguments.out):
         record = _record(arguments.out)

@@ -87,7 +87,7 @@ def _restricted(wish: _Wish) -> Family:
                 grids = (family.forms[form_name].parameters[name], parameter)
                 outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
         narrowed[form_name] = replace(form, parameters=parameters)
-    fitting = [name for name in narrowed if not outside.get(name)]
+    fitting = [name for name, form in narrowed.items() if not outside.get(name) and set(fixed) <= set(form.parameters)]
     for found in outside.values():
         advice = {"remedy": "choose form = " + " or ".join(f'"{name}"' for name in fitting)} if fitting else {}
         problems += [replace(problem, **advice) for problem in found]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.assembly import Standing
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.blueprint import Exam, with_floors
 from variantgen.exam.order import in_order
 from variantgen.exam.record import NAME, Record, read_record
 from variantgen.exam.roster import Student
@@ -94,6 +94,14 @@ def standing(records: Sequence[Record], folders: tuple[Path, ...]) -> tuple[list
             for sheet, own in zip(record.sheets, finished.variants, strict=True)
         ]
     return found, list(differences)
+
+
+def is_marked_otherwise(record: Record, exam: Exam) -> bool:
+    """Whether an output has other tolerances than its exam file says: it was given another key since."""
+    given = with_floors(replace(exam, tolerance=record.tolerance), record.floors)
+    return any(
+        given.tolerance_of(now) != exam.tolerance_of(then) for now, then in zip(given.tasks, exam.tasks, strict=True)
+    )
 
 
 def has_manifest(folder: Path) -> bool:

@@ -46,7 +46,7 @@ def hostile_family(folder: Path) -> None:
     (copy / "family.toml").write_text("\n".join(text), "utf-8")
     for language in ("en", "ru"):
         path = copy / f"statement.{language}.j2"
-        path.write_text("{% raw %}" + HOSTILE + "\x01{% endraw %} " + path.read_text("utf-8"), "utf-8")
+        path.write_text("{% raw %}" + HOSTILE + "{% endraw %} " + path.read_text("utf-8"), "utf-8")
 
 
 def key_rows(out: Path) -> dict[tuple[str, str], list[dict[str, str]]]:

@@ -116,7 +116,8 @@ def test_without_groups_students_are_beside_each_other(tmp_path: Path) -> None:
         found = outline(pdf)
         assert pdf.Root.ViewerPreferences.DisplayDocTitle
         assert pdf.check_pdf_syntax() == []
-    assert [title for title, _, _ in found] == [student["code"] for student in students(tmp_path / "out")]
+    codes = [student["code"] for student in students(tmp_path / "out")]
+    assert [title for title, _, _ in found] == [f"Вариант {i} · {code}" for i, code in enumerate(codes, start=1)]
     assert [page for _, page, _ in found] == sorted(page for _, page, _ in found)
 
 
