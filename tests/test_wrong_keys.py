@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.check import Report, check_family
+from variantgen.check.vocabulary import vocabulary
 from variantgen.cli import main
 from variantgen.resources import catalog_dir
+from variantgen.wording.language import languages
 
 SEEDS = 8
 
@@ -265,3 +267,35 @@ def test_words_that_are_right_pass(tmp_path: Path) -> None:
         ("statement.ru.j2", "В данный момент его центр {{ O }}", "Его центр {{ O }} движется вправо и"),
     )
     assert failures(wheel) == []
+
+
+def test_every_language_can_be_read() -> None:
+    """The same senses and nouns in each language, so that texts can be compared."""
+    words = [vocabulary(name) for name in languages()]
+    assert len(words) >= 2
+    assert all(word.senses.keys() == words[0].senses.keys() for word in words)
+    assert all(word.nouns.keys() == words[0].nouns.keys() for word in words)
+    assert {"faster", "slower", "clockwise", "counter_clockwise", "up", "down", "left", "right"} <= words[
+        0
+    ].senses.keys()
+
+
+@pytest.mark.parametrize(
+    ("language", "key", "yes", "no"),
+    [
+        ("en", "clockwise", "turns clockwise", "turns counter-clockwise"),
+        ("en", "counter_clockwise", "turns anticlockwise", "turns clockwise"),
+        ("en", "up", "moves vertically upwards", "speeds up"),
+        ("en", "down", "is moving down", "slows down"),
+        ("en", "left", "moves to the left", "moves to the left of the wall"),
+        ("ru", "clockwise", "по часовой стрелке", "против часовой стрелки"),
+        ("ru", "counter_clockwise", "против хода часовой стрелки", "по ходу часовой стрелки"),
+        ("ru", "down", "движется вертикально вниз", "движется вверх"),
+        ("ru", "faster", "вращение ускоренное", "угловое ускорение"),
+        ("ru", "right", "движется вправо", "справа от стены"),
+    ],
+)
+def test_words_are_told_apart(language: str, key: str, yes: str, no: str) -> None:
+    pattern = vocabulary(language).senses[key]
+    assert pattern.search(yes)
+    assert not pattern.search(no)

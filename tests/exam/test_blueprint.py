@@ -87,7 +87,7 @@ def test_folder(bench: Bench) -> None:
         ("title = \n", "line 1"),
         ("title = 'a'\ntitle = 'b'\n", "line 2"),
         (HEAD + "x = " + "[" * 5000, "not valid TOML"),
-        (HEAD + "seed = " + "9" * 5000, "a number of more than 100 digits in line 3"),
+        (HEAD + "seed = " + "9" * 5000, "a number of more than 1000 digits in line 3"),
         (GOOD + "#" * 1_000_001, "larger than"),
     ],
     ids=["png", "utf-16", "cp1251", "no value", "twice", "deep", "long number", "large"],
