@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import random
@@ -265,6 +266,18 @@ def test_an_output_that_appears_during_the_build_does_not_cost_the_parts(
     out.rmdir()
     capsys.readouterr()
     assert main(arguments) == 0
+
+
+def test_a_disk_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import fcntl
+
+    def refused(*_: object) -> None:
+        raise OSError(errno.ENOLCK, "No locks available")
+
+    monkeypatch.setattr(fcntl, "flock", refused)
+    with claimed(tmp_path / ".out.unfinished", tmp_path / "out"):
+        assert (tmp_path / ".out.unfinished").is_dir()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_lock_is_held_until_the_folder_is_gone(tmp_path: Path) -> None:

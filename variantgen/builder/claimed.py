@@ -86,15 +86,15 @@ def _lock(folder: Path, target: Path) -> int:
 
 
 def _is_locked(file: int) -> bool:
-    """Lock a file, if nobody else has."""
+    """Lock a file, if nobody else has; where the system or the disk has no locks, it is taken to be free."""
     try:
         import fcntl
 
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except ImportError:
-        pass
-    except OSError:
+    except (BlockingIOError, PermissionError):
         return False
+    except (ImportError, OSError):
+        pass
     return True
 
 

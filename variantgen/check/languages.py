@@ -11,6 +11,8 @@ from typing import NamedTuple
 from variantgen.check.reading import Datum, Sheet
 from variantgen.families.family import Form
 
+_LONGEST = 150  # names in a text whose order is compared; the longest of the catalogue has 20
+
 
 class Difference(NamedTuple):
     """What a statement says otherwise than that in another language; ``sure``: whether it is a mistake."""
@@ -60,6 +62,8 @@ def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[Difference]:
     What tells are the nouns before them (the rod BC, the rocker CD). Where these do not tell them apart, it is the
     order of all names, if it becomes more alike when the two are exchanged; of points alone that is no proof.
     """
+    if max(len(first.mentions), len(other.mentions)) > _LONGEST:
+        return
     both = [name for name in dict.fromkeys(first.names) if name in other.names]
     alike = {name: _kind(name, form) for name in both}
     called, recalled = _nouns(first), _nouns(other)

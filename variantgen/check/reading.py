@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
@@ -88,7 +89,7 @@ def read_sheet(said: Statement, form: Form, language: Language) -> Sheet:
     ends = [[match.end() for match in border.finditer(text)] for border in (_SENTENCE, _CLAUSE)]
 
     def place(at: int) -> Place:
-        return Place(at, *(sum(end <= at for end in borders) for borders in ends))
+        return Place(at, *(bisect_right(borders, at) for borders in ends))
 
     mentions: list[Mention] = []
     before = 0

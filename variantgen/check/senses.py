@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
@@ -50,13 +51,16 @@ def _fault(sense: Sense, name: str) -> Fault:
 
 def _nearest(sheet: Sheet, sense: Sense, measure: Callable[[str], Any]) -> tuple[str, Any] | None:
     """The name that a word belongs to, and what is measured of it."""
-    near = [mention for mention in sheet.mentions if mention.place.sentence == sense.place.sentence]
+    first, last = (
+        bisect(sheet.mentions, sense.place.sentence, key=lambda mention: mention.place.sentence)
+        for bisect in (bisect_left, bisect_right)
+    )
 
     def distance(mention: Mention) -> tuple[bool, bool, int]:
         ahead = mention.place > sense.place
         return mention.place.clause != sense.place.clause, ahead, abs(mention.place.at - sense.place.at)
 
-    for mention in sorted(near, key=distance):
+    for mention in sorted(sheet.mentions[first:last], key=distance):
         value = measure(mention.name)
         if value is not None:
             return mention.name, value

@@ -94,7 +94,7 @@ def check_quantities(variant: Variant, report: Report) -> None:
                 statement(variant, asked, load_language(language_name))
             statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
         except VariantgenError as error:
-            report.fail(str(error), f"form {form.name!r}, asked {name} alone")
+            report.fail(str(error), f"form {form.name!r}, asked {name} alone" if form.name else f"asked {name} alone")
 
 
 def _at_constant_speed(variant: Variant) -> Variant:
