@@ -13,17 +13,18 @@ from variantgen.errors import missing_package
 # Only a checkout has the files of the project.
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
+TOLD = "\n".join(path.read_text("utf-8") for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))))
 EXTRAS = set(tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"])
 SOURCES = sorted((ROOT / "variantgen").rglob("*.py"))
 
 
-def test_extras_of_the_readme_are_those_of_the_package() -> None:
+def test_extras_that_are_told_are_those_of_the_package() -> None:
     """From the folder: the package is on no index."""
-    told = [name for names in re.findall(r"\.\[([a-z,]+)\]", README) for name in names.split(",")]
+    told = [name for names in re.findall(r"\.\[([a-z,]+)\]", TOLD) for name in names.split(",")]
     assert set(told) <= EXTRAS
     assert {"xlsx", "latex", "plots", "dask", "accuracy"} <= set(told)
-    assert "pip install variantgen" not in README
-    assert "variantgen[" not in README
+    assert "pip install variantgen" not in TOLD
+    assert "variantgen[" not in TOLD
 
 
 @pytest.mark.parametrize("system", [". .venv/bin/activate", r".venv\Scripts\activate", "py -m venv .venv"])

@@ -44,9 +44,9 @@ def one_variant(
 ) -> Variant:
     """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
 
-    Fixed values may lie beyond the range of the family. It is screened for the asked quantities (none: those of the
-    form). When nothing is left to draw, the values are taken as they are, without screens. ``nice``: a hand-friendly
-    variant. Raises InputError.
+    Fixed values may lie beyond the range of the family. Which single quantities are asked changes no data, only whether
+    accelerations are (:mod:`variantgen.variants.examined`). When nothing is left to draw, the values are taken as they
+    are, without screens. ``nice``: a hand-friendly variant. Raises InputError.
     """
     family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else (), nice, beyond=True)
     only = next(iter(family.forms.values()))

@@ -84,6 +84,9 @@ def test_numbers_and_units_are_those_of_the_language() -> None:
     (formula,) = inline("$g = 9.81 м/с^2$", RU)
     assert not isinstance(formula, str)
     assert to_plain(formula) == "g = 9,81\N{NO-BREAK SPACE}м/с²"
+    for unit in ("m/s^2", "м/с^2"):
+        assert inline(f"$9,81 {unit}$", RU) == (Measured(Number("9,81"), UnitText((("м/с", 2),))),)
+    assert inline("$45 deg$", RU) == (Measured(Number("45"), UnitText((("°", 1),), True)),)
     (formula,) = inline("$v_rel_C$", RU)
     assert formula == Symbol("v", (Index("отн", upright=True), Index("C")))
 
