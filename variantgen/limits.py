@@ -38,6 +38,7 @@ ROSTER_BYTES = 50_000_000
 WORKBOOK_BYTES = 50_000_000
 WORKBOOK_LOOKS = 2_000_000
 WORKBOOK_MARKS = 100_000  # tags in those other parts: the reader of workbooks takes 0.08 ms for each
+WORKBOOK_ROWS = 200_000  # that are written down, be they empty: the reader takes 0.02 ms for an empty one
 WORKSHEETS = 500  # one for each group
 ROSTER_ROWS = 1_048_576
 ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left

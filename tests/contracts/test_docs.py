@@ -10,10 +10,14 @@ from pathlib import Path
 
 import pytest
 
+from variantgen.cli import main
 from variantgen.cli.app import _parser
-from variantgen.families.load import family_names
+from variantgen.exam import assembly, sheets
+from variantgen.families.load import family_names, load_family
+from variantgen.families.restrict import restrict
 from variantgen.outputs.formats import chosen, formats, parse_exam
 from variantgen.tables import Table
+from variantgen.variants import draw, seeding
 
 # Only a checkout has the files of the project.
 ROOT = Path(__file__).parents[2]
@@ -198,3 +202,38 @@ def test_pictures_are_small() -> None:
 def test_no_page_has_two_versions(name: str) -> None:
     """Marks of a merge that nobody has resolved."""
     assert not re.search(r"^(<{7}|={7}|>{7})( |$)", BY_NAME[name], re.MULTILINE)
+
+
+def test_the_walk_of_the_seed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """What architecture.md says that every random number and every code is made of."""
+    streams: list[tuple[object, ...]] = []
+    hashed: list[tuple[object, ...]] = []
+
+    class Watched(draw.Stream):
+        def __init__(self, *parts: object) -> None:
+            streams.append(parts)
+            super().__init__(*parts)
+
+    def digest(*parts: object) -> bytes:
+        hashed.append(parts)
+        return seeding.digest(*parts)
+
+    monkeypatch.setattr(draw, "Stream", Watched)
+    monkeypatch.setattr(assembly, "digest", digest)
+    monkeypatch.setattr(sheets, "digest", digest)
+    arguments = ["sample_en", "--variants", "1", "--seed", "word", "--no-solutions", "--format", "html"]
+    assert main(["build", *arguments, "--out", str(tmp_path / "out")]) == 0
+    assert {parts[:3] for parts in streams} == {("word", "1", number) for number in range(1, 6)}
+    assert ("word", "1", 1, "four_bar") in streams
+    assert {("pool", "word", "1", number) for number in range(1, 6)} <= set(hashed)
+    assert ("code", "word", "1") in hashed
+    assert {parts[0] for parts in hashed} <= {"pool", "priority", "code"}
+
+
+def test_the_walk_of_phi() -> None:
+    """The numbers that architecture.md tells of it."""
+    family = load_family("four_bar")
+    printed = family.forms["crank"].parameters["phi"].printed
+    assert (len(printed), printed[6]) == (31, 45)
+    narrowed = restrict(family, ranges={"phi": [30, 60]}, forms=["crank"])
+    assert narrowed.forms["crank"].parameters["phi"].printed == (30, 35, 40, 45, 50, 55, 60)

@@ -72,6 +72,13 @@ def empty_rows(text: str) -> Iterator[str]:
     yield "</sheetData>" + tail
 
 
+def six_million_rows(text: str) -> Iterator[str]:
+    head, tail = text.split("</sheetData>")
+    yield head
+    yield from repeated("<row/>", 6_000_000)
+    yield "</sheetData>" + tail
+
+
 def styles(text: str) -> Iterator[str]:
     head, tail = text.split("</cellXfs>")
     yield head
@@ -108,6 +115,7 @@ def run(path: Path) -> tuple[int, str, float]:
     [
         (SHEET, far_row, ["Sheet", "a row has a number above 1048576"]),
         (SHEET, empty_rows, ["the worksheets of the workbook unpack to 72 MB, more than 50 MB"]),
+        (SHEET, six_million_rows, ["more than 200000 rows, empty ones counted"]),
         ("xl/styles.xml", styles, ["styles and other parts", "more than 2 MB"]),
         ("xl/styles.xml", many_styles, ["styles and other parts", "too many entries"]),
     ],

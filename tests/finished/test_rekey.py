@@ -207,6 +207,15 @@ def test_other_answers_are_no_ground_for_a_key(out: Path, capsys: pytest.Capture
     assert content(out) == before
 
 
+def test_a_missing_package_is_told_first(
+    out: Path, built: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("variantgen.outputs.formats.xlsx.find_spec", lambda name: None)
+    assert main(["rekey", str(out), "--tolerance", "0.05"]) == 3
+    assert "XlsxWriter" in capsys.readouterr().err
+    assert content(out) == content(built)
+
+
 def test_the_ceiling_of_the_build_is_kept_where_it_can_be() -> None:
     old = Exam("T", "", "en", (), tolerance=Tolerance(0.01, 0.02, False))
     assert marking(old, {None: 0.015}).tolerance == Tolerance(0.015, 0.02, False)

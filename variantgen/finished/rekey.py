@@ -73,9 +73,11 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
     """Give the finished exam in a folder other tolerances, those of ``exam`` (see :func:`marking`).
 
     Raises InputError if an answer would need more than a new ceiling, or if this program computes other answers than
-    the manifest has; then nothing is written.
+    the manifest has, ToolMissingError where a format needs something that is not installed; then nothing is written.
     """
     before = finished.record
+    for name in exam.formats:
+        formats()[name].check(exam, [sheet.student for sheet in before.sheets])
     again = Finished(before, exam, finished.differences)
     sheets = [sheet for places in _places(len(before.sheets)) for sheet in again.sheets(places, marked=True)]
     changed = _compare(finished, sheets)

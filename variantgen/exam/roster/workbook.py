@@ -15,6 +15,7 @@ from variantgen.limits import (
     WORKBOOK_BYTES,
     WORKBOOK_LOOKS,
     WORKBOOK_MARKS,
+    WORKBOOK_ROWS,
     WORKSHEETS,
 )
 
@@ -23,6 +24,7 @@ _BROKEN = (
     zipfile.BadZipFile, zlib.error, LookupError, ValueError, TypeError, AttributeError, SyntaxError, EOFError, OSError,
     NotImplementedError,
 )  # fmt: skip
+_PIECE = 1_000_000  # bytes
 _SIMPLER = "copy the list into a new workbook (values only), or save it as CSV"
 
 
@@ -58,12 +60,26 @@ def _check_size(content: bytes) -> None:
             if size > most:
                 problem = f"the {what} of the workbook unpack to {size // 1_000_000} MB"
                 raise InputError(Problem(f"{problem}, more than {most // 1_000_000} MB", remedy=_SIMPLER))
-        if sum(parts.read(part).count(b"<") for part in looks) > WORKBOOK_MARKS:
+        if sum(_count(parts, part, b"<row") for part in sheets) > WORKBOOK_ROWS:
+            problem = f"the workbook has more than {WORKBOOK_ROWS} rows, empty ones counted"
+            raise InputError(Problem(problem, remedy=_SIMPLER))
+        if sum(_count(parts, part, b"<") for part in looks) > WORKBOOK_MARKS:
             raise InputError(
                 Problem("the styles and other parts of the workbook have too many entries", remedy=_SIMPLER)
             )
     if len(sheets) > WORKSHEETS:
         raise InputError(Problem(f"the workbook has more than {WORKSHEETS} worksheets", remedy=_SIMPLER))
+
+
+def _count(parts: zipfile.ZipFile, part: zipfile.ZipInfo, tag: bytes) -> int:
+    """How often a tag begins in a part, which is never whole in memory."""
+    found, rest = 0, b""
+    with parts.open(part) as content:
+        while piece := content.read(_PIECE):
+            joined = rest + piece
+            found += joined.count(tag)
+            rest = joined[len(joined) - len(tag) + 1 :]  # shorter than the tag: nothing is counted twice
+    return found
 
 
 def _rows(sheet: Any) -> list[Row]:
