@@ -34,7 +34,7 @@ from variantgen.exam.shown import Figures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.sheet_data import sheets_data
