@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+
+import numpy as np
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.mechanism.solve import solve
+
+_NOTHING = 1e-9  # of the size of the mechanism, or SI: what is smaller is zero but for rounding
 
 
 def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
@@ -14,13 +19,23 @@ def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
 
     They are those that the form asks by itself: all of them where accelerations are asked, its velocities where only
     velocities are (all, if it asks for no velocity). So two exams that ask for different ones of them draw the same
-    data. What only the exam asks for is examined as well: nobody has looked whether it is any good as an answer.
+    data. What is zero in the ranges at hand, as the angular acceleration of a wheel whose centre keeps its velocity,
+    is examined only where it is asked. What only the exam asks for is examined as well: nobody has looked whether it
+    is any good as an answer.
     """
     order = max(quantity.order for quantity in asked)
     own = read_ask(form)
     found = [quantity for quantity in own if quantity.order <= order] or own
+    found = _without_zeros(form, found, {quantity.name for quantity in asked}) or found
     known = {_as_good_as(quantity) for quantity in own}
     return found + [quantity for quantity in asked if _as_good_as(quantity) not in known]
+
+
+def _without_zeros(form: Form, answers: Sequence[Quantity], asked: Collection[str]) -> list[Quantity]:
+    """Answers that are not zero in the middle of all ranges, and those that are asked."""
+    motion = solve(form.sample, max(quantity.order for quantity in answers), form.plan)
+    size = np.max(motion.length_scale())
+    return [q for q in answers if q.name in asked or not np.all(np.abs(q.whole.value(motion)) <= _NOTHING * size)]
 
 
 def _as_good_as(quantity: Quantity) -> str:
