@@ -186,11 +186,17 @@ def test_outputs_for_programs(name: str, built: tuple[str, Path]) -> None:
         assert values == [float(row["value"]) for row in truth[where]]
         for row, own in zip(truth[where], windows or [], strict=windows is not None):
             value, margin = Decimal(row["value"]), Decimal(row["tolerance"])
-            assert own[0] == (value - margin, value + margin)
+            # PrairieLearn compares numbers with rounding errors: what stands at the edge is right there too.
+            more = Decimal("2e-9") * abs(value) if name == "prairielearn" else Decimal(0)
+            assert value - margin - more <= own[0][0] <= value - margin
+            assert value + margin <= own[0][1] <= value + margin + more
 
 
-def printed(value: float, language: str) -> str:
-    """Four significant digits, with the decimal mark of the language and a true minus."""
+def printed(row: dict[str, str], language: str) -> str:
+    """Four significant digits, with the decimal mark of the language and a true minus; a sense is 1 or -1."""
+    value = float(row["value"])
+    if row["quantity"].endswith(".sense"):
+        return f"{value:.0f}".replace("-", "\N{MINUS SIGN}")
     exact = Decimal(repr(value))
     rounded = exact.quantize(Decimal(1).scaleb(exact.adjusted() - 3), ROUND_HALF_UP) if value else Decimal(0)
     text = f"{rounded:f}" if len(rounded.as_tuple().digits) < 5 else f"{rounded:.3e}"
@@ -215,6 +221,6 @@ def test_outputs_for_people(name: str, document: str, built: tuple[str, Path], r
         at = 0
         for where, rows in truth.items():
             for row in rows if where[0] == code else []:
-                number = printed(float(row["value"]), language)
+                number = printed(row, language)
                 assert number in block[at:], f"{where} {row['quantity']}: {number}"
                 at = block.index(number, at) + len(number)

@@ -22,6 +22,8 @@ def late(
     arguments: argparse.Namespace, exam: Exam, students: Sequence[Student], folders: tuple[Path, ...]
 ) -> tuple[Path, Sequence[Student], Sequence[Standing]]:
     """Where to build, for whom, and which sheets are handed out; who is new, gone or changed since is told."""
+    if not arguments.only_new and not arguments.out.exists():
+        return arguments.out, students, ()
     from variantgen.finished.late import (
         changes,
         earlier,

@@ -214,9 +214,8 @@ def test_a_bank_has_a_category_for_each_family_and_no_names(tmp_path: Path) -> N
 def test_a_category_for_each_student(tmp_path: Path) -> None:
     body = '[moodle]\ncategories = "students"\n'
     found = by_category(quiz(built(tmp_path, MOODLE + NO_SOLUTIONS + body + TWO, students=CLASS)))
-    by_group = [CLASS[2], CLASS[0], CLASS[1]]  # and by name
-    assert [names[:2] for names in found] == [("T", student.group) for student in by_group]
-    for names, student in zip(found, by_group, strict=True):
+    assert [names[:2] for names in found] == [("T", student.group) for student in CLASS]
+    for names, student in zip(found, CLASS, strict=True):
         name, code = names[2].split(" · ")
         assert name == student.name
         assert [place(question) for question in found[names]] == [(code, "1"), (code, "2")]
@@ -233,7 +232,7 @@ def test_text_from_outside_is_text(categories: str, tmp_path: Path) -> None:
     found = by_category(quiz(out))
     assert {names[0] for names in found} == {shown}
     if categories == "students":
-        assert [names[1] for names in found] == ["/", shown]
+        assert [names[1] for names in found] == [shown, "/"]
     for question in (question for own in found.values() for question in own):
         text = told(question, "questiontext")
         parts = read_cloze(text)
