@@ -15,6 +15,9 @@ from variantgen.cli.app import _parser
 from variantgen.exam import assembly, sheets
 from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
+from variantgen.families.solving import METHODS
+from variantgen.figure.views import view_names
+from variantgen.outputs.figures import back_ends
 from variantgen.outputs.formats import chosen, formats, parse_exam
 from variantgen.tables import Table
 from variantgen.variants import draw, seeding
@@ -237,3 +240,12 @@ def test_the_walk_of_phi() -> None:
     assert (len(printed), printed[6]) == (31, 45)
     narrowed = restrict(family, ranges={"phi": [30, 60]}, forms=["crank"])
     assert narrowed.forms["crank"].parameters["phi"].printed == (30, 35, 40, 45, 50, 55, 60)
+
+
+def test_lists_are_complete() -> None:
+    """Methods in the guides, kinds and endings of single figures with the outputs, commands in the README."""
+    for name in GUIDES:
+        assert all(f"`{method}`" in BY_NAME[name] for method in METHODS), name
+    assert all(f"`{kind}`" in BY_NAME["docs/outputs.md"] for kind in view_names())
+    assert all(f"`{ending}`" in BY_NAME["docs/outputs.md"] for ending in back_ends())
+    assert {words_of(line)[0] for line in command_lines(BY_NAME["README.md"])} >= COMMANDS.keys()
