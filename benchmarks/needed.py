@@ -25,9 +25,9 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
+from variantgen.methods.algebra.values import in_order
 from variantgen.methods.compose import solution
-from variantgen.methods.task import task_of
-from variantgen.methods.values import in_order
+from variantgen.methods.linkage.problem import task_of
 from variantgen.single import one_variant
 from variantgen.variants.needed import given_names
 from variantgen.variants.variant import solve_variants

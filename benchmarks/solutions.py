@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,7 @@ from variantgen.exam.shown import Figures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.sheet_data import sheets_data
@@ -87,7 +88,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
 def typesetting_cost(exam: Path, students: int) -> Clock:
     """The engine alone on the sheets, the key and the solutions of an exam, everything else being prepared."""
     plan = read_exam(exam)
-    sheets = assemble(plan, numbered(students), "0").sheets
+    sheets = assemble(replace(plan, seed="0"), numbered(students)).sheets
     clock = Clock()
     with typesetter() as engine:
         for target, template, data in _documents(plan, sheets):
@@ -136,10 +137,10 @@ def class_table(students: int) -> list[str]:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of(FIVE_FAMILIES, Path(name))
-        sheets = assemble(exam, numbered(students), "0").sheets
+        sheets = assemble(replace(exam, seed="0"), numbered(students)).sheets
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
-            assemble(exam, numbered(students), "0")
+            assemble(replace(exam, seed="0"), numbered(students))
         _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
             sheets_data(Content(exam, sheets))
@@ -173,7 +174,7 @@ def family_row(family: str, variants: int) -> str:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of([family], Path(name))
-        sheets = assemble(exam, numbered(variants), "0").sheets
+        sheets = assemble(replace(exam, seed="0"), numbered(variants)).sheets
         known = {item.variant.form.name: sheet for sheet in sheets for item in sheet.items}
         measure_solutions(exam, list(known.values()), Clock())
         measure_solutions(exam, sheets, clock)

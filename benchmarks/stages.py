@@ -48,7 +48,7 @@ HOOKS = (
     Hook("figures: geometry", "variantgen.figure.build:statement_figure"),
     Hook("figures: labels", "variantgen.figure.labels:place_labels", whole=True),
     Hook("figures: text in words", "variantgen.figure.telling.description:describe", whole=True),
-    Hook("solutions: methods", "variantgen.methods.task:task_of", whole=True),
+    Hook("solutions: methods", "variantgen.methods.linkage.problem:task_of", whole=True),
     Hook("solutions: methods", "variantgen.methods.compose:solution", whole=True),
     Hook("solutions: text", "variantgen.wording.solution.explain:written", whole=True),
     Hook("solutions: figures", "variantgen.exam.shown:Figures.draw", whole=True),

@@ -9,7 +9,7 @@ from variantgen.families.cases import Case, load_cases
 from variantgen.families.family import Family
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import Quantity, parse_quantity
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.variant import Variant
 
 

@@ -201,3 +201,11 @@ def test_many_joints_within_the_bound(count, tmp_path, capsys):
     path.write_text(text + drives, encoding="utf-8")
     assert main(["solve", str(path)]) == 0
     assert "omega_OA = 2 rad/s" in capsys.readouterr().out
+
+
+def test_a_wheel_without_a_radius(tmp_path, capsys):
+    data = tomllib.loads(SCENES["rack and pinion"]().written("cm"), parse_float=Decimal)
+    data["points"]["N"] = copy.deepcopy(data["points"]["O"])  # the second contact lies in the centre
+    code, out, err = outcome(tmp_path / "scene.toml", data, capsys)
+    assert_sound(code, out, err)
+    assert "two points that should be apart coincide" in err or "lie in one place" in err

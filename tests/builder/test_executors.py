@@ -190,7 +190,7 @@ def test_workers_that_are_slow_are_waited_for(monkeypatch: pytest.MonkeyPatch, t
 def test_workers_of_another_version_are_refused(tmp_path: Path) -> None:
     from variantgen.builder.carried import Carried
 
-    carried = Carried.of(exam(tmp_path), "1")
+    carried = Carried.of(replace(exam(tmp_path), seed="1"))
     assert carried.exam(tmp_path).title == "Quiz"
     with pytest.raises(OtherVersionError, match=r"0\.0 "):
         replace(carried, made_with={**carried.made_with, "program": "0.0 of another time"}).exam(tmp_path)
@@ -202,7 +202,7 @@ def test_an_exam_that_is_not_that_of_its_text_cannot_be_carried(tmp_path: Path) 
     whole = exam(tmp_path)
     changed: Exam = replace(whole, tasks=whole.tasks[:1])
     with pytest.raises(OtherVersionError, match="changed"):
-        Carried.of(changed, "1").exam(tmp_path)
+        Carried.of(replace(changed, seed="1")).exam(tmp_path)
     # In this process nothing is read again.
     build(changed, numbered(2), tmp_path / "out")
 
@@ -220,7 +220,7 @@ def test_threads_take_turns(tmp_path: Path) -> None:
     """The engine has but one memory: jobs in one process come one after the other."""
     from variantgen.builder.carried import Carried, setting_of
 
-    carried = Carried.of(exam(tmp_path), "1")
+    carried = Carried.of(replace(exam(tmp_path), seed="1"))
     inside = 0
 
     def enter() -> None:

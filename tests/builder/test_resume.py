@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -214,7 +215,7 @@ def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
     from variantgen.exam.assembly import assemble
 
     found = exam(tmp_path)
-    items = assemble(found, numbered(3), "1").sheets[1].items
+    items = assemble(replace(found, seed="1"), numbered(3)).sheets[1].items
     content = pack(found, items)
     again = unpack(found, content)
     assert again == items

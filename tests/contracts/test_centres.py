@@ -12,10 +12,10 @@ from variantgen.families.quantities import parse_quantity, quantity_names
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
 from variantgen.methods.compose import work_out
-from variantgen.methods.style import Style
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.style import Style
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants
 

@@ -13,11 +13,11 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
+from variantgen.methods.algebra.expression import Value
 from variantgen.methods.compose import work_out
-from variantgen.methods.expression import Value
-from variantgen.methods.style import Style
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.style import Style
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 

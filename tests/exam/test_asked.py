@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -76,7 +77,7 @@ def test_each_form_by_itself(tmp_path: Path) -> None:
         "slider_crank offset": ["v_B", "omega_AB", "a_B", "epsilon_AB"],
         "slider_crank driven_by_slider": ["omega_OA", "omega_AB"],
     }
-    sheets = assemble(found, numbered(12), "7").sheets
+    sheets = assemble(replace(found, seed="7"), numbered(12)).sheets
     for item in (sheet.items[0] for sheet in sheets):
         names = [answer.quantity.name for answer in item.answers]
         assert names == asked(found)[f"slider_crank {item.variant.form.name}"]

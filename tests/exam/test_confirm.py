@@ -14,7 +14,7 @@ from variantgen.exam.sheets import solve_all
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.mechanism.motion import Motion
-from variantgen.methods import evaluation
+from variantgen.methods.hand import evaluation
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant
@@ -63,9 +63,9 @@ def test_whatever_is_wrong_is_noticed(drawn: list[Variant], table: str, name: st
 
 
 def test_each_method_notices_a_wrong_rate_by_itself(drawn: list[Variant]) -> None:
-    from variantgen.methods.book import Book
-    from variantgen.methods.task import task_of
-    from variantgen.methods.walk import velocities
+    from variantgen.methods.by_groups.walk import velocities
+    from variantgen.methods.linkage.problem import task_of
+    from variantgen.methods.solution.book import Book
 
     asked = read_ask(drawn[0].form)
     motion, place = solve_all(drawn, [read_ask(v.form) for v in drawn])[0]

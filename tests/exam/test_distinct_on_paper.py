@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -27,7 +28,10 @@ ask = ["omega_gear2", "v_A"]
 
 def items(problem: str, students: Sequence[Student]) -> list[Item]:
     text = f'title = "T"\nlanguage = "en"\n[[problem]]\n{problem}'
-    return [sheet.items[0] for sheet in assemble(parse_exam(text, Path("exam.toml"), ()), students, "3").sheets]
+    return [
+        sheet.items[0]
+        for sheet in assemble(replace(parse_exam(text, Path("exam.toml"), ()), seed="3"), students).sheets
+    ]
 
 
 def on_paper(item: Item) -> str:

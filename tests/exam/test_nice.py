@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 from math import sqrt
 from pathlib import Path
 
@@ -29,7 +30,7 @@ def written(folder: Path, content: str) -> Path:
 def test_problems_with_and_without(tmp_path: Path) -> None:
     exam = read_exam(written(tmp_path, HEAD + PROBLEM + "nice = true\n" + PROBLEM))
     assert [task.nice for task in exam.tasks] == [True, False]
-    sheets = assemble(exam, numbered(20), "1").sheets
+    sheets = assemble(replace(exam, seed="1"), numbered(20)).sheets
     angles = [[float(item.variant.printed["phi"]) for item in sheet.items] for sheet in sheets]
     assert {first for first, _ in angles} == {30, 45, 60}
     assert len({second for _, second in angles}) > 5
@@ -43,8 +44,10 @@ def test_problems_with_and_without(tmp_path: Path) -> None:
 
 def test_a_problem_without_nice_is_not_changed_by_one_with(tmp_path: Path) -> None:
     students = numbered(12)
-    one = assemble(read_exam(written(tmp_path, HEAD + PROBLEM)), students, "1").sheets
-    two = assemble(read_exam(written(tmp_path, HEAD + PROBLEM + PROBLEM + "nice = true\n")), students, "1").sheets
+    one = assemble(replace(read_exam(written(tmp_path, HEAD + PROBLEM)), seed="1"), students).sheets
+    two = assemble(
+        replace(read_exam(written(tmp_path, HEAD + PROBLEM + PROBLEM + "nice = true\n")), seed="1"), students
+    ).sheets
     assert [s.items[0].variant.printed for s in one] == [s.items[0].variant.printed for s in two]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -32,7 +33,7 @@ def exam(folder: Path, top: str, *own: str) -> Exam:
 
 
 def sheets(found: Exam) -> tuple[Sheet, ...]:
-    return assemble(found, numbered(20), "3").sheets
+    return assemble(replace(found, seed="3"), numbered(20)).sheets
 
 
 def test_each_problem_is_marked_by_its_own(tmp_path: Path) -> None:

@@ -46,7 +46,7 @@ Packed = tuple[Exam, list[Item], bytes]
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory: pytest.TempPathFactory) -> Packed:
     found = exam(tmp_path_factory.mktemp("exam"), TEXT)
-    items = [item for sheet in assemble(found, numbered(6), "1").sheets for item in sheet.items]
+    items = [item for sheet in assemble(replace(found, seed="1"), numbered(6)).sheets for item in sheet.items]
     return found, items, pack(found, items)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 
@@ -34,7 +35,7 @@ def problems(four_bar: list[str] = FOUR_BAR, spool: list[str] = SPOOL, more: str
 
 
 def sheets(text: str) -> tuple[Sheet, ...]:
-    return assemble(parse_exam(text, Path("exam.toml"), ()), STUDENTS, "11").sheets
+    return assemble(replace(parse_exam(text, Path("exam.toml"), ()), seed="11"), STUDENTS).sheets
 
 
 def data(text: str) -> Data:
@@ -105,7 +106,7 @@ def test_an_explicit_ceiling_draws_only_those_again_who_need_more(usual: Data) -
     assert len(moved - above) <= 3
     assert max(a.margin for s in cut.values() for i in s.items for a in i.answers) <= 0.015 + 1e-12
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer, wishes = Drawer(exam, "11"), wishes_of(exam, STUDENTS)
+    drawer, wishes = Drawer(replace(exam, seed="11")), wishes_of(exam, STUDENTS)
     assert drawer.cut(wishes, drawer.variants(wishes)) == len(above)
 
 

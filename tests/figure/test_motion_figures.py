@@ -19,7 +19,7 @@ from variantgen.figure.stated import stated_rates, telling_points
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant, solve_variants

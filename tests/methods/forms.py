@@ -11,10 +11,10 @@ from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.answers import answer
-from variantgen.methods.book import Book
-from variantgen.methods.task import Task, task_of
-from variantgen.methods.walk import at_order
+from variantgen.methods.by_groups.answers import answer
+from variantgen.methods.by_groups.walk import at_order
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.solution.book import Book
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants
 

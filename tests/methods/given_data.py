@@ -6,11 +6,11 @@ from decimal import Decimal
 
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.methods.book import Book
+from variantgen.methods.algebra.expression import Value
 from variantgen.methods.compose import work_out
-from variantgen.methods.expression import Value
-from variantgen.methods.step import Sentence, Step, TermTable
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Sentence, Step, TermTable
 from variantgen.variants.variant import Variant, solve_variants
 
 

@@ -10,9 +10,9 @@ import pytest
 from tests.methods.test_velocity_centre import keys
 from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import deviation
-from variantgen.methods.book import Book, resultant
 from variantgen.methods.compose import work_out
-from variantgen.methods.style import Style
+from variantgen.methods.solution.book import Book, resultant
+from variantgen.methods.steps.style import Style
 
 
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> tuple[Book, dict[str, float]]:

@@ -6,9 +6,19 @@ import math
 
 import pytest
 
-from variantgen.methods.algebra import added, derivative, linear, product, pruned, reduced, substituted
-from variantgen.methods.expression import Constant, Expression, Raised, Ratio, SquareRoot, Total, Value, cos, sin
-from variantgen.methods.name import Name
+from variantgen.methods.algebra.algebra import added, derivative, linear, product, pruned, reduced, substituted
+from variantgen.methods.algebra.expression import (
+    Constant,
+    Expression,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Total,
+    Value,
+    cos,
+    sin,
+)
+from variantgen.methods.algebra.name import Name
 
 
 def value(name: str, number: float, measure: str = "length") -> Value:
@@ -56,7 +66,7 @@ def test_an_absolute_value_has_no_derivative() -> None:
 
 
 def abs_of(item: Expression) -> Expression:
-    from variantgen.methods.expression import Magnitude
+    from variantgen.methods.algebra.expression import Magnitude
 
     return Magnitude(item)
 

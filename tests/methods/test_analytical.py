@@ -8,11 +8,11 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
-from variantgen.methods import analytical
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
-from variantgen.methods.name import Name
-from variantgen.methods.step import Derived
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.coordinates import analytical
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Derived
 
 SEEDS = 3
 # Mechanisms whose coordinates follow from the given motion without a system of equations.

@@ -7,8 +7,8 @@ import pytest
 from tests.solved_cases import every_case, task
 from variantgen.families.cases import Case
 from variantgen.families.family import Family
-from variantgen.methods.book import Book
 from variantgen.methods.compose import work_out
+from variantgen.methods.solution.book import Book
 
 CASES = every_case()
 

@@ -8,7 +8,7 @@ from tests.methods.forms import FORMS, IDS, tasks
 from variantgen.errors import InputError
 from variantgen.families.solving import METHODS
 from variantgen.methods.choice import Choice, applicable, choose
-from variantgen.methods.style import Style
+from variantgen.methods.steps.style import Style
 
 # Points that slide on moving bodies.
 SLIDING = {

@@ -10,12 +10,12 @@ import pytest
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
 from variantgen.mechanism.component import discover
-from variantgen.methods import coordinates
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
-from variantgen.methods.expression import Value
-from variantgen.methods.name import Name
-from variantgen.methods.step import Derived, LinearSystem
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.coordinates import coordinates
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Derived, LinearSystem
 
 SEEDS = 2
 JOINTS, DRIVERS = (discover(f"variantgen.mechanism.{folder}") for folder in ("joints", "drivers"))
@@ -108,7 +108,7 @@ def _is_zero(item: object, kind: str, point: str) -> bool:
 
 @pytest.mark.parametrize("stem", [*JOINTS, *DRIVERS])
 def test_every_joint_and_driver_has_equations_of_the_same_stem(stem: str) -> None:
-    module = importlib.import_module(f"variantgen.methods.equations.{stem}")
+    module = importlib.import_module(f"variantgen.methods.coordinates.equations.{stem}")
     assert module.__doc__
     silent = {"pivot", "translation"}  # what they say, the model knows before any equation
     assert stem in silent or hasattr(module, "state") or hasattr(module, "prepare")

@@ -10,10 +10,10 @@ from tests.methods.forms import answers, exact
 from tests.methods.test_listings import listing, run
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
-from variantgen.methods import coordinates
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.coordinates import coordinates
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.solution.book import Book
 from variantgen.variants.variant import Variant, solve_variants
 
 HEAD = """

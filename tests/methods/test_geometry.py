@@ -17,11 +17,11 @@ from tests.solved_cases import case_of, task
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.expression import Value
-from variantgen.methods.geometry import Geometry
-from variantgen.methods.step import Derived, Sentence, Statement
-from variantgen.methods.task import Task, task_of
-from variantgen.methods.values import parts
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.values import parts
+from variantgen.methods.geometry.geometry import Geometry
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.steps.step import Derived, Sentence, Statement
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 

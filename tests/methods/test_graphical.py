@@ -17,16 +17,16 @@ from variantgen.figure.drawing import Layer
 from variantgen.figure.plans import COINCIDENT, scale_of_plan, without_millimetres
 from variantgen.figure.solved import solved
 from variantgen.figure.views import acceleration_plan, velocity_plan
-from variantgen.methods import graphical
 from variantgen.methods.agreement import deviation
-from variantgen.methods.book import Book
-from variantgen.methods.chain import Chain
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
-from variantgen.methods.expression import Value
-from variantgen.methods.name import Name
-from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, pole_letter
-from variantgen.methods.step import Derived, Sentence, Solution
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.graphical import graphical
+from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, pole_letter
+from variantgen.methods.graphical.vector_chain import Chain
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Derived, Sentence, Solution
 from variantgen.single import one_variant
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import solve_variants

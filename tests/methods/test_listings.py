@@ -11,10 +11,10 @@ import pytest
 
 from tests.methods.forms import FORMS, exact, tasks, variants
 from variantgen.families.asking import read_ask
-from variantgen.methods import coordinates
-from variantgen.methods.book import Book
-from variantgen.methods.step import Listing
-from variantgen.methods.task import Task
+from variantgen.methods.coordinates import coordinates
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Listing
 from variantgen.methods.wish import Wish
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.solution.document import Program

@@ -9,7 +9,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.methods import compose
-from variantgen.methods.no_way import NoWayError
+from variantgen.methods.steps.no_way import NoWayError
 
 # A body on a level line, its three points driven and guided upright: no velocity tells a second direction.
 LEVEL = """

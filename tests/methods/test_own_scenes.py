@@ -11,7 +11,7 @@ import pytest
 from tests.own_scenes import FACTORS, SCENES, OwnScene
 from variantgen.cli import main
 from variantgen.methods.compose import solution
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.wish import Wish
 from variantgen.single import answers, asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants

@@ -7,8 +7,9 @@ import pytest
 from tests.methods.forms import FORMS, IDS, variants
 from tests.wording.solution.test_recomputed import Reader, known_data
 from variantgen.families.asking import read_ask
-from variantgen.methods import analytical, coordinates, three_rates
-from variantgen.methods.task import task_of
+from variantgen.methods.by_groups import three_rates
+from variantgen.methods.coordinates import analytical, coordinates
+from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.wish import Wish
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language

@@ -9,12 +9,13 @@ import pytest
 
 from tests.methods.test_velocity_centre import keys, speed
 from tests.solved_cases import case_of, task
-from variantgen.methods import projections, walk
 from variantgen.methods.agreement import deviation
-from variantgen.methods.book import Book
-from variantgen.methods.group import Dyad, Track
-from variantgen.methods.step import Projection
-from variantgen.methods.style import Style
+from variantgen.methods.by_groups import walk
+from variantgen.methods.centres import projections
+from variantgen.methods.groups.group import Dyad, Track
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Projection
+from variantgen.methods.steps.style import Style
 
 
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:

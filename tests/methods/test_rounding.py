@@ -9,13 +9,13 @@ from tests.methods.forms import FORMS, tasks, variants
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.batch import Operations
+from variantgen.methods.algebra.expression import Constant, LinearSolution, Ratio, Total, Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.algebra.vectorised import Operations
 from variantgen.methods.compose import solution
-from variantgen.methods.expression import Constant, LinearSolution, Ratio, Total, Value
-from variantgen.methods.name import Name
-from variantgen.methods.rounding import HandCalculation, Worked
-from variantgen.methods.settle import settle
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.hand.rounding import HandCalculation, Worked
+from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.steps.printed_digits import settle
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from variantgen.methods.angles import AngleForm, between, normal_angle
-from variantgen.methods.expression import Constant, Times, Total, Value
-from variantgen.methods.legs import Leg, collected
-from variantgen.methods.lines import Lines
-from variantgen.methods.name import Name
-from variantgen.methods.sums import positive, summed
+from variantgen.methods.algebra.expression import Constant, Times, Total, Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.algebra.sums import positive, summed
+from variantgen.methods.geometry.angles import AngleForm, between, normal_angle
+from variantgen.methods.geometry.legs import Leg, collected
+from variantgen.methods.geometry.lines import Lines
 
 
 def length(symbol: str, number: float) -> Value:

@@ -6,10 +6,10 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
-from variantgen.methods import three_rates
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.book import Book
-from variantgen.methods.step import ChainGraph, LinearSystem
+from variantgen.methods.by_groups import three_rates
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import ChainGraph, LinearSystem
 
 SEEDS = 3
 # Chains of three links between fixed pivots that lead to what is asked.

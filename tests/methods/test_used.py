@@ -6,10 +6,10 @@ import pytest
 
 from tests.methods.forms import tasks
 from variantgen.families.asking import read_ask
+from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
-from variantgen.methods.name import Name
-from variantgen.methods.step import Body, Derived, Point, Sentence, Step
-from variantgen.methods.task import Task
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.steps.step import Body, Derived, Point, Sentence, Step
 
 
 def asking(name: str, form: str, asked: list[str]) -> Task:

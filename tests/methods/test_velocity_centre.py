@@ -8,16 +8,17 @@ from math import cos, radians, sqrt
 import pytest
 
 from tests.solved_cases import case_of, task
-from variantgen.methods import given, walk
 from variantgen.methods.agreement import deviation
-from variantgen.methods.book import Book, Rate, resultant
-from variantgen.methods.expression import Value
-from variantgen.methods.known_centre import divide
-from variantgen.methods.name import Name
-from variantgen.methods.points import vector
-from variantgen.methods.step import Sentence, Term
-from variantgen.methods.style import Style
-from variantgen.methods.velocity_centre import distance
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.by_groups import walk
+from variantgen.methods.centres.known_centre import divide
+from variantgen.methods.centres.velocity_centre import distance
+from variantgen.methods.solution.book import Book, Rate, resultant
+from variantgen.methods.steps.step import Sentence, Term
+from variantgen.methods.steps.style import Style
+from variantgen.methods.vectors import given
+from variantgen.methods.vectors.points import vector
 from variantgen.outputs.explanation import explain
 from variantgen.single import one_variant
 

@@ -28,7 +28,7 @@ BLANKS = " \t\r\n\u00a0\u3000\u200b\u2060\ufeff"
 @pytest.fixture(scope="module")
 def sheet() -> Sheet:
     exam = read_exam(samples_dir() / "sample_ru.toml")
-    return assemble(replace(exam, tasks=exam.tasks[:1]), [Student("1", "N")], "1").sheets[0]
+    return assemble(replace(replace(exam, tasks=exam.tasks[:1]), seed="1"), [Student("1", "N")]).sheets[0]
 
 
 @pytest.mark.parametrize(

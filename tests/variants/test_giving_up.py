@@ -97,7 +97,7 @@ def test_the_draws_for_a_ceiling_are_counted(monkeypatch: pytest.MonkeyPatch) ->
         '[[problem]]\nfamily = "four_bar"\n'
     )
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer, drawn = Drawer(exam, "1"), list[int]()
+    drawer, drawn = Drawer(replace(exam, seed="1")), list[int]()
     after = Drawing.after
 
     def counted(self: Drawing, keys: list[tuple[object, ...]], done: list[int]) -> object:

@@ -77,23 +77,24 @@ def build(
     wrong input, ToolMissingError where a format needs something that is not installed.
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
+    exam = exam if seed is None else replace(exam, seed=seed)
     students = in_order(students, exam.sort)
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:
         formats()[name].check(exam, students)
     with terminable(), typesetter() as engine:
-        carried = Carried.of(exam, exam.seed if seed is None else seed)
+        carried = Carried.of(exam)
         with (
             writing(out),
-            unfinished(out, _plan(carried, students, standing), resume, (RECORDS, *exam.formats)) as parts,
+            unfinished(out, _plan(exam, carried, students, standing), resume, (RECORDS, *exam.formats)) as parts,
         ):
             with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
                 try:
                     draw_all(exam, students, carried, parts, workers, progress, standing)
                 except InputError as error:
                     raise error.located(str(exam.path)) from None
-                sheets = StoredSheets(exam, students, carried.seed, parts, [sheet.code for sheet in standing])
+                sheets = StoredSheets(exam, students, parts, [sheet.code for sheet in standing])
                 kept = _make_all(exam, sheets, carried, parts, workers, progress)
             notes: list[str] = []
             with whole_folder(out, force, known, notes) as folder:
@@ -111,7 +112,7 @@ def _workers(executor: Executor | Others | None, jobs: int) -> Iterator[Workers]
             yield executor if isinstance(executor, Others) else Others(executor, AHEAD)
 
 
-def _plan(carried: Carried, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
+def _plan(exam: Exam, carried: Carried, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
     """What must be the same for a build to go on: by the words that tell what is different."""
     roster = hashlib.sha256()
     for student in students:
@@ -120,7 +121,7 @@ def _plan(carried: Carried, students: Sequence[Student], standing: Sequence[Stan
         roster.update(repr((sheet.student.id, sheet.code)).encode())
     return {
         "version of the program, its templates or families": _hash(sorted(carried.made_with.items())),
-        "seed": carried.seed,
+        "seed": exam.seed,
         "roster": roster.hexdigest(),
         "exam file or choice of outputs": carried.name,
     }
@@ -179,7 +180,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        formats()[name].finish(Whole(exam, sheets, carried.seed, folder, engine, pieces[name], notes))
+        formats()[name].finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
     redrawn, alike, cut = parts.settled()
-    write_records(folder, exam, carried.seed, carried.made_with, redrawn, pieces[RECORDS])
+    write_records(folder, exam, carried.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

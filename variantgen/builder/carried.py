@@ -47,10 +47,9 @@ class Carried:
     families: Mapping[str, Mapping[str, bytes]]
     made_with: Mapping[str, str]
     tasks: str
-    seed: str
 
     @staticmethod
-    def of(exam: Exam, seed: str) -> Carried:
+    def of(exam: Exam) -> Carried:
         """That of an exam."""
         fields = [name for name in Exam.__dataclass_fields__ if name not in _FROM_TEXT]
         return Carried(
@@ -60,13 +59,12 @@ class Carried:
             dict(_own_families(exam)),
             made_with(exam),
             _tasks(exam),
-            seed,
         )
 
     @cached_property
     def name(self) -> str:
         """A name that no other exam has."""
-        parts = (self.path, self.text, repr(self.settings), repr(self.families), self.tasks, self.seed)
+        parts = (self.path, self.text, repr(self.settings), repr(self.families), self.tasks)
         return hashlib.sha256(pickle.dumps((*parts, sorted(self.made_with.items())))).hexdigest()
 
     def exam(self, folder: Path) -> Exam:
@@ -114,13 +112,12 @@ class Setting:
     """What the jobs of a build share in a process."""
 
     exam: Exam
-    seed: str
     engine: Typesetter
 
     @cached_property
     def drawer(self) -> Drawer:
         """Draws problems; it remembers what follows from the exam alone."""
-        return Drawer(self.exam, self.seed)
+        return Drawer(self.exam)
 
 
 _settings: dict[str, Setting] = {}
@@ -130,7 +127,7 @@ _lasting = ExitStack()
 @contextmanager
 def known_here(carried: Carried, exam: Exam, engine: Typesetter) -> Iterator[None]:
     """Jobs in this process, and in those forked from it inside the block, find the exam as it is."""
-    _settings[carried.name] = Setting(exam, carried.seed, engine)
+    _settings[carried.name] = Setting(exam, engine)
     try:
         yield
     finally:
@@ -150,5 +147,5 @@ def setting_of(carried: Carried) -> Iterator[Setting]:
             multiprocessing.util.Finalize(None, _lasting.close, exitpriority=1)
             folder = Path(_lasting.enter_context(tempfile.TemporaryDirectory(prefix="variantgen-")))
             engine = _lasting.enter_context(typesetter())
-            _settings[carried.name] = Setting(carried.exam(folder), carried.seed, engine)
+            _settings[carried.name] = Setting(carried.exam(folder), engine)
         yield _settings[carried.name]

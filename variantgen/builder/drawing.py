@@ -37,7 +37,7 @@ def draw_all(
 
     Raises InputError where a problem leaves too few valid variants.
     """
-    wishes, drawer = _Wishes(exam, students), Drawer(exam, carried.seed)
+    wishes, drawer = _Wishes(exam, students), Drawer(exam)
     if parts.is_settled([(start, problem) for start, problem, _ in wishes.batches()]):
         return
     check_room([drawer.drawing(wish) for wish in wishes])

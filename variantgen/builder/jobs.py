@@ -38,7 +38,7 @@ def perform(carried: Carried, job: Job) -> Any:
         try:
             return job.run(setting)
         except VerificationError as error:
-            raise VerificationError(f"{error} (seed {carried.seed})") from error
+            raise VerificationError(f"{error} (seed {setting.exam.seed})") from error
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class Make:
         exam = setting.exam
         sheets = tuple(sheet for part in self.parts for sheet in part.sheets(exam))
         content = Content(exam, sheets)
-        part = Part(content, setting.seed, self.first, setting.engine, self.beginning)
+        part = Part(content, self.first, setting.engine, self.beginning)
         pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]
         return Made(tuple(pieces), () if self.summary else content.unexplained)
 

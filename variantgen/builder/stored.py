@@ -16,11 +16,9 @@ from variantgen.outputs.formats import STUDENTS_PER_PART
 class StoredSheets(Sequence[Sheet]):
     """The sheets in their order; to go through them in turn is best."""
 
-    def __init__(
-        self, exam: Exam, students: Sequence[Student], seed: str, parts: Unfinished, taken: Collection[str] = ()
-    ) -> None:
+    def __init__(self, exam: Exam, students: Sequence[Student], parts: Unfinished, taken: Collection[str] = ()) -> None:
         self._exam, self._students, self._parts = exam, students, parts
-        self._codes = variant_codes(seed, students, taken)
+        self._codes = variant_codes(exam.seed, students, taken)
         self._begun = {student.group: place for place, student in reversed(list(enumerate(students)))}
         self._last: tuple[int, tuple[Sheet, ...]] = (-1, ())
 

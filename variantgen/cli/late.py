@@ -32,12 +32,11 @@ def late(
         standing,
     )
 
-    seed = exam.seed if arguments.seed is None else arguments.seed
     if arguments.only_new:
         if arguments.force:
             raise InputError(Problem("--only-new replaces nothing", key="--force", remedy="leave one of both out"))
         found, out = series(arguments.out)
-        records = earlier(found, exam, seed)
+        records = earlier(found, exam)
         new = _tell_changes(changes(records, students)).new
         sheets, differences = standing(records, folders) if new else ([], [])
         for difference in differences:
@@ -50,7 +49,7 @@ def late(
         return out, new, sheets
     if has_manifest(arguments.out):
         record = _record(arguments.out)
-        if record is not None and is_same_exam(record, exam, seed):
+        if record is not None and is_same_exam(record, exam):
             if _tell_changes(changes([record], students)).new:
                 tell("--only-new makes sheets for the new ones alone, in a folder of their own")
         else:

@@ -54,8 +54,8 @@ class Standing:
 class Drawer:
     """Draws, solves and verifies problems of an exam. What follows from the exam alone is worked out once."""
 
-    def __init__(self, exam: Exam, seed: str) -> None:
-        self.exam, self.seed = exam, seed
+    def __init__(self, exam: Exam) -> None:
+        self.exam = exam
         self._tolerances = [exam.tolerance_of(task) for task in exam.tasks]
         self._margins = {tolerance: Margins(tolerance) for tolerance in self._tolerances}
         self._drawings = [
@@ -66,7 +66,7 @@ class Drawer:
     def drawing(self, wish: Wish) -> Drawing:
         """From what a problem is drawn: one of the families of its task."""
         task = self.exam.tasks[wish.place]
-        number = int.from_bytes(digest("pool", self.seed, wish.student.id, task.number), "big")
+        number = int.from_bytes(digest("pool", self.exam.seed, wish.student.id, task.number), "big")
         return self._drawings[wish.place][number % len(task.families)]
 
     def priority(self, wish: Wish) -> bytes:
@@ -128,7 +128,7 @@ class Drawer:
         return traits(variants, asked, [wish.student.group for wish in wishes])
 
     def _key(self, wish: Wish) -> tuple[object, ...]:
-        return self.seed, wish.student.id, self.exam.tasks[wish.place].number
+        return self.exam.seed, wish.student.id, self.exam.tasks[wish.place].number
 
 
 def wishes_of(exam: Exam, students: Iterable[Student]) -> list[Wish]:
@@ -174,9 +174,9 @@ def alike_of(drawer: Drawer, wishes: Sequence[Wish], alike: Iterable[int]) -> di
     return dict(sorted(found.items()))
 
 
-def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
+def assemble(exam: Exam, students: Sequence[Student]) -> Assembly:
     """Draw, solve and verify everything in this process."""
-    drawer, wishes = Drawer(exam, seed), wishes_of(exam, students)
+    drawer, wishes = Drawer(exam), wishes_of(exam, students)
     check_room([drawer.drawing(wish) for wish in wishes])
     variants = drawer.variants(wishes)
 
@@ -188,7 +188,7 @@ def assemble(exam: Exam, students: Sequence[Student], seed: str) -> Assembly:
     again = again_of(wishes, settled)
     for i, variant in zip(again, drawer.variants(list(again.values())), strict=True):
         variants[i] = variant
-    codes = variant_codes(seed, students)
+    codes = variant_codes(exam.seed, students)
     items, count = drawer.items(wishes, variants), len(exam.tasks)
     own = [tuple(items[i : i + count]) for i in range(0, len(items), count)]
     sheets = tuple(Sheet(*found) for found in zip(students, codes, own, strict=True))

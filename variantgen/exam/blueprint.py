@@ -76,9 +76,10 @@ class Exam:
     sort: str = NAME
     notices: Notices = Notices()
 
-    def build_id(self, seed: str) -> str:
-        """A short name of the exam as it is built with a seed, for identifiers of questions and for QR codes."""
-        return hashlib.sha256(f"{self.hash}\n{seed}".encode()).hexdigest()[:8]
+    @property
+    def build_id(self) -> str:
+        """A short name of the exam as it is built with its seed, for identifiers of questions and for QR codes."""
+        return hashlib.sha256(f"{self.hash}\n{self.seed}".encode()).hexdigest()[:8]
 
     def tolerance_of(self, task: Task) -> Tolerance:
         """By what a problem is marked: its own tolerance, or that of the exam."""

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.book import Book
-from variantgen.methods.evaluation import AGREES, deviations
-from variantgen.methods.group import Group
-from variantgen.methods.no_way import NO_WAY
-from variantgen.methods.task import task_of
-from variantgen.methods.walk import velocities
+from variantgen.methods.by_groups.walk import velocities
+from variantgen.methods.groups.group import Group
+from variantgen.methods.hand.evaluation import AGREES, deviations
+from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.no_way import NO_WAY
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
 

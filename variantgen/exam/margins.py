@@ -1,8 +1,8 @@
 """The tolerance of each answer: what a careful hand calculation with three significant digits needs, and no mistake.
 
 The tolerance of an answer is the exam's ``floor`` or, where rounding in a worked solution leads further from the exact
-answer (:mod:`variantgen.methods.rounding`), that much. Where a mistake is seen in some answers only, the key says which
-of the others do not show it.
+answer (:mod:`variantgen.methods.hand.rounding`), that much. Where a mistake is seen in some answers only, the key says
+which of the others do not show it.
 
 A variant on which rounding leads further than the ``ceiling`` of the screens of its family punishes rounding, and one
 on which a plausible mistake (:mod:`variantgen.variants.mistakes`) goes unnoticed in every answer that it touches lets a
@@ -24,7 +24,7 @@ from variantgen.families.family import Form, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.methods.rounding import HandCalculation
+from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.variants.attempts import FormDrawing
 from variantgen.variants.batch import Tally
 from variantgen.variants.mistakes import distances, wrong_answers

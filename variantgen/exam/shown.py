@@ -10,7 +10,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.plan_scale import MILLIMETRES
+from variantgen.methods.graphical.plan_scale import MILLIMETRES
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language

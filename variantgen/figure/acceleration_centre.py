@@ -10,7 +10,7 @@ from variantgen.figure.centre_rays import plane_bodies
 from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
-from variantgen.methods.instant import Instant
+from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.vector_names import centre_letters
 

@@ -9,7 +9,7 @@ from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.mechanism.linkage import Linkage
-from variantgen.methods.instant import Instant
+from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.vector_names import centre_letters
 

@@ -10,10 +10,10 @@ from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
-from variantgen.methods.contact import place_of
-from variantgen.methods.instant import Instant
-from variantgen.methods.law import touches
-from variantgen.methods.task import Task
+from variantgen.methods.groups.contact import place_of
+from variantgen.methods.groups.law import touches
+from variantgen.methods.linkage.instant import Instant
+from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
 from variantgen.wording.vector_names import absolute
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.solved import Solved
 from variantgen.mechanism.drivers.extension import Extension
-from variantgen.methods.chain import Reach
+from variantgen.methods.graphical.vector_chain import Reach
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import component_marks, compound

@@ -16,9 +16,9 @@ from variantgen.figure.clean import first_clean
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.requests import Places, Request, along_line, around, label_size
 from variantgen.figure.sketch import DOT, Sketch
-from variantgen.methods.chain import Chain
-from variantgen.methods.instant import Instant
-from variantgen.methods.plan_scale import MILLIMETRES, per_millimetre, places_of
+from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, places_of
+from variantgen.methods.graphical.vector_chain import Chain
+from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
 from variantgen.wording.language import Language
 

@@ -10,9 +10,9 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.methods.chain import Chain, chain_of
-from variantgen.methods.instant import Instant, instant
-from variantgen.methods.task import Task, task_of
+from variantgen.methods.graphical.vector_chain import Chain, chain_of
+from variantgen.methods.linkage.instant import Instant, instant
+from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 

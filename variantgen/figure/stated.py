@@ -13,11 +13,11 @@ from variantgen.families.family import Template
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
-from variantgen.methods.chain import Chain, Slip
-from variantgen.methods.expression import Value
-from variantgen.methods.given import as_stated, unsigned
-from variantgen.methods.name import Name
-from variantgen.methods.task import Task
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.graphical.vector_chain import Chain, Slip
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.vectors.given import as_stated, unsigned
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import absolute

@@ -38,9 +38,9 @@ def changes(records: Sequence[Record], students: Sequence[Student]) -> Changes:
     )
 
 
-def is_same_exam(record: Record, exam: Exam, seed: str) -> bool:
-    """Whether an output is of this exam file and of this seed."""
-    return record.exam_hash == exam.hash and record.seed == seed
+def is_same_exam(record: Record, exam: Exam) -> bool:
+    """Whether an output is of this exam file and its seed."""
+    return record.exam_hash == exam.hash and record.seed == exam.seed
 
 
 def series(out: Path) -> tuple[list[Path], Path]:
@@ -62,14 +62,14 @@ def _names(out: Path) -> Iterator[Path]:
         number += 1
 
 
-def earlier(folders: Sequence[Path], exam: Exam, seed: str) -> list[Record]:
+def earlier(folders: Sequence[Path], exam: Exam) -> list[Record]:
     """The manifests of earlier builds of an exam. Raises InputError where there are none or of another exam."""
     if not folders:
         remedy = "leave the option out: everybody is new"
         raise InputError(Problem("there is no finished build in the folder of --out", key="--only-new", remedy=remedy))
     found = [read_record(folder) for folder in folders]
     for record in found:
-        if not is_same_exam(record, exam, seed):
+        if not is_same_exam(record, exam):
             what = "seed" if record.exam_hash == exam.hash else "exam file"
             remedy = (
                 "give the one it was built with (the manifest has it), or build the whole class into another folder"

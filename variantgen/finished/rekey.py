@@ -98,7 +98,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
         rest = {name: hashed for name, hashed in before.files.items() if name not in new}
         lines = (manifest_lines(exam, part).encode() for part in _parts(sheets))
         hashes = dict(sorted({**rest, **new}.items()))
-        frame = manifest_frame(exam, before.seed, before.made_with, before.redrawn, hashes)
+        frame = manifest_frame(exam, before.made_with, before.redrawn, hashes)
         write_manifest(fresh / NAME, frame, made.pieces("json", lines))
         renewed |= {*new, NAME}
         _put_together(folder, fresh, work, renewed)
@@ -202,7 +202,7 @@ class _Making:
         parts: Path,
         notes: list[str],
     ) -> None:
-        self._exam, self._seed = finished.exam, finished.record.seed
+        self._exam = finished.exam
         self._sheets, self._engine, self._folder, self._notes = sheets, engine, folder, notes
         self._parts, self._count = parts, 0
         places = reversed(list(enumerate(sheets)))
@@ -216,7 +216,7 @@ class _Making:
             self._collect(found, (piece for part in self._of(1) for piece in module.make(part)))
         for size, make in module.SUMMARIES:
             self._collect(found, (piece for part in self._of(size) for piece in make(part)))
-        whole = Whole(self._exam, self._sheets, self._seed, self._folder, self._engine, found, self._notes)
+        whole = Whole(self._exam, self._sheets, self._folder, self._engine, found, self._notes)
         (module.write_key or module.finish)(whole)
 
     def pieces(self, ending: str, contents: Iterable[bytes]) -> list[Path]:
@@ -229,7 +229,7 @@ class _Making:
         for start in range(0, len(self._sheets), step):
             content = Content(self._exam, self._sheets[start : start + step])
             beginning = frozenset(group for group, place in self._begun.items() if start <= place < start + step)
-            yield Part(content, self._seed, start == 0, self._engine, beginning)
+            yield Part(content, start == 0, self._engine, beginning)
 
     def _collect(self, found: dict[str, list[Path]], made: Iterable[Piece]) -> None:
         for piece in made:

@@ -104,7 +104,7 @@ def _told(answers: Sequence[tuple[str, float]]) -> str:
 
 def _typeset(finished: Finished, sheets: tuple[Sheet, ...], target: str, engine: Typesetter) -> bytes:
     """The document of some students as a build makes it."""
-    part = Part(Content(finished.exam, sheets), finished.record.seed, False, engine)
+    part = Part(Content(finished.exam, sheets), False, engine)
     for piece in pdf.make(part):
         if piece.target == target:
             return piece.content

@@ -69,6 +69,7 @@ def restore(record: Record, folders: tuple[Path, ...]) -> Finished:
     known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}
     exam = replace(
         exam,
+        seed=record.seed,
         solutions=replace(exam.solutions, **known),
         formats=record.formats or exam.formats,
         tolerance=record.tolerance,

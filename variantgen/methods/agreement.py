@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.methods.book import Book, resultant
+from variantgen.methods.solution.book import Book, resultant
 from variantgen.variants.attempts import VerificationError
 
 AGREES = 1e-9  # of the natural scale: rounding of the arithmetic

@@ -9,13 +9,13 @@ import numpy as np
 
 from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.book import Book
-from variantgen.methods.expression import Constant, Value, cos
-from variantgen.methods.name import Name
-from variantgen.methods.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
-from variantgen.methods.task import Task
-from variantgen.methods.values import in_order
-from variantgen.methods.vector_equation import share_of
+from variantgen.methods.algebra.expression import Constant, Value, cos
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.algebra.values import in_order
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
+from variantgen.methods.vectors.vector_equation import share_of
 
 
 def equal_projections(book: Book) -> list[Item]:

@@ -7,12 +7,14 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from variantgen.errors import InputError, Problem
-from variantgen.methods import analytical, coordinates, graphical, three_rates, walk
-from variantgen.methods.book import Book
-from variantgen.methods.no_way import NO_WAY
-from variantgen.methods.step import Sentence
-from variantgen.methods.style import Accelerations, Style, Velocities
-from variantgen.methods.task import Task
+from variantgen.methods.by_groups import three_rates, walk
+from variantgen.methods.coordinates import analytical, coordinates
+from variantgen.methods.graphical import graphical
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.step import Sentence
+from variantgen.methods.steps.style import Accelerations, Style, Velocities
 
 _VELOCITIES: dict[str, Velocities] = {
     "velocity_centre": "velocity_centre",

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
-from variantgen.methods import walk
 from variantgen.methods.agreement import confirm
-from variantgen.methods.answers import answer
-from variantgen.methods.book import Book
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.by_groups import walk
+from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.check import all_constraints, by_links, equal_projections
 from variantgen.methods.choice import WHOLE, Choice, WholeMethod, choose
-from variantgen.methods.expression import Value
-from variantgen.methods.no_way import NO_WAY
-from variantgen.methods.position import with_position
-from variantgen.methods.settle import DIGITS, items_values, settle
-from variantgen.methods.step import Item, Listing, Solution
-from variantgen.methods.task import Task
-from variantgen.methods.used import used_steps
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.position import with_position
+from variantgen.methods.solution.used import used_steps
+from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.printed_digits import DIGITS, items_values, settle
+from variantgen.methods.steps.step import Item, Listing, Solution
 from variantgen.variants.attempts import VerificationError
 
 _NOT_LED: tuple[type[Exception], ...] = (*NO_WAY, VerificationError)

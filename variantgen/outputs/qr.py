@@ -28,9 +28,9 @@ _BAR = re.compile(rb"\x01+")
 Rows = Sequence[bytes]  # a byte for every module, 1 if it is dark
 
 
-def qr_text(exam: Exam, seed: str, sheet: Sheet) -> str:
+def qr_text(exam: Exam, sheet: Sheet) -> str:
     """What the code of a sheet says."""
-    return f"VARIANTGEN:{VERSION}:{exam.build_id(seed).upper()}:{sheet.code}"
+    return f"VARIANTGEN:{VERSION}:{exam.build_id.upper()}:{sheet.code}"
 
 
 def qr_rows(text: str) -> Rows:

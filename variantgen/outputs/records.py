@@ -30,14 +30,13 @@ RECORDS = "records"  # the name of the pieces of both files among those of the f
 def write_records(
     folder: Path,
     exam: Exam,
-    seed: str,
     made_with: Mapping[str, str],
     redrawn: Sequence[str],
     pieces: Mapping[str, Sequence[Path]],
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
     write_key_csv(folder / "key.csv", pieces["key.csv"])
-    write_manifest(folder / NAME, manifest_frame(exam, seed, made_with, redrawn, file_hashes(folder)), pieces[NAME])
+    write_manifest(folder / NAME, manifest_frame(exam, made_with, redrawn, file_hashes(folder)), pieces[NAME])
 
 
 def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
@@ -98,7 +97,7 @@ def _safe(text: str) -> str:
 
 
 def manifest_frame(
-    exam: Exam, seed: str, made_with: Mapping[str, str], redrawn: Sequence[str], files: Mapping[str, str]
+    exam: Exam, made_with: Mapping[str, str], redrawn: Sequence[str], files: Mapping[str, str]
 ) -> tuple[str, str]:
     """What stands in the manifest before the lines of the students, and after them.
 
@@ -111,7 +110,7 @@ def manifest_frame(
         "made_with": dict(made_with),
         "exam": {
             "title": exam.title,
-            "id": exam.build_id(seed),
+            "id": exam.build_id,
             "hash": exam.hash,
             "text": exam.text,
             "language": exam.language,
@@ -125,7 +124,7 @@ def manifest_frame(
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
         "notation": asdict(exam.notation),
         "formats": list(exam.formats),
-        "seed": seed,
+        "seed": exam.seed,
         "redrawn": list(redrawn),
         "files": dict(files),
     }

@@ -19,20 +19,20 @@ _SHORT_NAME = 48
 def sheets_data(
     content: Content,
     figures: dict[int, Any] | None = None,
-    seed: str | None = None,
+    built: bool = False,
     writing: Writing = TYPST,
 ) -> dict[str, Any]:
     """Data for templates of sheets; what is made of the drawings is noted in ``figures`` by their ids.
 
-    The sheets of a build with a ``seed`` have QR codes, if the exam wants them.
+    The sheets of a build (``built``) have QR codes, if the exam wants them.
     """
     exam, language = content.exam, content.exam.spoken
     noted = {} if figures is None else figures
-    marked = seed is not None and exam.qr
+    marked = built and exam.qr
     students = []
     for sheet, own in zip(content.sheets, content.posed, strict=True):
         problems = [_problem(posed, language, noted, writing) for posed in own]
-        code = writing.code(qr_text(exam, seed or "", sheet)) if marked else ""
+        code = writing.code(qr_text(exam, sheet)) if marked else ""
         students.append({**student_data(sheet, problems, language, sheet is content.sheets[-1]), "qr": code})
     return {
         "lang": exam.language,

@@ -68,9 +68,9 @@ def direction(folder: Path) -> Iterator[tuple[Part, Callable[[float], Question]]
         exam('family = "four_bar"\nask = ["v_B.angle"]', tables='[solutions]\ndepth = "none"'), "utf-8"
     )
     read = read_exam(folder / "exam.toml")
-    sheets = assemble(read, numbered(1), "1").sheets
+    sheets = assemble(replace(read, seed="1"), numbered(1)).sheets
     with typesetter() as engine:
-        part = Part(Content(read, sheets), "1", True, engine)
+        part = Part(Content(read, sheets), True, engine)
         asked = next(questions(part))
         (number,) = asked.parts
 

@@ -14,7 +14,7 @@ from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.choice import applicable
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.wish import Wish
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants

@@ -15,8 +15,8 @@ import pytest
 from tests.solved_cases import case_of, quantities, variant_of
 from tests.wording.solution.test_recomputed import lines_of
 from variantgen.methods.compose import solution
-from variantgen.methods.step import Sentence
-from variantgen.methods.task import task_of
+from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.steps.step import Sentence
 from variantgen.methods.wish import Wish
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language

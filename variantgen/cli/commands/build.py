@@ -94,6 +94,8 @@ def run(arguments: argparse.Namespace) -> int:
         exam = replace(exam, solutions=replace(exam.solutions, depth=NO_SOLUTIONS))
     if arguments.format:
         exam = replace(exam, formats=chosen([w for text in arguments.format for w in text.split(",")], "--format"))
+    if arguments.seed is not None:
+        exam = replace(exam, seed=arguments.seed)
     out, students, standing = late(arguments, exam, students, folders)
     if arguments.only_new and not students:
         tell("nobody is new: nothing was made")
@@ -106,13 +108,12 @@ def run(arguments: argparse.Namespace) -> int:
             exam,
             students,
             out,
-            arguments.seed,
-            arguments.jobs,
-            arguments.force,
-            stack.enter_context(Progress()).show,
-            executor,
-            arguments.resume,
-            standing,
+            jobs=arguments.jobs,
+            force=arguments.force,
+            progress=stack.enter_context(Progress()).show,
+            executor=executor,
+            resume=arguments.resume,
+            standing=standing,
         )
     _report(made, time.perf_counter() - start)
     return 0

@@ -15,8 +15,8 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Chain, Reach, Slip, Turn, taken_apart
-from variantgen.methods.instant import Instant
+from variantgen.methods.graphical.vector_chain import Chain, Reach, Slip, Turn, taken_apart
+from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language

@@ -19,8 +19,8 @@ from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on
 from variantgen.figure.solved import Solved, solved
 from variantgen.figure.stated import stated_rates, stated_vectors, telling_points, transport_name
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.chain import Slip, Turn, taken_apart
-from variantgen.methods.instant import Instant
+from variantgen.methods.graphical.vector_chain import Slip, Turn, taken_apart
+from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language

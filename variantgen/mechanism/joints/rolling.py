@@ -73,7 +73,8 @@ class Rolling(Joint):
     def _line(self, at: Placement) -> Complex:
         """Unit vector along the line."""
         w = at.z[self.centre] - at.z[self.contact]
-        return 1j * w / np.abs(w)
+        radius = np.abs(w)
+        return 1j * w / np.where(radius > 0, radius, 1.0)  # a wheel without a radius is not sound
 
     def rows(self, at: Placement) -> tuple[Row, ...]:
         """The velocity row of the class docstring."""

@@ -16,7 +16,7 @@ from types import ModuleType
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import without_millimetres
-from variantgen.methods.plan_scale import MILLIMETRES
+from variantgen.methods.graphical.plan_scale import MILLIMETRES
 
 
 def unit(drawing: Drawing, width_mm: float | None = None) -> float:

@@ -63,7 +63,6 @@ class Part:
     """
 
     content: Content
-    seed: str
     first: bool
     engine: Typesetter
     beginning: frozenset[str] = frozenset()
@@ -91,7 +90,6 @@ class Whole:
 
     exam: Exam
     sheets: Sequence[Sheet]
-    seed: str
     folder: Path
     engine: Typesetter
     pieces: dict[str, list[Path]] = field(default_factory=dict)

@@ -98,7 +98,7 @@ def make(part: Part) -> Iterator[Piece]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     exam = part.exam
     writing = _writing(exam, exam.language)
-    data = sheets_data(part.content, seed=part.seed, writing=writing)
+    data = sheets_data(part.content, built=True, writing=writing)
     for own in documents(data, part.sheets) if _options(exam).files == GROUPS else [data]:
         yield Piece("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:

@@ -46,7 +46,7 @@ def make(part: Part) -> Iterator[Piece]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, figures, part.seed)
+    data = sheets_data(part.content, figures, built=True)
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]

@@ -72,7 +72,7 @@ def make(part: Part) -> Iterator[Piece]:
     for question in questions(part):
         told = _Figures(files)
         variant = json.dumps(_variant(question, part.exam, told), ensure_ascii=False)
-        qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id(part.seed))
+        qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id)
         found.setdefault(qid, []).append(variant)
         for name, content in told.used.items():
             yield Piece(f"{qid}/{_CLIENT}/{name}", content)
@@ -83,7 +83,7 @@ def make(part: Part) -> Iterator[Piece]:
 def finish(whole: Whole) -> None:
     """The folders of the questions, and how to use them."""
     templates = templates_dir() / "prairielearn"
-    build = whole.exam.build_id(whole.seed)
+    build = whole.exam.build_id
     top = whole.folder / _FOLDER
     top.mkdir()
     shutil.copyfile(templates / "README.md", top / "README.md")

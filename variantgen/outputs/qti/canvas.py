@@ -86,13 +86,13 @@ def make(part: Part) -> Iterator[Piece]:
         if options.drawn:
             files.update(_questions(sheet, items))
         else:
-            quizzes.append(_quiz_name(part.exam, part.seed, sheet[0].sheet))
+            quizzes.append(_quiz_name(part.exam, sheet[0].sheet))
             files.update(_quiz(quizzes[-1], sheet, items, options))
     yield Piece(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
 
 
-def _quiz_name(exam: Exam, seed: str, sheet: Sheet) -> str:
-    return f"i{exam.build_id(seed)}-{sheet.code}"
+def _quiz_name(exam: Exam, sheet: Sheet) -> str:
+    return f"i{exam.build_id}-{sheet.code}"
 
 
 def _questions(sheet: Sequence[Question], items: Items) -> Iterator[tuple[str, bytes]]:
@@ -125,7 +125,7 @@ def finish(whole: Whole) -> None:
     """The package."""
     exam, pieces = whole.exam, whole.pieces[_PACKAGE]
     options: CanvasOptions = formats.options(exam, NAME)
-    name, title = f"i{exam.build_id(whole.seed)}", line(exam.title)
+    name, title = f"i{exam.build_id}", line(exam.title)
     with package(whole.folder / f"{NAME}.zip") as made:
         with made.outline(MANIFEST) as outline, quiz.resources(outline, f"{name}-manifest", title, exam.language):
             for one in [name] if options.drawn else chain.from_iterable(indexes(pieces)):

@@ -55,7 +55,7 @@ def make(part: Part, dialect: Dialect) -> Iterator[Piece]:
 def finish(whole: Whole, dialect: Dialect) -> None:
     """The package."""
     options: Options = formats.options(whole.exam, dialect.name)
-    writer = _Writer(dialect, whole.exam, whole.exam.build_id(whole.seed), options, whole.pieces[_PACKAGE])
+    writer = _Writer(dialect, whole.exam, whole.exam.build_id, options, whole.pieces[_PACKAGE])
     with package(whole.folder / f"{dialect.name}.zip") as made:
         writer.write(made)
 

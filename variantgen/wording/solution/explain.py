@@ -8,9 +8,9 @@ from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
-from variantgen.methods.no_way import NO_WAY
-from variantgen.methods.step import Sentence, Solution
-from variantgen.methods.task import CLOSE, Task, task_of
+from variantgen.methods.linkage.problem import CLOSE, Task, task_of
+from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.step import Sentence, Solution
 from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant

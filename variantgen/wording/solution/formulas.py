@@ -5,8 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.families.units import unit
-from variantgen.methods.algebra import vanishes
-from variantgen.methods.expression import (
+from variantgen.methods.algebra.algebra import vanishes
+from variantgen.methods.algebra.expression import (
     DRAWING_LENGTH,
     Applied,
     Constant,

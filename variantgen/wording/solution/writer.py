@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.methods.expression import Constant, Expression, Value, rounded
-from variantgen.methods.name import Name
-from variantgen.methods.settle import FEWEST
-from variantgen.methods.step import (
+from variantgen.methods.algebra.expression import Constant, Expression, Value, rounded
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.steps.printed_digits import FEWEST
+from variantgen.methods.steps.step import (
     Body,
     CentreOf,
     ChainGraph,

@@ -1,0 +1,122 @@
+"""Goes through the groups of a mechanism: velocities from the given motion to what is asked, then accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from variantgen.methods.by_groups import closed_chain
+from variantgen.methods.centres import acceleration_centre, known_centre, projections, velocity_centre
+from variantgen.methods.centres.turning import solve_composed, solve_rested, solve_rolled, solve_turned
+from variantgen.methods.groups.group import (
+    Composed,
+    Coupled,
+    Crossed,
+    Dyad,
+    Extended,
+    Group,
+    Joined,
+    Rested,
+    Rolled,
+    Slid,
+    Spanned,
+    Turned,
+)
+from variantgen.methods.groups.route import Route
+from variantgen.methods.groups.wanted import is_accelerated
+from variantgen.methods.solution.book import Book
+from variantgen.methods.vectors import given
+from variantgen.methods.vectors.contact_motion import solve_joined
+from variantgen.methods.vectors.coupled import solve_coupled
+from variantgen.methods.vectors.cylinder import solve_extended
+from variantgen.methods.vectors.points import vector
+from variantgen.methods.vectors.pole import solve_crossing, solve_dyad, solve_spanned
+from variantgen.methods.vectors.relative_motion import solve_slid
+
+Handler = Callable[[Book, Any], None]
+
+
+class DyadMethod(Protocol):
+    """A method for dyads: a module with these functions."""
+
+    def applies(self, book: Book, group: Dyad) -> bool:
+        """Whether it can solve the group."""
+
+    def solve_dyad(self, book: Book, group: Dyad) -> None:
+        """Solve it."""
+
+
+HANDLERS: dict[type, Handler] = {
+    Turned: solve_turned,
+    Rolled: solve_rolled,
+    Dyad: solve_dyad,
+    Crossed: solve_crossing,
+    Slid: solve_slid,
+    Composed: solve_composed,
+    Joined: solve_joined,
+    Extended: solve_extended,
+    Rested: solve_rested,
+    Spanned: solve_spanned,
+    Coupled: solve_coupled,
+}
+
+_OF_DYADS: dict[int, dict[str, DyadMethod]] = {
+    1: {"velocity_centre": velocity_centre, "projections": projections, "three_rates": closed_chain},
+    2: {"three_rates": closed_chain},
+}
+
+
+def at_order(book: Book, order: int) -> Book:
+    """The book for velocities (1) or accelerations (2), where further points of bodies are found in its style."""
+    if order == 1:
+        return book.at(1, None if book.style.velocities in ("pole", "three_rates") else velocity_centre.carry)
+    return book.at(2, acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None)
+
+
+def velocities(book: Book) -> list[Group]:
+    """Work out the velocities that are needed; returns the groups in their order."""
+    book = at_order(book, 1)
+    given.take(book)
+    route, groups = Route(book), []
+    while group := route.next():
+        _solve(book, group)
+        groups.append(group)
+    for point in _asked_points(book, 1):
+        vector(book, point)
+    return groups
+
+
+def accelerations(book: Book, groups: list[Group]) -> None:
+    """Work out the accelerations, group by group in the same order."""
+    book = at_order(book, 2)
+    given.take(book)
+    for group in groups:
+        if is_accelerated(book.task, group):
+            _solve(book, group)
+    for point in _asked_points(book, 2):
+        vector(book, point)
+
+
+def through(book: Book) -> list[Group]:
+    """Velocities and, where any are asked, accelerations; returns the groups in their order."""
+    groups = velocities(book)
+    if book.task.order == 2:
+        accelerations(book, groups)
+    return groups
+
+
+def _solve(book: Book, group: Group) -> None:
+    """Solve a group, a dyad by the method of the book's style if that applies and else by the vector equation."""
+    style = book.style.velocities if book.order == 1 else book.style.accelerations
+    method = _OF_DYADS[book.order].get(style)
+    if isinstance(group, Dyad) and method is not None and method.applies(book, group):
+        method.solve_dyad(book, group)
+    elif isinstance(group, Spanned) and style == "velocity_centre" and known_centre.is_divided(book, group):
+        known_centre.solve_divided(book, group)
+    else:
+        HANDLERS[type(group)](book, group)
+
+
+def _asked_points(book: Book, order: int) -> list[str]:
+    kind = "v" if order == 1 else "a"
+    return [q.point for q in book.task.asked if q.kind == kind and q.order == order]

@@ -1,0 +1,241 @@
+"""The velocity centre P or the acceleration centre Q of a body: rays from its points to the centre.
+
+Each ray has a length and a direction. The first ones come from how the centre was found; that of any other point C of
+the body follows from a triangle A C P with a known ray A P: by the law of cosines, or more simply where the triangle is
+right-angled, has two equal sides, or is none because the points lie on one line.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from variantgen.methods.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Ratio,
+    Total,
+    Value,
+    cos,
+    root,
+    sin,
+)
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
+from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.steps.step import Derived, Fact, Point, Segment, Shown
+
+NEAR = 1e-9  # of the size of the mechanism: closer points are one
+SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
+_NO_LENGTH = 1e-12  # of the sides of a triangle: a shorter leg is none
+
+
+def is_near(book: Book, first: complex, second: complex) -> bool:
+    """Whether two places are one, but for rounding; far from the mechanism that is coarser."""
+    middle = next(iter(book.task.now.z.values()))
+    return abs(first - second) <= NEAR * (book.task.size + abs(first - middle))
+
+
+def named_place(book: Book, place: complex, but: str = "") -> str:
+    """The point of the figure at a place, other than ``but``, or nothing."""
+    hidden = book.task.form.figure.hidden
+    names = (name for name in book.task.now.z if name not in hidden and name != but)
+    return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
+
+
+def difference(name: Name | None, first: Value, second: Value) -> Value:
+    """The angle between two directions, 0 to 180 degrees, as their difference."""
+    exact = between(first.exact, second.exact)
+    for sign in (1, -1):
+        turn = exact - sign * (first.exact - second.exact)
+        whole = round(turn / 360.0) * 360.0
+        if abs(turn - whole) < 1e-6:
+            parts: list[tuple[int, Expression]] = [(sign, first), (-sign, second)]
+            parts.sort(key=lambda part: -part[0])
+            parts += [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
+            return Value(name, "angle", exact, Total(tuple(parts)))
+    raise ArithmeticError("an angle between two directions is not their difference")
+
+
+def note_angle(book: Book, value: Value, symbolic: bool = False) -> Value:
+    """Show once how an angle is found: by the numbers of others that are only read off, or first in symbols."""
+    assert value.name is not None
+    if value.name not in book.values:
+        book.items.append(Derived(value, symbolic))
+        book.values[value.name] = value
+    return book.values[value.name]
+
+
+def say_rays(book: Book, rays: Mapping[Segment, Value]) -> None:
+    """Say the directions of rays, from which the angles between them follow."""
+    book.say("centre.rays", True, rays=tuple(rays), angles=tuple(Shown(angle) for angle in rays.values()))
+
+
+def is_angle(value: float, *others: float) -> bool:
+    """Whether an angle (degrees) is one of those given."""
+    return any(abs(value - other) < SAME_ANGLE for other in others)
+
+
+# The ray of a further point, from a triangle.
+
+
+@dataclass(frozen=True, slots=True)
+class _Triangle:
+    """The triangle A C P: ``base`` A with its known ray, ``point`` C, ``spread`` the angle at A (degrees)."""
+
+    base: str
+    point: str
+    ray: Ray
+    side: float
+    spread: float
+
+    @property
+    def shape(self) -> int:
+        """What is special about it; the simplest comes first."""
+        equal = abs(self.side - self.ray.arm.exact) <= NEAR * self.side
+        cases = (
+            is_angle(self.spread, 0.0, 180.0),
+            equal and is_angle(self.spread, 60.0),
+            is_angle(self.spread, 90.0),
+            equal,
+        )
+        return next((i for i, case in enumerate(cases) if case), len(cases))
+
+
+_ON_LINE, _EQUILATERAL, _RIGHT, _ISOSCELES, _GENERAL = range(5)
+_SHAPES = ("on_line", "equilateral", "right", "isosceles", "general")
+
+
+def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray | None:
+    """The ray from a point of the body to the centre, with the lines that find its length; None at the centre.
+
+    The lines for its direction are written where it is asked for (``with_direction``).
+    """
+    if point in centre.rays:
+        return centre.rays[point]
+    if is_near(book, book.task.now.z[point], centre.place(book.task)):
+        centre.at = centre.at or point
+        return None
+    triangle = _simplest(book, centre, point)
+    if triangle is None:
+        at = centre.at
+        found = Ray(book.geometry.length(point, at), book.geometry.direction(point, at))
+    else:
+        found = _found(book, centre, triangle, with_direction)
+    centre.rays[point] = found
+    return found
+
+
+def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:
+    """The triangle of the simplest shape with a known ray."""
+    found = []
+    for base, ray in centre.rays.items():
+        side = book.geometry.vector(base, point)
+        if abs(side) > NEAR * book.task.size:
+            spread = between(math.degrees(cmath.phase(side)), ray.angle.exact)
+            found.append(_Triangle(base, point, ray, abs(side), spread))
+    return min(found, key=lambda triangle: triangle.shape, default=None)
+
+
+def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> Ray:
+    """The third side of the triangle, and its direction from the point C."""
+    base, point, ray = triangle.base, triangle.point, triangle.ray
+    side = book.geometry.length(base, point)
+    there, mark = _towards(book, centre, base, point)
+    shape = triangle.shape
+    facts: dict[str, Fact] = {
+        "point": Point(point),
+        "base": Point(base),
+        "centre": centre.fact,
+        "ray": centre.segment(base),
+    }
+    if shape in (_ISOSCELES, _GENERAL):
+        say_rays(book, {centre.segment(base): ray.angle, Segment(base, mark): there})
+    book.say(f"centre.{_SHAPES[shape]}", **facts)
+    spread = difference(centre.corner(base, mark), ray.angle, there)
+    if shape in (_ISOSCELES, _GENERAL):
+        spread = note_angle(book, spread)
+    arm = book.derive(centre.length(point), "length", _ARMS[shape](ray.arm, side, spread))
+    if shape == _ON_LINE:
+        beyond = spread.exact < 90.0 and side.exact > ray.arm.exact
+        return Ray(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
+    corner = Value(centre.corner(point, base), "angle", *_corner(shape, ray.arm, side, spread))
+    back = Geometry.turned(there, 180.0)
+    goal = math.degrees(cmath.phase(centre.place(book.task) - book.task.now.z[point]))
+    sign = min((1, -1), key=lambda s: abs(normal_angle(back.exact + s * corner.exact - goal)))
+    angle = turned_by(centre.direction(point), back, sign, corner)
+    if with_direction:
+        note_angle(book, corner, symbolic=True)
+        note_angle(book, angle)
+    return Ray(arm, angle)
+
+
+def _towards(book: Book, centre: Centre, base: str, point: str) -> tuple[Value, str]:
+    """The direction from one point to another, and the point that names it: an earlier one on the same line will do."""
+    side = book.geometry.vector(base, point)
+    for other in centre.rays:
+        along = book.geometry.vector(base, other)
+        if other != base and abs((along.conjugate() * side).imag) <= NEAR * abs(along) * abs(side):
+            there = book.geometry.direction(base, other)
+            ahead = (along.conjugate() * side).real > 0
+            return (there, other) if ahead else (Geometry.turned(there, 180.0), point)
+    return book.geometry.direction(base, point), point
+
+
+def _on_line(arm: Value, side: Value, spread: Value) -> Expression:
+    if spread.exact > 90.0:
+        return arm + side
+    return arm - side if arm.exact > side.exact else side - arm
+
+
+def _hypotenuse(arm: Value, side: Value) -> Expression:
+    if abs(arm.exact - side.exact) <= NEAR * side.exact:
+        return side * root(Constant(2.0))
+    return root(arm**2 + side**2)
+
+
+_ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
+    _ON_LINE: _on_line,
+    _EQUILATERAL: lambda arm, side, spread: side,
+    _ISOSCELES: lambda arm, side, spread: Constant(2.0) * side * sin(spread / Constant(2.0)),
+    _RIGHT: lambda arm, side, spread: _hypotenuse(arm, side),
+    _GENERAL: lambda arm, side, spread: root(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
+}
+
+
+def _corner(shape: int, arm: Value, side: Value, spread: Value) -> tuple[float, Expression]:
+    """The angle at C between the sides to A and to P, in degrees: its number and its expression."""
+    expression: Expression
+    if shape == _EQUILATERAL:
+        expression = Constant(60.0, "angle")
+    elif shape == _ISOSCELES:
+        expression = Constant(90.0, "angle") - spread / Constant(2.0)
+    elif shape == _RIGHT:
+        equal = abs(arm.exact - side.exact) <= NEAR * side.exact
+        expression = Constant(45.0, "angle") if equal else Applied("arctan", Ratio(arm, side))
+    else:
+        expression = _steep(arm * sin(spread), side - arm * cos(spread), max(arm.exact, side.exact))
+    return expression.number(True), expression
+
+
+def _steep(across: Expression, ahead: Expression, scale: float) -> Expression:
+    """The angle whose tangent is ``across / ahead``, 0 to 180 degrees."""
+    length = ahead.number(True)
+    if abs(length) <= _NO_LENGTH * scale:
+        return Constant(90.0, "angle")
+    slope = Applied("arctan", Ratio(across, ahead))
+    return slope if length > 0 else slope + Constant(180.0, "angle")
+
+
+def turned_by(name: Name | None, start: Value, sign: int, turn: Value) -> Value:
+    """A direction turned by an angle, between -180 and 180 degrees."""
+    total = start.exact + sign * turn.exact
+    exact = normal_angle(total)
+    whole = round((exact - total) / 360.0) * 360.0
+    parts: list[tuple[int, Expression]] = [(1, start), (sign, turn)]
+    parts += [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
+    return Value(name, "angle", exact, Total(tuple(parts)))

@@ -1,0 +1,155 @@
+"""The velocity centre by the directions of two velocities: ways (b) and (d) of the guide, 3.1.4.
+
+The perpendiculars to the velocities at A and B meet in the centre P; the triangle A B P gives AP and BP. Where the
+velocities are parallel, and not across AB, the centre is at infinity: the body is in translation at the instant.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from variantgen.methods.algebra.expression import Applied, Constant, Expression, Value, cos, sin
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.centres.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
+from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
+from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
+
+_PARALLEL = 1e-7  # degrees between two perpendiculars within which they never meet
+
+
+def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
+    """Ways (b) and (d): the centre by the directions of two velocities; that of ``second`` may be an assumed one.
+
+    Raises ArithmeticError where both are across the line of their points: it takes their magnitudes then.
+    """
+    a, b = first.point, second.point
+    facts = facts_of_two(body, first, second)
+    book.say("perpendiculars.directions", True, **facts)
+    if are_parallel(first, second):
+        if is_across(book, first, b):
+            raise ArithmeticError(f"the directions of the velocities of {a} and {b} do not tell where the centre is")
+        book.say("perpendiculars.infinite", False, **facts)
+        return Centre(body, infinite=True)
+    normals = [1j * _unit(term) for term in (first, second)]
+    shares = _crossing(book.geometry.vector(a, b), normals[0], normals[1])
+    place = book.task.now.z[a] + shares[0] * normals[0]
+    at = b if is_near(book, place, book.task.now.z[b]) else named_place(book, place)
+    centre = Centre(body, at=at)
+    if at:
+        book.say("perpendiculars.meet_at_point", False, at=Point(at), **facts)
+        for point in {a, b} - {at}:
+            centre.rays[point] = Ray(book.geometry.length(point, at), book.geometry.direction(point, at))
+        return centre
+    book.say("perpendiculars.meet", False, **facts)
+    rays = [perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True)]
+    _solve_triangle(book, centre, (a, b), (rays[0], rays[1]))
+    return centre
+
+
+def are_parallel(first: Term, second: Term) -> bool:
+    """Whether two vectors have one direction or opposite ones."""
+    angle = between(first.angle.exact, second.angle.exact)
+    return min(angle, 180.0 - angle) < _PARALLEL
+
+
+def is_across(book: Book, term: Term, other: str) -> bool:
+    """Whether a vector of a point is across the line from it to another point."""
+    line = book.geometry.vector(term.point, other)
+    return is_angle(between(term.angle.exact, math.degrees(cmath.phase(line))), 90.0)
+
+
+def _crossing(side: complex, first: complex, second: complex) -> tuple[float, float]:
+    """How far along two lines their crossing is: from A along ``first``, from B = A + ``side`` along ``second``."""
+    across = _cross(first, second)
+    return _cross(side, second) / across, _cross(side, first) / across
+
+
+def _cross(first: complex, second: complex) -> float:
+    return (first.conjugate() * second).imag
+
+
+def _unit(term: Term) -> complex:
+    return cmath.rect(1.0, math.radians(term.angle.exact))
+
+
+def facts_of_two(body: str, first: Term, second: Term) -> dict[str, Fact]:
+    """What the sentences about two velocities need."""
+    a, b = first.point, second.point
+    centre = Centre(body)
+    facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "segment": Segment(a, b)}
+    facts |= {"point": Point(a), "vector": VectorOf(Name("v", a)), "way": first.way, "ray": centre.segment(a)}
+    other: dict[str, Fact] = {"other": Point(b), "other_vector": VectorOf(Name("v", b))}
+    return facts | other | {"other_way": second.way, "other_ray": centre.segment(b)}
+
+
+def perpendicular(book: Book, term: Term, towards: complex) -> Value:
+    """The direction of the perpendicular to a vector from its point, to the side of ``towards``.
+
+    Where the vector is known to be across a segment, the perpendicular is that segment.
+    """
+    side = math.degrees(cmath.phase(towards))
+    segment = term.way.facts.get("segment") if term.way.key == "ways.across" else None
+    line: Value
+    if isinstance(segment, Segment) and not segment.centre_of:
+        ends = (segment.start, segment.end)
+        ahead = math.degrees(cmath.phase(book.geometry.vector(*ends)))
+        return book.geometry.direction(*(ends if between(ahead, side) < 90.0 else ends[::-1]))
+    if isinstance(segment, Segment):
+        line = book.centres[segment.end, segment.centre_of].rays[segment.start].angle
+        return line if between(line.exact, side) < 90.0 else Geometry.turned(line, 180.0)
+    left = between(normal_angle(term.angle.exact + 90.0), side) < 90.0
+    return Geometry.turned(term.angle, 90.0 if left else -90.0)
+
+
+# The triangle A B P of way (b).
+
+
+def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tuple[Value, Value]) -> None:
+    """The sides AP and BP from AB and the angles at A and B."""
+    a, b = ends
+    geometry = book.geometry
+    side = geometry.length(a, b)
+    ways = geometry.direction(a, b), geometry.direction(b, a)
+    at_a = difference(centre.corner(a, b), rays[0], ways[0])
+    at_b = difference(centre.corner(b, a), rays[1], ways[1])
+    vertex = Constant(180.0, "angle") - at_a - at_b
+    at_p = Value(centre.vertex(a, b), "angle", vertex.number(True), vertex)
+    angles = (at_a, at_b, at_p)
+    shape, needed, arms = next(case for case in _shapes(side, *angles) if case[0])
+    facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
+    told: dict[Segment, Value] = {}
+    for angle, way, ray, (start, end) in zip((at_a, at_b), ways, rays, (ends, ends[::-1]), strict=True):
+        if angle in needed:
+            told |= {Segment(start, end): way, centre.segment(start): ray}
+    if told:
+        say_rays(book, told)
+    book.say(f"perpendiculars.{shape}", True, **facts)
+    for angle in needed:
+        note_angle(book, angle, symbolic=angle is at_p)
+    for point, arm, ray in zip(ends, arms, rays, strict=True):
+        centre.rays[point] = Ray(book.derive(centre.length(point), "length", arm), ray)
+
+
+_Shape = tuple[str, tuple[Value, ...], tuple[Expression, Expression]]
+
+
+def _shapes(side: Value, at_a: Value, at_b: Value, at_p: Value) -> Iterator[_Shape]:
+    """Shapes of the triangle, the simplest first: its name ("" where it is not that), the angles to show, AP and BP."""
+    equal = is_angle(at_a.exact, at_b.exact)
+    two = Constant(2.0)
+
+    def case(holds: bool, name: str, angles: tuple[Value, ...], ap: Expression, bp: Expression) -> _Shape:
+        return (name if holds else "", angles, (ap, bp))
+
+    yield case(equal and is_angle(at_a.exact, 60.0), "equilateral", (at_a, at_b), side, side)
+    yield case(is_angle(at_p.exact, 90.0), "right_at_centre", (at_a,), side * cos(at_a), side * sin(at_a))
+    yield case(is_angle(at_a.exact, 90.0), "right_at_point", (at_b,), side * Applied("tan", at_b), side / cos(at_b))
+    yield case(is_angle(at_b.exact, 90.0), "right_at_other", (at_a,), side / cos(at_a), side * Applied("tan", at_a))
+    leg = side / (two * cos(at_a))
+    yield case(equal, "isosceles", (at_a, at_b), leg, leg)
+    by_sines = (side * sin(at_b) / sin(at_p), side * sin(at_a) / sin(at_p))
+    yield case(True, "by_sines", (at_a, at_b, at_p), *by_sines)

@@ -1,0 +1,87 @@
+"""The theorem on the projections of velocities: ``v_A cos alpha = v_B cos beta`` on the line AB (guide, 3.1.3)."""
+
+from __future__ import annotations
+
+from variantgen.methods.algebra.expression import Expression, Value, cos
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.centres import velocity_centre
+from variantgen.methods.centres.centre import difference
+from variantgen.methods.geometry.geometry import Geometry, between
+from variantgen.methods.groups.group import Dyad
+from variantgen.methods.groups.wanted import is_rate_wanted
+from variantgen.methods.solution.book import Book, resultant
+from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
+from variantgen.methods.vectors.points import vector
+from variantgen.methods.vectors.tracks import on_track
+from variantgen.methods.vectors.vector_equation import share_of
+from variantgen.methods.vectors.whole_vector import whole
+
+_SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
+
+
+def applies(book: Book, group: Dyad) -> bool:
+    """Whether the projections on the line of the points give the velocity: not if it is across that line."""
+    now, point = book.task.now, group.track.point
+    side = now.z[point] - now.z[group.pole]
+    path = group.track.line if group.track.straight else 1j * (now.z[point] - now.z[group.track.centre])
+    return book.order == 1 and not _are_square(side, path)
+
+
+def _are_square(first: complex, second: complex) -> bool:
+    """Whether two vectors are across each other, but for rounding."""
+    return abs((first.conjugate() * second).real) <= _SQUARE * abs(first) * abs(second)
+
+
+def solve_dyad(book: Book, group: Dyad) -> None:
+    """Find the velocity of the point on its path; omega, which the theorem leaves open, by the velocity centre."""
+    body, pole, point = group.body, group.pole, group.track.point
+    known = vector(book, pole)
+    facts: dict[str, Fact] = {
+        "body": Body(body),
+        "pole": Point(pole),
+        "point": Point(point),
+        "vector": VectorOf(Name("v", pole)),
+        "sought": VectorOf(Name("v", point)),
+        "segment": Segment(pole, point),
+    }
+    with book.step("projections.link", "velocities", **facts):
+        _, path = on_track(book, group.track)
+        side = book.geometry.vector(pole, point)
+        if not known or _are_square(side, resultant(known)):
+            book.say("projections.nothing" if known else "projections.at_rest", False, **facts)
+            book.velocity[point] = ()
+        else:
+            _equate(book, whole(book, pole, known), path, facts)
+    if is_rate_wanted(book.task, 1, body, {point, pole}):
+        with book.step("projections.rotation", "velocities", **facts):
+            book.say("projections.no_omega", True, **facts)
+            velocity_centre.find(book, group, path)
+
+
+def _equate(book: Book, first: Term, path: Term, facts: dict[str, Fact]) -> None:
+    """Project both velocities on their line, to the side where the projections are positive."""
+    pole, point = first.point, path.point
+    ahead = book.geometry.direction(pole, point)
+    back = between(ahead.exact, first.angle.exact) > 90.0
+    axis = Geometry.turned(ahead, 180.0) if back else ahead
+    start, end = (point, pole) if back else (pole, point)
+    way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
+    path = Term(path.name, None, way, path.way)
+    book.say("projections.theorem", True, **facts)
+    book.say("projections.same_sign", True, start=Point(start), end=Point(end), **facts)
+    shares = [_share(term, axis) for term in (first, path)]
+    line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
+    book.items.append(Projection(line, (shares[0],), (shares[1],)))
+    assert first.size is not None
+    speed: Expression = first.size if shares[0].angle is None else first.size * cos(shares[0].angle)
+    size = book.derive(path.name, "velocity", speed if shares[1].angle is None else speed / cos(shares[1].angle))
+    book.velocity[point] = (Term(path.name, size, path.angle, path.way),)
+
+
+def _share(term: Term, axis: Value) -> Share:
+    """The positive projection of a vector that is not across the axis."""
+    share = share_of(term, axis)
+    if share is None:  # so near to a right angle that the projection of a vector equation leaves it out
+        return Share(1, term, difference(None, term.angle, axis))
+    assert share.sign > 0
+    return share

@@ -1,0 +1,149 @@
+"""Velocities by the velocity centre P of a body: ``omega = v_A / AP``, ``v_B = omega BP`` (guide, 3.1.4)."""
+
+from __future__ import annotations
+
+import math
+
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.centres.centre import reach
+from variantgen.methods.centres.known_centre import centre_of, sense_about
+from variantgen.methods.centres.perpendiculars import meet
+from variantgen.methods.geometry.geometry import Geometry, between
+from variantgen.methods.groups.group import Dyad
+from variantgen.methods.solution.book import Book, Rate, resultant
+from variantgen.methods.solution.rays import Centre
+from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.vectors.points import known_point, renamed, vector
+from variantgen.methods.vectors.tracks import on_track
+from variantgen.methods.vectors.whole_vector import whole
+
+_SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
+
+
+def applies(book: Book, group: Dyad) -> bool:
+    """Whether the directions of two velocities tell where the centre is: not if both are across their line."""
+    known = vector(book, group.pole)
+    now, point = book.task.now, group.track.point
+    side = now.z[point] - now.z[group.pole]
+    path = group.track.line if group.track.straight else 1j * (now.z[point] - now.z[group.track.centre])
+    return book.order == 1 and not (_are_square(side, path) and known and _are_square(side, resultant(known)))
+
+
+def _are_square(first: complex, second: complex) -> bool:
+    """Whether two vectors are across each other, but for rounding."""
+    return abs((first.conjugate() * second).real) <= _SQUARE * abs(first) * abs(second)
+
+
+def solve_dyad(book: Book, group: Dyad) -> None:
+    """Find the velocity of the point on its path and the angular velocity of the body."""
+    body, pole, point = group.body, group.pole, group.track.point
+    vector(book, pole)
+    with book.step("velocity_centre.link", "velocities", body=Body(body), point=Point(point)):
+        _, path = on_track(book, group.track)
+        if find(book, group, path) is not None:
+            _enter_speed(book, body, point, path)
+
+
+def find(book: Book, group: Dyad, path: Term) -> Rate | None:
+    """Find the centre of the body and its angular velocity; None where the body is at rest, and its points are."""
+    body, pole, point = group.body, group.pole, group.track.point
+    known = book.velocity[pole]
+    if not known:
+        book.say("velocity_centre.at_rest", False, pole=Point(pole), point=Point(point), body=Body(body))
+        book.omega[body] = _no_rotation(body)
+        book.velocity[point] = ()
+        book.centres["P", body] = Centre(body, at=pole)
+        return None
+    first = whole(book, pole, known)
+    centre = meet(book, body, first, path)
+    book.centres[centre.key] = centre
+    book.omega[body] = _no_rotation(body) if centre.infinite else _turning(book, centre, pole, first)
+    return book.omega[body]
+
+
+def _no_rotation(body: str) -> Rate:
+    return Rate(Value(Name("omega", body), "angular velocity", 0.0), 0)
+
+
+def _turning(book: Book, centre: Centre, pole: str, first: Term) -> Rate:
+    """``omega = v_A / AP``, in the sense in which A turns about P."""
+    ray = centre.rays[pole]
+    assert first.size is not None
+    omega = book.derive(Name("omega", centre.body), "angular velocity", first.size / ray.arm)
+    rate = Rate(omega, sense_about(ray, first))
+    vector_fact = VectorOf(Name("v", pole))
+    book.say(f"velocity_centre.{rate.word}", False, body=Body(centre.body), centre=centre.fact, vector=vector_fact)
+    return rate
+
+
+def _enter_speed(book: Book, body: str, point: str, path: Term) -> None:
+    """The velocity of the point on its path: ``v_B = omega BP``, along the path in the sense of the rotation."""
+    centre, rate = book.centres["P", body], book.omega[body]
+    name = Name("v", point)
+    if centre.infinite:
+        pole = next(p for p in book.task.scene.bodies[body] if p in book.velocity)
+        first = whole(book, pole, book.velocity[pole])
+        book.say("velocity_centre.same", False, first=VectorOf(name), second=VectorOf(Name("v", pole)), body=Body(body))
+        assert first.size is not None
+        size, ahead = book.derive(name, "velocity", first.size), first.angle.exact
+    elif point not in centre.rays:
+        book.say("velocity_centre.in_centre", False, point=Point(point), centre=centre.fact, vector=VectorOf(name))
+        book.velocity[point] = ()
+        return
+    else:
+        ray = centre.rays[point]
+        _say_direction(book, centre, rate, point)
+        size, ahead = book.derive(name, "velocity", rate.size * ray.arm), ray.angle.exact - 90.0 * rate.sense
+    angle = path.angle if between(path.angle.exact, ahead) < 90.0 else Geometry.turned(path.angle, 180.0)
+    book.velocity[point] = (Term(name, size, angle, path.way),)
+
+
+def _say_direction(book: Book, centre: Centre, rate: Rate, point: str) -> None:
+    facts: dict[str, Fact] = {"vector": VectorOf(Name("v", point)), "ray": centre.segment(point)}
+    book.say(f"velocity_centre.direction_{rate.word}", True, **facts)
+
+
+def carry(book: Book, point: str, body: str, pole: str) -> None:
+    """Write down the velocity of a further point of a body whose motion is known: ``v_C = omega CP``."""
+    name = Name("v", point)
+    vector(book, pole)
+    with book.step("velocity_centre.point", "velocities", body=Body(body), point=Point(point)):
+        centre, rate = centre_of(book, body), book.omega[body]
+        if centre.infinite:
+            book.say(
+                "velocity_centre.same", False, first=VectorOf(name), second=VectorOf(Name("v", pole)), body=Body(body)
+            )
+            book.velocity[point] = renamed(book, vector(book, pole), point)
+            return
+        ray = reach(book, centre, point, leads_on(book, point, body))
+        if ray is None or not rate.sense:
+            book.say("velocity_centre.in_centre", False, point=Point(point), centre=centre.fact, vector=VectorOf(name))
+            book.velocity[point] = ()
+            return
+        _say_direction(book, centre, rate, point)
+        size = book.derive(name, "velocity", rate.size * ray.arm)
+        angle = Geometry.turned(ray.angle, -90.0 * rate.sense)
+        book.velocity[point] = (book.term(name, size, angle, "across", segment=centre.segment(point)),)
+
+
+def leads_on(book: Book, point: str, body: str) -> bool:
+    """Whether the direction of the velocity of a point is of use: for another body, a joint, or an answer."""
+    task = book.task
+    others = (members for name, members in task.scene.bodies.items() if name != body)
+    if any(point in members for members in others):
+        return True
+    if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
+        return True
+    return any(q.point == point and q.kind == "v" and q.component for q in task.asked)
+
+
+def distance(book: Book, body: str, point: str) -> Value:
+    """The asked distance of a point from the velocity centre; infinite where the body is in translation."""
+    known_point(book, body)
+    with book.step("velocity_centre.distance", "velocities", body=Body(body), point=Point(point)):
+        centre = centre_of(book, body)
+        if centre.infinite:
+            return Value(centre.length(point), "length", math.inf)
+        ray = reach(book, centre, point, False)
+        return Value(centre.length(point), "length", 0.0) if ray is None else ray.arm

@@ -1,0 +1,29 @@
+"""The parts of a mechanism in coordinates: what changes with time, and relations of positions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from variantgen.methods.algebra.algebra import Maybe
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.steps.step import Fact
+
+
+@dataclass(eq=False)
+class Coordinate:
+    """Something that changes: its value now, its first and second derivative; ``given`` if a driver prescribes it."""
+
+    place: Value
+    speed: Value
+    gain: Value
+    given: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Equation:
+    """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
+
+    key: str
+    left: Maybe
+    right: Maybe
+    facts: dict[str, Fact] = field(default_factory=dict)

@@ -1,0 +1,32 @@
+"""The rates that a driver gives, with their signs on paper."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from variantgen.methods.algebra.algebra import product
+from variantgen.methods.algebra.expression import Constant, Expression
+from variantgen.methods.vectors.given import amount
+
+if TYPE_CHECKING:
+    from variantgen.families.family import Template
+    from variantgen.methods.coordinates.model import Model
+
+_ANGULAR = {"omega": "angular velocity", "epsilon": "angular acceleration"}
+_LINEAR = {"v": "velocity", "a": "acceleration"}
+
+
+def rates(model: Model, driver: Any, template: Template, sign: float | None = None) -> tuple[Expression, Expression]:
+    """First and second derivative of what a driver prescribes; ``sign`` +1 or -1 as it counts on paper.
+
+    A rotation counts as the frame of the scene does, a way along a line by itself.
+    """
+    rotation = hasattr(driver, "omega")
+    if sign is None:
+        sign = float(model.task.scene.frame.sense) if rotation else 1.0
+    found = []
+    for order, (key, measure) in enumerate((_ANGULAR if rotation else _LINEAR).items(), 1):
+        number = float(getattr(driver, key)) * sign
+        size = amount(model.book.at(order), template, key, measure)
+        found.append(size if number >= 0 else product(Constant(-1.0), size) or size)
+    return found[0], found[1]

@@ -1,0 +1,148 @@
+"""Directions as sums of given angles, of directions worked out before, and of a number of degrees.
+
+The direction of a segment follows from its construction: ``180 deg + phi + beta``. Kept as coefficients and a constant
+such a sum is turned, reflected and compared without arithmetic on expressions, and its cosine can be reduced to that
+of the given angle, ``cos(180 deg - phi) = -cos phi``.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.linkage.timed import angle_law
+
+# A given angle or a law of time by its name, or the direction of the ray from one point to another.
+Atom: TypeAlias = "str | tuple[str, str]"
+
+_SAME = 1e-9  # degrees
+_ROUNDING = 1e-11  # degrees: some roundings of an angle in radians
+
+
+@dataclass(frozen=True)
+class AngleForm:
+    """``sum of coefficient * atom + constant`` in degrees; ``parts`` are sorted, without zeros."""
+
+    parts: tuple[tuple[Atom, float], ...] = ()
+    constant: float = 0.0
+
+    def plus(self, other: AngleForm, factor: float = 1.0) -> AngleForm:
+        """The sum with a multiple of another one."""
+        found = dict(self.parts)
+        for atom, coefficient in other.parts:
+            found[atom] = found.get(atom, 0.0) + factor * coefficient
+        return form_of(found.items(), self.constant + factor * other.constant)
+
+    def minus(self, other: AngleForm) -> AngleForm:
+        """The difference."""
+        return self.plus(other, -1.0)
+
+    def times(self, factor: float) -> AngleForm:
+        """A multiple."""
+        return AngleForm(tuple((atom, factor * c) for atom, c in self.parts), factor * self.constant)
+
+    def turned(self, by: float) -> AngleForm:
+        """The same direction turned by so many degrees."""
+        return AngleForm(self.parts, self.constant + by)
+
+    def is_along(self, other: AngleForm) -> bool:
+        """Whether it is the direction of the same line, whatever the angles are."""
+        rest = (self.constant - other.constant) % 180.0
+        return self.parts == other.parts and min(rest, 180.0 - rest) < _SAME
+
+
+def form_of(parts: Iterable[tuple[Atom, float]], constant: float) -> AngleForm:
+    """A sum from coefficients by atom."""
+    kept = sorted(((atom, c) for atom, c in parts if c != 0), key=lambda item: str(item[0]))
+    return AngleForm(tuple(kept), constant)
+
+
+class Angles:
+    """The angles of a family's expressions as sums, in the frame of its scene or on paper."""
+
+    def __init__(self, task: Task) -> None:
+        self._task = task
+        self._laws: dict[str, Value] = {}
+        frame = task.scene.frame
+        self.sense = round(float(frame.sense))
+        self._turn = degrees(complex(frame.turn))
+
+    def read(self, expression: FamilyExpression | None) -> AngleForm:
+        """An angle of the scene; what is no sum of angles is a number of degrees, read off the figure."""
+        if expression is None:
+            return AngleForm()
+        value = math.degrees(self._task.read(expression))
+        signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
+        if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
+            return AngleForm((), tidy(value))
+        start = dict(self._task.si) | dict.fromkeys(signs, 0.0)
+        base = float(expression.value(start))
+        slopes = {name: float(expression.value(start | {name: 1.0})) - base for name in signs}
+        slopes = {name: tidy(slope) for name, slope in slopes.items()}
+        total = math.degrees(base) + sum(slope * math.degrees(self._task.si[name]) for name, slope in slopes.items())
+        if abs(total - value) > _SAME:
+            return AngleForm((), tidy(value))
+        return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
+
+    def _sign(self, name: str) -> int:
+        """1 for an angle, printed or only drawn, the sign of a law of time, 0 for other quantities."""
+        parameter = self._task.form.parameters.get(name)
+        if parameter is None or parameter.unit is None:
+            law = angle_law(self._task, name)
+            return law[0] if law else 0
+        return int(parameter.unit.measures == "angle")
+
+    @cached_property
+    def silent(self) -> frozenset[str]:
+        """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
+        parameters = self._task.form.parameters
+        return frozenset(name for name, p in parameters.items() if p.silent)
+
+    def value(self, name: str) -> Value:
+        """A given angle, or the one that a law of time gives at the instant of the problem."""
+        if name in self._task.given:
+            return self._task.given[name]
+        if name not in self._laws:
+            law = angle_law(self._task, name)
+            assert law is not None, "a name among angles is a given one or a law"
+            self._laws[name] = Value(Name("parameter", name), "angle", law[1].number(True), law[1])
+        return self._laws[name]
+
+    def relative(self, form: AngleForm) -> AngleForm:
+        """An angle between two rays of the scene, on paper: a reflection changes its sense."""
+        return form.times(float(self.sense))
+
+    def on_paper(self, form: AngleForm) -> AngleForm:
+        """An angle with the x axis of the scene as one with the x axis of the paper."""
+        placed = form if self.sense > 0 else form.times(-1.0).turned(180.0)
+        return placed.turned(self._turn)
+
+
+def tidy(number: float) -> float:
+    """A number of degrees without the rounding of radians: one that near to a short decimal is that."""
+    short = round(number, 6)
+    return short + 0.0 if abs(short - number) < _ROUNDING else number
+
+
+def degrees(vector: complex) -> float:
+    """The angle of a vector with the x axis in degrees, in (-180, 180]."""
+    return normal_angle(math.degrees(cmath.phase(vector)))
+
+
+def normal_angle(angle: float) -> float:
+    """An angle in (-180, 180]; without the rounding of radians."""
+    angle = tidy(angle - 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12))
+    return 180.0 if angle == -180.0 else angle + 0.0
+
+
+def between(first: float, second: float) -> float:
+    """The angle between two directions in degrees, 0 to 180."""
+    return abs(normal_angle(first - second))

@@ -1,0 +1,69 @@
+"""A point of a line at a distance from a point beside it: the slider of a slider-crank."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from variantgen.methods.algebra.expression import Applied, Expression, Ratio, SquareRoot
+from variantgen.methods.algebra.sums import Signed, positive, summed
+from variantgen.methods.geometry.angles import between
+from variantgen.methods.geometry.legs import Leg
+from variantgen.methods.geometry.place import Ray
+from variantgen.methods.geometry.placed import Placed
+
+
+class Construction(Placed):
+    """The link ``centre`` - point of given length, whose end is led along a line.
+
+    The distance h of its other end from the line gives its angle with the line, ``sin beta = h / r``, and the way along
+    the line, ``r cos beta = sqrt(r^2 - h^2)``.
+    """
+
+    def neighbours(self) -> tuple[str, ...]:
+        """The point of the line, then the other end of the link."""
+        return (self.fields["through"], self.fields["centre"])
+
+    def rays(self) -> tuple[Ray, ...]:
+        """The line."""
+        start = self.fields["through"]
+        return (Ray(start, self.point, self.guide(start)),)
+
+    def lengths(self) -> Mapping[tuple[str, str], Expression]:
+        """The length of the link."""
+        return {(self.fields["centre"], self.point): self.geometry.read_length(self.fields["distance"])}
+
+    def _way(self) -> list[Leg]:
+        """From the point of the line to the other end of the link."""
+        start, centre = self.neighbours()
+        return self.geometry.way(start, centre, before=self.point)
+
+    def _is_ahead(self) -> bool:
+        """Whether the link points along the line, not against it."""
+        line = self.geometry.number(self.guide(self.fields["through"]))
+        return between(self.geometry.bearing(self.fields["centre"], self.point), line) < 90.0
+
+    def direction(self, other: str) -> Expression:
+        """The direction of the line less the angle of the link with it."""
+        line, geometry = self.guide(self.fields["through"]), self.geometry
+        ahead = self._is_ahead()
+        base = line if ahead else line.turned(180.0)
+        sign, height = positive(summed(geometry.projected("sin", self._way(), line)))
+        if geometry.is_nothing(height):
+            return geometry.angle(base)
+        beta = Applied("arcsin", Ratio(height, geometry.length(other, self.point)))
+        return geometry.angle(base, ((-sign if ahead else sign, beta),))
+
+    def length(self, other: str) -> Expression:
+        """The projections of the way and of the link on the line."""
+        start, centre = self.neighbours()
+        line, geometry = self.guide(start), self.geometry
+        way, link = self._way(), geometry.length(centre, self.point)
+        parts: list[Signed] = list(geometry.projected("cos", way, line))
+        if geometry.has_direction(centre, self.point):
+            parts += geometry.projected("cos", [Leg(link, geometry.form(centre, self.point))], line)
+        else:
+            _, height = positive(summed(geometry.projected("sin", way, line)))
+            flat = geometry.is_nothing(height)
+            reach = link if flat else SquareRoot(summed([(1, link**2), (-1, height**2)]))
+            parts.append((1 if self._is_ahead() else -1, reach))
+        return positive(summed(parts))[1]

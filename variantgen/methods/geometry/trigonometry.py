@@ -1,0 +1,151 @@
+"""Cosines and sines of sums of angles, reduced as by hand; directions and lengths from legs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Protocol
+
+from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value
+from variantgen.methods.algebra.sums import Signed, positive, squared, summed
+from variantgen.methods.geometry.angles import AngleForm, Atom, normal_angle, tidy
+from variantgen.methods.geometry.legs import Leg
+
+_NOTHING = 1e-11  # a cosine or sine below it is zero but for rounding
+_QUARTERS = {
+    "cos": (("cos", 1), ("sin", -1), ("cos", -1), ("sin", 1)),
+    "sin": (("sin", 1), ("cos", 1), ("sin", -1), ("cos", -1)),
+}
+
+
+class Angular(Protocol):
+    """What gives the angles that forms are made of, in degrees
+    (:class:`variantgen.methods.geometry.geometry.Geometry`).
+    """
+
+    def without_numbers(self, form: AngleForm) -> AngleForm:
+        """A form in which parts that are plain numbers are added to the constant."""
+
+    def atom(self, atom: Atom) -> Value:
+        """The value of a given angle or of the direction of a ray."""
+
+    def number(self, form: AngleForm) -> float:
+        """The angle between -180 and 180 degrees."""
+
+    def total(self, form: AngleForm) -> float:
+        """The sum of the parts, whole turns with it."""
+
+    def is_nothing(self, length: Expression) -> bool:
+        """Whether a length is zero but for rounding."""
+
+
+def angle_of(geometry: Angular, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
+    """A sum of angles and of further terms as an expression between -180 and 180 degrees."""
+    form = geometry.without_numbers(form)
+    terms = [*_terms(geometry, form), *extra]
+    total = form.constant + sum(sign * term.number(True) for sign, term in terms)
+    return _sum_of(terms, form.constant + 360.0 * round((normal_angle(total) - total) / 360.0))
+
+
+def _terms(geometry: Angular, form: AngleForm) -> list[Signed]:
+    return [(1 if c > 0 else -1, _part(geometry.atom(atom), abs(c))) for atom, c in form.parts]
+
+
+def _sum_of(terms: Sequence[Signed], constant: float) -> Expression:
+    """Terms with a number of degrees, what is positive first."""
+    constant = tidy(constant)
+    if not terms:
+        return Constant(constant, "angle")
+    ordered = sorted(terms, key=lambda term: -term[0])
+    if constant:
+        own = (1 if constant > 0 else -1, Constant(abs(constant), "angle"))
+        ordered = [own, *ordered] if constant > 0 else [*ordered, own]
+    return ordered[0][1] if len(ordered) == 1 and ordered[0][0] > 0 else Total(tuple(ordered))
+
+
+def _part(value: Expression, count: float) -> Expression:
+    if count == 0.5:
+        return Ratio(value, Constant(2.0))
+    return value if count == 1 else Constant(count) * value
+
+
+def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Expression | None]:
+    """A cosine or sine as a sign and the function of an acute or given angle; None stands for one, sign 0 for zero."""
+    number = math.radians(geometry.number(form))
+    value, other = (math.cos(number), math.sin(number))[:: 1 if function == "cos" else -1]
+    if abs(value) < _NOTHING:
+        return 0, None
+    if abs(other) < _NOTHING:
+        return (1 if value > 0 else -1), None
+    sign, form = 1, geometry.without_numbers(form)
+    quarter = round(form.constant / 90.0)
+    if abs(form.constant - 90.0 * quarter) < 1e-9:
+        function, sign = _QUARTERS[function][quarter % 4]
+        form = AngleForm(form.parts)
+    terms = _terms(geometry, form)
+    if _is_backwards(form, terms):
+        terms, form = [(-side, term) for side, term in terms], form.times(-1.0)
+        sign = -sign if function == "sin" else sign
+    return sign, Applied(function, _sum_of(terms, form.constant))
+
+
+def _is_backwards(form: AngleForm, terms: Sequence[Signed]) -> bool:
+    """Whether the opposite angle is written more simply: without a minus before a single angle, else positive."""
+    if len(terms) == 1 and not form.constant:
+        return terms[0][0] < 0
+    return form.constant + sum(side * term.number(True) for side, term in terms) < 0
+
+
+def projected(geometry: Angular, function: str, legs: Iterable[Leg], axis: AngleForm) -> list[Signed]:
+    """Projections of legs on an axis (``cos``) or on the one 90 degrees to its left (``sin``), without zeros."""
+    found: list[Signed] = []
+    for leg in legs:
+        sign, factor = reduced(geometry, function, leg.form.minus(axis))
+        if sign:
+            found.append((sign, leg.length if factor is None else leg.length * factor))
+    return found
+
+
+def direction_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
+    """The direction of the sum of legs: that of a leg, turned by an angle of the triangle (arc tangent)."""
+    axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
+    ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
+    left, across = positive(summed(projected(geometry, "sin", legs, axis)))
+    if geometry.is_nothing(across):
+        return angle_of(geometry, axis if ahead > 0 else axis.turned(180.0))
+    if geometry.is_nothing(along):
+        return angle_of(geometry, axis.turned(90.0 * left))
+    if along == across:
+        return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
+    corner = Applied("arctan", Ratio(across, along))
+    if ahead > 0:
+        return angle_of(geometry, axis, ((left, corner),))
+    return angle_of(geometry, axis.turned(180.0), ((-left, corner),))
+
+
+def length_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
+    """The length of the sum of legs: law of cosines or of Pythagoras."""
+    if not legs:
+        return Constant(0.0)
+    if len(legs) == 1:
+        return legs[0].length
+    if len(legs) > 2:
+        axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
+        sides = [summed(projected(geometry, function, legs, axis)) for function in ("cos", "sin")]
+        kept = [side for side in sides if not geometry.is_nothing(side)]
+        return SquareRoot(squared(kept)) if len(kept) > 1 else positive(kept[0])[1]
+    first, second = (leg.length for leg in legs)
+    turn = legs[1].form.minus(legs[0].form)
+    sign, cosine = reduced(geometry, "cos", turn)
+    if sign and cosine is None:  # an angle with which they happen to lie on one line
+        return positive(summed(((1, first), (sign, second))))[1]
+    if cosine is not None and first == second:
+        wrapped = turn.turned(geometry.number(turn) - geometry.total(turn))
+        half = reduced(geometry, "cos", wrapped.times(0.5))[1]
+        return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
+    if first == second:
+        return SquareRoot(Constant(2.0)) * first
+    squares = squared((first, second))
+    if cosine is None:
+        return SquareRoot(squares)
+    return SquareRoot(summed(((1, squares), (sign, Constant(2.0) * first * second * cosine))))

@@ -1,0 +1,1 @@
+"""Plans of velocities and accelerations: vector equations solved by drawing them to scale and measuring."""

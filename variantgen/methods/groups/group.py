@@ -1,0 +1,174 @@
+"""Groups: the parts of a mechanism that are solved one after the other, from the given motion to what is asked.
+
+A group is found from names alone, the way a student looks for the next link: a body that turns about a fixed point and
+of which one point is known, a body with a known point and another whose track is known, a point that slides on a body.
+The same groups are gone through for velocities and then for accelerations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.mechanism.rows import Sliding
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """The fixed path of a point: a straight line in the direction ``line`` (unit vector on paper) or a circle.
+
+    The circle is about the point ``centre``; ``body`` is the one that leads the point round it, if a body does.
+    """
+
+    point: str
+    line: complex = 0j
+    centre: str = ""
+    body: str = ""
+
+    @property
+    def straight(self) -> bool:
+        """Whether the path is a line."""
+        return not self.centre
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """``body`` turns about the fixed point ``pivot``; its rate is found from its point ``point``, which is known."""
+
+    body: str
+    pivot: str
+    point: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rolled:
+    """The wheel ``body`` (``centre``) rolls on something at rest; ``joint`` is the number of the joint of the scene.
+
+    ``around``: centre of the circle on which it rolls, empty for a straight line. ``contact``: the named contact.
+    """
+
+    body: str
+    centre: str
+    joint: int
+    contact: str = ""
+    around: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Dyad:
+    """``body`` has the known point ``pole`` and another one, ``track.point``, whose path is known."""
+
+    body: str
+    pole: str
+    track: Track
+
+
+@dataclass(frozen=True, slots=True)
+class Crossed:
+    """Two bodies share the hinge ``point``; of each another point, its pole, is known."""
+
+    point: str
+    bodies: tuple[str, str]
+    poles: tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Slid:
+    """A point slides on a body: the relative motion gives what is unknown of the two.
+
+    ``carrier`` is the body it slides on, ``pole`` a known point of it (empty where it only translates), ``turning``
+    whether the rate of the carrier is unknown. ``body`` is the body of the point if its rate is unknown, with
+    ``own_pole`` a known point of it; ``track`` the path of the point if that is what is known of it; ``carried`` the
+    path of a carrier that only translates, if it is unknown. With none of these the point is known or, where its
+    relative motion is given (``driven``), sought.
+    """
+
+    path: Sliding
+    carrier: str
+    pole: str
+    turning: bool
+    body: str = ""
+    own_pole: str = ""
+    track: Track | None = None
+    carried: Track | None = None
+    driven: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Composed:
+    """The rotation of ``body`` relative to ``other`` is given: their rates add."""
+
+    body: str
+    other: str
+    driver: int
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
+
+    Gears, threads, racks: see :mod:`variantgen.methods.groups.laws`. With a ``second`` contact of the same body (number
+    of its joint, or -1) both are found at once. ``track`` is the path of the point.
+    """
+
+    joint: int
+    body: str = ""
+    point: str = ""
+    second: int = -1
+    track: Track | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Extended:
+    """The distance from ``base``, which is known, to ``point`` grows as given (driver number).
+
+    This gives the rate of ``body``, which turns about ``pivot`` and has the point.
+    """
+
+    driver: int
+    body: str
+    pivot: str
+    point: str
+    base: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rested:
+    """The contact of a wheel with something at rest, taken as its pole: ``v_P = 0``, ``a_P`` towards the centre."""
+
+    body: str
+    centre: str
+    contact: str
+
+
+@dataclass(frozen=True, slots=True)
+class Spanned:
+    """Two points of ``body`` are known; its rate follows from their relative motion."""
+
+    body: str
+    pole: str
+    point: str
+
+
+@dataclass(frozen=True, slots=True)
+class Support:
+    """What holds a point of a body: its ``track``, or the body ``rod`` with the known point ``far``."""
+
+    point: str
+    track: Track | None = None
+    rod: str = ""
+    far: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Coupled:
+    """``body`` has no known point but three supports, so that they can only be treated together.
+
+    ``track`` is the path of one of its points, which is the pole; ``supports`` are the two others.
+    """
+
+    body: str
+    track: Track
+    supports: tuple[Support, Support]
+
+
+Group = Turned | Rolled | Dyad | Crossed | Slid | Composed | Joined | Extended | Rested | Spanned | Coupled

@@ -1,0 +1,15 @@
+"""A wheel on a circle that turns: the points at the contact have the same velocity."""
+
+from __future__ import annotations
+
+from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.methods.groups.contact import Touch
+from variantgen.methods.groups.pitch_contact import circles
+from variantgen.methods.linkage.problem import Task
+
+
+def touch(task: Task, number: int) -> Touch | None:
+    """The contact with the circle; None for a circle at rest, on which a wheel is treated as rolling on a path."""
+    joint = task.scene.joints[number]
+    assert isinstance(joint, RollingOnCircle)
+    return circles(task, number, joint, joint.around, joint.on, "drum") if joint.on else None

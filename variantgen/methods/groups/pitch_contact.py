@@ -1,0 +1,49 @@
+"""The contact of two circles that roll on each other: gears, a roller on a drum."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from variantgen.mechanism.arithmetic import Complex, Real
+from variantgen.mechanism.rows import Placement
+from variantgen.methods.groups.contact import Side, Touch, letter_at, metres, resting_letter
+from variantgen.methods.groups.group import Track
+from variantgen.methods.linkage.problem import Task
+
+
+class Circle(Protocol):
+    """A joint of a circle (``body``, ``centre``, ``radius``) that touches another one."""
+
+    @property
+    def body(self) -> str:
+        """The body of the first circle."""
+        ...
+
+    @property
+    def centre(self) -> str:
+        """Its centre."""
+        ...
+
+    def ratio(self, at: Placement) -> tuple[Complex, Real]:
+        """The vector d from the second centre to the first and the number k of the contact ``centre - k d``."""
+        ...
+
+
+def circles(task: Task, number: int, joint: Circle, around: str, other: str, kind: str) -> Touch:
+    """The contact of a circle with that about ``around`` of the body ``other`` (empty: at rest)."""
+    d, k = joint.ratio(metres(task))
+    step, part = complex(d) / task.length_unit, float(k)
+    line = 1j * step / abs(step)
+    name = letter_at(task, task.now.z[joint.centre] - part * step, (joint.body, other), number)
+    name = name if other else resting_letter(task, joint.body, name)
+    radial = (around, joint.centre)
+    first = _side(name, joint.centre, joint.body, -part * step, line, radial)
+    second = _side(name, around if other else "", other, (1.0 - part) * step, line, radial)
+    track = Track(joint.centre, centre=around) if around in task.fixed else None
+    return Touch(kind, first, second, track)
+
+
+def _side(name: str, centre: str, body: str, arm: complex, line: complex, radial: tuple[str, str]) -> Side:
+    """One of the circles, with the ``arm`` from its centre to the contact."""
+    lever = 1 if (line.conjugate() * 1j * arm).real > 0 else -1
+    return Side(name, centre, line, body, abs(arm), lever if body else 0, radial)

@@ -1,0 +1,99 @@
+"""What of a mechanism is known at a point of a solution, and on which paths its other points move."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.rows import ScalarRow
+from variantgen.methods.groups.contact import Touch
+from variantgen.methods.groups.group import (
+    Track,
+)
+from variantgen.methods.groups.law import touches
+from variantgen.methods.solution.book import Book
+
+
+class Reached:
+    """The bodies and points of a book whose velocities are being worked out, as far as they are known."""
+
+    def __init__(self, book: Book) -> None:
+        self.book = book
+        self.task = book.task
+        self.scene = book.task.scene
+
+    @cached_property
+    def touches(self) -> dict[int, Touch]:
+        """The contacts and threads of the scene."""
+        return touches(self.task)
+
+    @property
+    def translating(self) -> frozenset[str]:
+        """Bodies that do not turn."""
+        return self.task.translating
+
+    def is_known(self, point: str) -> bool:
+        """Whether the velocity of a point is known or can be had from a body whose motion is known."""
+        return point in self.book.velocity or any(self.is_moved(body) for body in self.owners(point))
+
+    def owners(self, point: str) -> list[str]:
+        """Bodies of a point."""
+        return self.task.linkage.owners(point)
+
+    def is_moved(self, body: str) -> bool:
+        """Whether the motion of a body is known: its rate and one of its points."""
+        turning = body in self.book.omega or body in self.translating
+        return turning and any(point in self.book.velocity for point in self.scene.bodies[body])
+
+    def known_point(self, body: str) -> str | None:
+        """A point of a body that is known: a fixed one, one whose vector is written already, or one that can be had."""
+        members = self.scene.bodies[body]
+        written = [p for p in members if p in self.task.fixed] + [p for p in members if p in self.book.velocity]
+        return next(iter(written), None) or next((p for p in members if self.is_known(p)), None)
+
+    @property
+    def open_bodies(self) -> list[str]:
+        """Needed bodies whose rate is not known."""
+        needed = self.task.needed.bodies
+        return [
+            body
+            for body in self.scene.bodies
+            if body in needed and body not in self.book.omega and body not in self.translating
+        ]
+
+    def track(self, point: str, but: str = "") -> Track | None:
+        """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
+        for joint in self.scene.joints:
+            shapes = joint.shapes()
+            for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
+                if shape.points != (point,) or shape.bodies or shape.lead is not None:
+                    continue
+                if joint.landmarks():
+                    return Track(point, centre=joint.landmarks()[0])
+                assert isinstance(row, ScalarRow)
+                normal = complex(row.points[point])
+                return Track(point, line=-1j * normal / abs(normal))
+            if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
+                arm = self.task.now.z[point] - self.task.now.z[joint.contact]
+                return Track(point, line=1j * arm / abs(arm))
+            if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
+                return Track(point, centre=joint.around)
+        for body in self.owners(point):
+            members = self.scene.bodies[body]
+            pivot = self.task.linkage.pivot(body)
+            if body != but and pivot is not None:
+                return Track(point, centre=pivot, body=body)
+            if body != but and body in self.translating:
+                guided = next((t for p in members if p != point and (t := self.guided(p))), None)
+                if guided is not None:
+                    return Track(point, line=guided)
+        return None
+
+    def guided(self, point: str) -> complex:
+        """The direction of the straight guide of a point, or 0."""
+        return self._guides.get(point, 0j)
+
+    @cached_property
+    def _guides(self) -> dict[str, complex]:
+        return self.task.linkage.guides(self.task.at)

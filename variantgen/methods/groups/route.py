@@ -1,0 +1,199 @@
+"""The order of a solution: which group of links comes next, judged by what is known already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.extension import Extension
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.rows import Sliding
+from variantgen.methods.groups.carriers import is_within_reach
+from variantgen.methods.groups.group import (
+    Composed,
+    Coupled,
+    Crossed,
+    Dyad,
+    Extended,
+    Group,
+    Rested,
+    Rolled,
+    Slid,
+    Spanned,
+    Support,
+    Track,
+    Turned,
+)
+from variantgen.methods.groups.joined import joined
+from variantgen.methods.groups.reached import Reached
+from variantgen.methods.solution.book import Book
+
+
+class Route(Reached):
+    """Looks for the next group of a book whose velocities are being worked out."""
+
+    def __init__(self, book: Book) -> None:
+        super().__init__(book)
+        self.taken: list[Group] = []
+
+    def next(self) -> Group | None:
+        """The next group that adds something that is needed, or None when nothing does."""
+        searches = (
+            self._composed,
+            self._turned,
+            self._rolled,
+            self._dyads,
+            self._crossed,
+            self._slid,
+            self._joined,
+            self._extended,
+            self._turned_at_last,
+            self._spanned,
+            self._coupled,
+            self._rested,
+        )
+        found = next((group for search in searches for group in search() if group not in self.taken), None)
+        if found is not None:
+            self.taken.append(found)
+        return found
+
+    def _composed(self) -> Iterator[Group]:
+        for number, driver in enumerate(self.scene.drivers):
+            if (
+                isinstance(driver, Rotation)
+                and driver.relative_to in self.book.omega
+                and driver.body not in self.book.omega
+            ):
+                yield Composed(driver.body, driver.relative_to, number)
+
+    def _turned(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            members = self.scene.bodies[body]
+            pivot = self.task.linkage.pivot(body)
+            known = [p for p in members if p != pivot and p in self.book.velocity]
+            if pivot is not None and known:
+                yield Turned(body, pivot, known[0])
+
+    def _rolled(self) -> Iterator[Group]:
+        for number, joint in enumerate(self.scene.joints):
+            if isinstance(joint, Rolling) and joint.on is None:
+                group = Rolled(joint.body, joint.centre, number, joint.contact)
+            elif isinstance(joint, RollingOnCircle) and joint.on is None:
+                group = Rolled(joint.body, joint.centre, number, "", joint.around)
+            else:
+                continue
+            if (group.centre in self.book.velocity) != (group.body in self.book.omega):
+                yield group
+
+    def _dyads(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            pole = self.known_point(body)
+            if pole is None or pole in self.task.fixed:
+                continue
+            for point in self.scene.bodies[body]:
+                if point != pole and not self.is_known(point) and (track := self.track(point, body)):
+                    yield Dyad(body, pole, track)
+
+    def _crossed(self) -> Iterator[Group]:
+        for first in self.open_bodies:
+            for second in self.open_bodies:
+                members = self.scene.bodies[first]
+                shared = [p for p in members if p in self.scene.bodies[second] and not self.is_known(p)]
+                poles = self.known_point(first), self.known_point(second)
+                if first < second and shared and poles[0] and poles[1]:
+                    yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
+
+    def _slid(self) -> Iterator[Group]:
+        for path in self.task.linkage.slides:
+            if path.point not in self.task.needed.points:
+                continue
+            if (path.point, path.body) not in self.book.relative and (group := self._sliding(path)) is not None:
+                yield group
+
+    def _sliding(self, path: Sliding) -> Group | None:
+        """What the sliding of a point on a body tells, if one of the two is known well enough."""
+        point, carrier = path.point, path.body
+        turning = carrier in self.book.omega or carrier in self.translating
+        moved = self.is_moved(carrier) or (turning and self.known_point(carrier) is not None)
+        if moved:
+            pole = self.known_point(carrier) or ""
+            if self._is_driven(path):
+                return Slid(path, carrier, pole, False, driven=True)
+            if self.is_known(point):
+                return Slid(path, carrier, pole, False)
+            if track := self.track(point, carrier):
+                return Slid(path, carrier, pole, False, track=track)
+            for body in self.owners(point):
+                if body in self.open_bodies and (own := self.known_point(body)):
+                    return Slid(path, carrier, pole, False, body, own)
+            return None
+        if not self.is_known(point):
+            return None
+        if carrier in self.translating:
+            ends = ((p, self.guided(p)) for p in self.scene.bodies[carrier])
+            track = next((Track(p, line=way) for p, way in ends if way), None)
+            return None if track is None else Slid(path, carrier, "", False, carried=track)
+        known = self.known_point(carrier)
+        return None if known is None else Slid(path, carrier, known, True)
+
+    def _is_driven(self, path: Sliding) -> bool:
+        """Whether the relative motion of a point is given."""
+        return any(
+            isinstance(driver, RelativeTravel | Circling) and (driver.point, driver.body) == (path.point, path.body)
+            for driver in self.scene.drivers
+        )
+
+    def _joined(self) -> Iterator[Group]:
+        yield from joined(self)
+
+    def _extended(self) -> Iterator[Group]:
+        for number, driver in enumerate(self.scene.drivers):
+            if not isinstance(driver, Extension):
+                continue
+            for point, base in ((driver.end, driver.start), (driver.start, driver.end)):
+                for body in self.owners(point):
+                    pivot = self.task.linkage.pivot(body)
+                    if pivot is not None and self.is_known(base) and body in self.open_bodies:
+                        yield Extended(number, body, pivot, point, base)
+
+    def _turned_at_last(self) -> Iterator[Group]:
+        """Bodies about a fixed point of which another point can be had from a neighbour."""
+        for body in self.open_bodies:
+            members = self.scene.bodies[body]
+            pivot = self.task.linkage.pivot(body)
+            known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
+            if pivot is not None and known:
+                yield Turned(body, pivot, known[0])
+
+    def _spanned(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            known = [p for p in self.scene.bodies[body] if self.is_known(p)]
+            if len(known) > 1:
+                yield Spanned(body, known[0], known[1])
+
+    def _coupled(self) -> Iterator[Group]:
+        for body in self.open_bodies:
+            held = [support for point in self.scene.bodies[body] if (support := self._support(point, body))]
+            first = next((support for support in held if support.track is not None), None)
+            if first is not None and first.track is not None and len(held) > 2:
+                others = [support for support in held if support is not first]
+                yield Coupled(body, first.track, (others[0], others[1]))
+
+    def _support(self, point: str, body: str) -> Support | None:
+        """What holds a point of a body that has no known point."""
+        if track := self.track(point, body):
+            return Support(point, track)
+        for rod in self.owners(point):
+            if rod != body and rod in self.open_bodies and (far := self.known_point(rod)):
+                return Support(point, rod=rod, far=far)
+        return None
+
+    def _rested(self) -> Iterator[Group]:
+        for joint in self.scene.joints:
+            if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
+                continue
+            if joint.contact in self.scene.bodies[joint.body] and joint.contact not in self.book.velocity:
+                yield Rested(joint.body, joint.centre, joint.contact)

@@ -1,0 +1,59 @@
+"""Whether the rotation of a body is worth finding: it is asked, or something that is needed depends on it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import fields
+
+from variantgen.methods.groups.group import Group, Joined, Rested, Rolled, Slid
+from variantgen.methods.linkage.problem import Task
+
+_FROM_RATE = {1: ("omega", "P", "Q", "mu"), 2: ("epsilon", "Q", "mu")}
+
+
+def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) -> bool:
+    """Whether the rate of a body is needed, when the vectors of its points in ``known`` are found without it.
+
+    ``order`` 1 is the angular velocity, 2 the angular acceleration. For accelerations every angular velocity is needed,
+    because of the normal components.
+    """
+    members = task.scene.bodies[body]
+    if order < task.order and not task.fixed & set(members):
+        return True  # for normal components; those of a point that turns about a fixed one follow from its velocity too
+    if any(q.target == body and q.kind in _FROM_RATE[order] for q in task.asked):
+        return True
+    if any(p in task.needed.points and p not in known and p not in task.fixed for p in members):
+        return True
+    first_driver = len(task.scene.joints)
+    for number, constraint in enumerate(task.scene.constraints):
+        for shape in constraint.shapes():
+            alone = number >= first_driver and not shape.points and shape.bodies == (body,)
+            if body in shape.bodies and not alone and _leads_on(task, body, shape.bodies, shape.points):
+                return True
+    return False
+
+
+def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection[str]) -> bool:
+    """Whether a joint of a body couples something that is needed."""
+    others = [other for other in bodies if other != body]
+    return any(other in task.needed.bodies for other in others) or any(p in task.needed.points for p in points)
+
+
+def is_accelerated(task: Task, group: Group) -> bool:
+    """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
+    needed = task.accelerated
+    named = [getattr(group, field.name) for field in fields(group)]
+    bodies = {name for item in named for name in (item if isinstance(item, tuple) else (item,))} & needed.bodies
+    return bool(bodies) or bool(_given_points(group) & needed.points)
+
+
+def _given_points(group: Group) -> set[str]:
+    """The points whose vectors a group gives by itself, without the rotation of a body."""
+    match group:
+        case Slid(path=path, carried=carried):
+            return {path.point, *([carried.point] if carried else [])}
+        case Rolled(centre=centre) | Rested(centre=centre):
+            return {centre}
+        case Joined(point=point):
+            return {point}
+    return set()

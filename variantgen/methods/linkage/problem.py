@@ -1,0 +1,189 @@
+"""What a solution starts from: one variant with its data as values, and its solved motion in printed units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import combinations
+
+from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity
+from variantgen.families.units import unit
+from variantgen.mechanism.linkage import Linkage
+from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.rows import Placement
+from variantgen.mechanism.scene import Scene
+from variantgen.methods.algebra.expression import Constant, Expression, Pi, Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.linkage.instant import Instant, instant
+from variantgen.methods.linkage.needed import Needed, needed_for
+from variantgen.methods.linkage.translated import Translator
+from variantgen.variants.variant import Variant
+
+CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
+
+
+@dataclass(frozen=True)
+class Task:
+    """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s)."""
+
+    variant: Variant
+    asked: tuple[Quantity, ...]
+    now: Instant
+
+    @property
+    def form(self) -> Form:
+        """The form of the variant's family."""
+        return self.variant.form
+
+    @property
+    def scene(self) -> Scene:
+        """The scene of the variant (numbers in SI)."""
+        return self.now.scene
+
+    @cached_property
+    def order(self) -> int:
+        """1 if velocities are enough, 2 if accelerations are asked."""
+        return max((quantity.order for quantity in self.asked), default=1)
+
+    @cached_property
+    def at(self) -> Placement:
+        """Positions in printed units, with the frame."""
+        return Placement(self.now.z, self.scene.frame)
+
+    @cached_property
+    def linkage(self) -> Linkage:
+        """The mechanism as a reader of the figure sees it."""
+        return Linkage(self.scene)
+
+    @property
+    def fixed(self) -> frozenset[str]:
+        """Points at rest."""
+        return self.linkage.resting
+
+    @cached_property
+    def needed(self) -> Needed:
+        """Points and bodies that lead to what is asked."""
+        return needed_for(self.form, self.asked)
+
+    @cached_property
+    def accelerated(self) -> Needed:
+        """Points and bodies that lead to the accelerations that are asked."""
+        return needed_for(self.form, tuple(quantity for quantity in self.asked if quantity.order == 2))
+
+    @cached_property
+    def translating(self) -> frozenset[str]:
+        """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
+        cranked = {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)}
+        return self.linkage.translating | cranked
+
+    def _is_on_parallel_cranks(self, body: str) -> bool:
+        """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
+        z, bodies = self.now.z, self.scene.bodies
+        cranks = [
+            z[point] - z[pivot]
+            for point in bodies[body]
+            for other, members in bodies.items()
+            if other != body and point in members and point not in self.fixed
+            for pivot in members
+            if pivot in self.fixed
+        ]
+        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(cranks, 2))
+
+    @cached_property
+    def size(self) -> float:
+        """Size of the mechanism, in the printed unit of length."""
+        places = list(self.now.z.values())
+        return max(abs(p - q) for p in places for q in places)
+
+    @cached_property
+    def speed(self) -> float:
+        """The largest velocity of the mechanism, in printed units."""
+        return max((abs(v) for v in self.now.v.values()), default=0.0)
+
+    @cached_property
+    def gain(self) -> float:
+        """The largest acceleration of the mechanism, in printed units."""
+        return max((abs(a) for a in self.now.a.values()), default=0.0)
+
+    @cached_property
+    def si(self) -> Mapping[str, float]:
+        """Parameters and derived quantities in SI."""
+        values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
+        return {name: float(value) for name, value in values.items()}
+
+    @cached_property
+    def length_unit(self) -> float:
+        """The printed unit of length in metres."""
+        return float(unit(self.variant.family.length_unit).factor)
+
+    @cached_property
+    def given(self) -> dict[str, Value]:
+        """The printed data as values: magnitudes of rates, since the figure shows their senses."""
+        return {name: self._given(name) for name, p in self.form.parameters.items() if p.unit is not None}
+
+    def _given(self, name: str) -> Value:
+        parameter = self.form.parameters[name]
+        assert parameter.unit is not None
+        printed = float(self.variant.printed[name])
+        shown = abs(printed) if parameter.is_rate else printed
+        measure = parameter.unit.measures
+        usual = self.unit_of(measure)
+        value = Value(Name("parameter", parameter.symbol), measure, shown)
+        if parameter.unit.name == usual:
+            return value
+        value.unit = parameter.unit.name
+        converted = unit(usual).from_si(parameter.unit.to_si(self.variant.printed[name]))
+        factor = unit(usual).from_si(unit(parameter.unit.name).to_si(type(self.variant.printed[name])(1)))
+        shift = Pi() * value / Constant(30) if parameter.unit.name == "rpm" else value * Constant(round(factor, 12))
+        return Value(value.name, measure, abs(converted) if parameter.is_rate else converted, shift)
+
+    def unit_of(self, measure: str) -> str:
+        """The name of the unit in which a measure is printed in this solution."""
+        length = self.variant.family.length_unit
+        units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
+        units |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
+        return units[measure]
+
+    def read(self, expression: FamilyExpression) -> float:
+        """The value of an expression of the family in SI."""
+        return float(expression.value(self.si))
+
+    def expressed(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+        """An expression of the family as one of the solution, if every part of it can be shown; choices are signs.
+
+        An angle is a plain number, or in ``degrees``.
+        """
+        return self._translator.translate(expression, degrees)
+
+    def drawn_radius(self, centre: str, exact: float) -> Expression | None:
+        """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""
+        for disc in self.form.figure.discs:
+            near = abs(self.read(disc.radius) / self.length_unit - exact) <= CLOSE * exact
+            if disc.centre == centre and near and (found := self.expressed(disc.radius)) is not None:
+                return found
+        return None
+
+    @cached_property
+    def _translator(self) -> Translator:
+        return Translator(self._named, self.form.derived.get, self.unit_of)
+
+    def _named(self, name: str) -> Expression | None:
+        """A parameter as its value, a choice as its number."""
+        parameter = self.form.parameters.get(name)
+        if parameter is None:
+            return None
+        return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
+
+
+def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:
+    """The task of one variant of a solved batch."""
+    raw = instant(motion, index)
+    metre = float(unit(variant.family.length_unit).factor)
+
+    def scaled(table: Mapping[str, complex]) -> dict[str, complex]:
+        return {name: vector / metre for name, vector in table.items()}
+
+    return Task(variant, tuple(asked), replace(raw, z=scaled(raw.z), v=scaled(raw.v), a=scaled(raw.a)))

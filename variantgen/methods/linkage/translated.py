@@ -1,0 +1,146 @@
+"""Expressions of a family as expressions of a solution: in printed units, translated once.
+
+A scene is computed in SI and radians, a solution in the printed units of its family and in degrees. What a number means
+depends on where it stands. One written literally in a scene (``distance = 60``) is a quantity: it is SI already and is
+brought to its printed unit here. One in a formula (``2 * OA``) is a plain factor. Angles in formulas are degrees where
+they come from the data and plain numbers (radians) where they come from rates and times; the two meet here too.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from variantgen.families.expressions import CONSTANTS
+from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.units import unit
+from variantgen.methods.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Pi,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+)
+from variantgen.methods.algebra.monomial import simplified
+
+_DIGITS = 12  # to which a number is a short decimal but for the rounding of its conversion
+
+
+def _short(number: float) -> float:
+    """A number without the rounding of a conversion: 0.07 m are 7 cm, not 7.000000000000001."""
+    return float(f"{number:.{_DIGITS}g}")
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Part of a formula; ``degrees`` where it is proportional to an angle in degrees."""
+
+    shown: Expression
+    degrees: bool = False
+
+    def plain(self) -> Expression:
+        """The same with an angle in radians."""
+        return Times((Pi(), Ratio(self.shown, Constant(180.0)))) if self.degrees else self.shown
+
+    def in_degrees(self) -> Expression:
+        """The same with an angle in degrees."""
+        return self.shown if self.degrees else Ratio(simplified(Constant(180.0) * self.shown), Pi())
+
+
+@dataclass(frozen=True)
+class Translator:
+    """Translates the expressions of one variant.
+
+    ``named`` gives a parameter as its value (an angle in degrees), a choice as its number; None for another name.
+    ``derived`` gives the expression of a derived quantity, ``unit_of`` the printed unit of a measure.
+    """
+
+    named: Callable[[str], Expression | None]
+    derived: Callable[[str], FamilyExpression | None]
+    unit_of: Callable[[str], str]
+
+    def translate(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+        """The expression in printed units, an angle as a plain number or in ``degrees``.
+
+        None where a part of it cannot be shown in a solution.
+        """
+        if expression.measures:
+            printed = unit(self.unit_of(expression.measures)).from_si(float(expression.value({})))
+            return Constant(_short(printed))
+        found = self._part(expression.tree)
+        if found is None:
+            return None
+        return found.in_degrees() if degrees else found.plain()
+
+    def _part(self, node: ast.expr) -> _Part | None:
+        match node:
+            case ast.Constant(value=int() | float() as number):
+                return _Part(Constant(float(number)))
+            case ast.Name(id=name):
+                return self._name(name)
+            case ast.UnaryOp(op=op, operand=operand):
+                inner = self._part(operand)
+                return _Part(-inner.shown, inner.degrees) if inner and isinstance(op, ast.USub) else inner
+            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
+                base = self._part(left)
+                return _Part(base.plain() ** power) if base else None
+            case ast.BinOp(left=left, op=op, right=right):
+                first, second = self._part(left), self._part(right)
+                return _combined(op, first, second) if first and second else None
+            case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
+                inner = self._part(arg)
+                return _Part(SquareRoot(inner.plain())) if inner else None
+            case ast.Call(func=ast.Name(id="cos" | "sin" | "tan" as function), args=[arg]):
+                inner = self._part(arg)
+                return _Part(Applied(function, inner.in_degrees())) if inner else None
+        return None
+
+    def _name(self, name: str) -> _Part | None:
+        """A parameter as its value, a choice as its number, a derived quantity written out, a constant."""
+        if name == "deg":
+            return _Part(Constant(1.0), True)
+        if name == "pi":
+            return _Part(Pi())
+        if name in CONSTANTS:
+            return _Part(Constant(unit(self.unit_of("length")).from_si(CONSTANTS[name][0]), "length"))
+        found = self.named(name)
+        if found is not None:
+            return _Part(found, isinstance(found, Value) and found.measure == "angle")
+        derived = self.derived(name)
+        return None if derived is None else self._part(derived.tree)
+
+
+def _combined(op: ast.operator, left: _Part, right: _Part) -> _Part | None:
+    """An operation, with factors of plus or minus one written as signs."""
+    if isinstance(op, ast.Mult):
+        if left.degrees and right.degrees:
+            return _Part(left.plain() * right.plain())
+        return _Part(_product(left.shown, right.shown), left.degrees or right.degrees)
+    if isinstance(op, ast.Div):
+        if right.degrees and not left.degrees:
+            return _Part(left.shown / right.plain())
+        return _Part(left.shown / right.shown, left.degrees and not right.degrees)
+    sign, degrees = -1 if isinstance(op, ast.Sub) else 1, left.degrees or right.degrees
+    first, second = (part.in_degrees() if degrees else part.shown for part in (left, right))
+    if _is_length(first) and _is_length(second):
+        return _Part(Constant(_short(first.number(True) + sign * second.number(True)), "length"))
+    return _Part(Total(((1, first), (sign, second))), degrees)
+
+
+def _is_length(item: Expression) -> bool:
+    """Whether it is a length by a number and a unit, ``5 * cm``."""
+    return isinstance(item, Constant) and item.measure == "length"
+
+
+def _product(left: Expression, right: Expression) -> Expression:
+    if isinstance(left, Constant) and isinstance(right, Constant) and (_is_length(left) or _is_length(right)):
+        return Constant(_short(left.value * right.value), "length")
+    for one, other in ((left, right), (right, left)):
+        if isinstance(one, Constant) and abs(one.value) == 1:
+            return other if one.value > 0 else -other
+    return left * right

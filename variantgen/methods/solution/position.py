@@ -1,0 +1,113 @@
+"""The step of the position: of what was worked out there, only what the solution uses, and the axes it is told in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from variantgen.methods.algebra.expression import Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.algebra.values import in_order
+from variantgen.methods.linkage.problem import CLOSE, Task
+from variantgen.methods.solution.used import read
+from variantgen.methods.steps.printed_digits import items_values
+from variantgen.methods.steps.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, VectorLine
+from variantgen.variants.needed import shown_points
+
+_RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
+_OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
+
+
+def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
+    """The steps that say something, after one of the position made of its ``items`` that they or the ``results`` need.
+
+    Where an angle with the x axis or a component is met first, the axes are named.
+    """
+    told = [step for step in steps if step.items]
+    kept = _used(items, [*(item for step in told for item in step.items)], results)
+    kept = _put_off(task, kept, told)
+    if kept:
+        told.insert(0, Step(Sentence("position.heading"), kept))
+    first = next((step for step in told if any(map(_needs_axes, step.items))), None)
+    if first is not None:
+        first.items[:0] = [_axes(first.items), *_origin(task, [item for step in told for item in step.items])]
+    return told
+
+
+def _axes(items: Sequence[Item]) -> Sentence:
+    """The axes, with the name of the first direction as an example if there is one."""
+    names = (item.value.name for item in items if isinstance(item, Derived))
+    example = next((name for name in names if name is not None and name.kind == "direction"), None)
+    return Sentence("position.axes") if example is None else Sentence("position.axes_and_rays", {"angle": example})
+
+
+def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
+    """Where the origin is, if coordinates of points are met: a point, or zero coordinates of some."""
+    names = {value.name for item in items for value in _met(item) if value.name is not None}
+    points = sorted({name.of for name in names if name.kind in ("x", "y") and name.of in task.now.z})
+    if not points:
+        return []
+    shown, near = shown_points(task.variant, task.asked), CLOSE * task.size
+    at = next((point for point in shown if abs(task.now.z[point]) < near), None)
+    if at is not None:
+        return [Sentence("position.origin", {"at": Point(at)})]
+    zeros: list[Fact] = [Name("x", point) for point in points if abs(task.now.z[point].real) < near]
+    zeros += [Name("y", point) for point in points if abs(task.now.z[point].imag) < near]
+    return [Sentence("position.origin_by", {"zeros": tuple(zeros)})] if len(zeros) > 1 else []
+
+
+def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:
+    """The items of the position without the lines of values that no other item is computed from."""
+    roots = [value for item in later for value in read(item)]
+    roots += items_values(item for item in items if not isinstance(item, Derived))
+    needed = {value.name for value in in_order([*roots, *results])}
+    kept: list[Item] = []
+    for item in items:
+        if not isinstance(item, Derived) or item.value.name in needed:
+            kept.append(item)
+        elif kept and isinstance(kept[-1], Sentence) and kept[-1].key == "position.drawn":
+            kept.pop()
+    return kept
+
+
+def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[Item]:
+    """Move lines of points that the statement does not show to the step that needs them first: it names the points.
+
+    Returns the lines that stay: also those which another line that stays is computed from.
+    """
+    shown = shown_points(task.variant, task.asked)
+    stay: list[Item] = []
+    for item in reversed(items):
+        if isinstance(item, Derived) and _is_of_others(item.value, shown) and not _reads(stay, item.value):
+            goal = next((step for step in steps if _reads(step.items, item.value)), None)
+            if goal is not None:
+                first = next(i for i, later in enumerate(goal.items) if _reads([later], item.value))
+                # Nothing comes between a vector equation and its projections.
+                equation = any(isinstance(earlier, VectorLine) for earlier in goal.items[:first])
+                goal.items.insert(0 if equation else first, item)
+                continue
+        stay.insert(0, item)
+    return stay
+
+
+def _is_of_others(value: Value, shown: Sequence[str]) -> bool:
+    """Whether a value is a distance or direction of a point that is not ``shown``."""
+    name = value.name
+    return name is not None and name.kind in ("length", "direction") and not {name.of, name.about} <= set(shown)
+
+
+def _reads(items: Iterable[Item], value: Value) -> bool:
+    """Whether one of the items is computed from a value."""
+    return value in in_order(found for item in items for found in read(item))
+
+
+def _needs_axes(item: Item) -> bool:
+    """Whether an item cannot be understood without axes."""
+    if isinstance(item, Projection) or (isinstance(item, Sentence) and item.key == _RAYS):
+        return True
+    names = (value.name for value in _met(item) if value.name is not None)
+    return any(name.kind in _OF_AXES or {"x", "y"} & set(name.part.split()) for name in names)
+
+
+def _met(item: Item) -> list[Value]:
+    """The values that have a symbol in an equation, or on the left of a line."""
+    return [item.value] if isinstance(item, Derived) else items_values([item]) if isinstance(item, Statement) else []

@@ -1,0 +1,226 @@
+"""Steps of a solution: sentences by key with their facts, and lines of formulas. Nothing here knows a language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from variantgen.families.quantities import Quantity
+from variantgen.methods.algebra.expression import Expression, Value
+from variantgen.methods.algebra.name import Name
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A body in a sentence; the template chooses the case: ``{body}``, ``{body.of}``, ``{body.with}``."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A point in a sentence."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A segment, line or ray through two points in a sentence: ``AB``; ``centre_of`` makes the second the velocity
+    centre of a body.
+    """
+
+    start: str
+    end: str
+    centre_of: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word of the language by its key in the table ``words``: a sense, a direction on paper, a kind of axis."""
+
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class VectorOf:
+    """A vector in a sentence, with an arrow: of the given name."""
+
+    name: Name
+
+
+@dataclass(frozen=True, slots=True)
+class CentreOf:
+    """The velocity centre of a body (P), or with ``kind`` ``Q`` its acceleration centre."""
+
+    body: str
+    kind: str = "P"
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A value in a sentence as its number with its unit only."""
+
+    value: Value
+
+
+# A Name or a Value in a sentence is written as its symbol; a tuple as a list.
+Fact: TypeAlias = (
+    "Body | Point | Segment | Word | VectorOf | CentreOf | Shown | Name | Value | Sentence | tuple[Fact, ...]"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """A sentence of the templates: ``key`` is ``file.name``, ``facts`` fill its fields.
+
+    ``detail`` marks what a short solution leaves out.
+    """
+
+    key: str
+    facts: Mapping[str, Fact] = field(default_factory=dict)
+    detail: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Derived:
+    """``name = expression = with numbers = result unit``.
+
+    ``symbolic`` False leaves out the first expression (a line before has shown it), ``numeric`` False the second.
+    """
+
+    value: Value
+    symbolic: bool = True
+    numeric: bool = True
+    detail: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A vector of a vector equation.
+
+    ``size`` is its magnitude, None as long as it is unknown; ``angle`` the direction on paper (degrees from the x
+    axis, counter-clockwise), for an unknown vector the assumed one. ``way`` says where the direction comes from, as a
+    sentence for the table of vectors.
+    """
+
+    name: Name
+    size: Value | None
+    angle: Value
+    way: Sentence
+
+    @property
+    def point(self) -> str:
+        """The point whose vector it is, also where the data give the vector a letter of its own."""
+        fact = self.way.facts.get("point")
+        return fact.name if self.name.kind == "parameter" and isinstance(fact, Point) else self.name.of
+
+
+@dataclass(frozen=True, slots=True)
+class VectorLine:
+    """A vector equation: sums of vectors on both sides."""
+
+    left: tuple[Term, ...]
+    right: tuple[Term, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TermTable:
+    """The vectors of an equation with direction and magnitude, known or not."""
+
+    terms: tuple[Term, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """The projection of a vector on an axis: ``sign * size * cos(angle)``; ``angle`` None is a zero angle."""
+
+    sign: int
+    term: Term
+    angle: Value | None
+
+
+@dataclass(frozen=True, slots=True)
+class Projection:
+    """A vector equation projected on an axis; an empty side is zero."""
+
+    axis: Sentence
+    left: tuple[Share, ...]
+    right: tuple[Share, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LinearSystem:
+    """Equations linear in unknown values, with numbers, and their solution.
+
+    ``rows`` are the coefficients, one row per equation, and ``right`` the right-hand sides; the unknowns carry the
+    solution.
+    """
+
+    unknowns: tuple[Value, ...]
+    rows: tuple[tuple[Value, ...], ...]
+    right: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
+
+    left: Expression
+    right: Expression
+    numeric: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A piece of a program, as text; ``results`` are the values that it prints, in order."""
+
+    code: str
+    results: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A link of a chain: its number, the direction from the last point to the next one, that point."""
+
+    number: int
+    angle: Value
+    end: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChainGraph:
+    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
+
+    start: str
+    legs: tuple[Leg, ...]
+
+
+Item: TypeAlias = (
+    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
+)
+
+
+@dataclass(slots=True)
+class Step:
+    """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it."""
+
+    heading: Sentence
+    items: list[Item] = field(default_factory=list)
+    views: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A whole solution: the steps, the answers with their values, the check by another method.
+
+    ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
+    ``centres`` are the rays to acceleration centres that it speaks of.
+    """
+
+    steps: tuple[Step, ...]
+    answers: tuple[tuple[str, Value], ...]
+    check: tuple[Item, ...] = ()
+    approximate: int = 0
+    centres: tuple[Quantity, ...] = ()

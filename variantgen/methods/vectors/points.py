@@ -1,0 +1,197 @@
+"""Vectors of points of bodies whose motion is known: rotation about a fixed point, translation, the pole formula."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos, hypotenuse
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.geometry.geometry import Geometry
+from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
+from variantgen.methods.solution.book import Book, Known, Rate, along
+from variantgen.methods.steps.step import Body, Point, Share, Term, VectorOf
+from variantgen.methods.vectors.vector_equation import shares, write
+
+VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
+RIGHT = Value(None, "angle", 0.0)
+UP = Value(None, "angle", 90.0)
+
+
+def rotation(book: Book, point: str, pole: str, body: str, name: Name) -> Known:
+    """The vectors of a point in the rotation of a body about a pole, with the lines for their magnitudes.
+
+    Velocity: ``omega r`` across the radius. Acceleration: ``a^n = omega^2 r`` towards the pole and
+    ``a^tau = epsilon r`` across the radius. What is zero is left out.
+    """
+    arm, omega = book.geometry.length(point, pole), book.omega[body]
+    if book.order == 1:
+        return _across(book, name, omega, arm, (point, pole), body)
+    found: Known = ()
+    if omega.sense:
+        size = book.derive(name.component("n"), book.measure, omega.size**2 * arm)
+        angle = book.geometry.direction(point, pole)
+        found = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
+    return found + _across(book, name.component("tau"), book.epsilon[body], arm, (point, pole), body)
+
+
+def _across(book: Book, name: Name, rate: Rate, arm: Value, ends: tuple[str, str], body: str) -> Known:
+    """The vector across a radius, in the sense of a known rate."""
+    if not rate.sense:
+        return ()
+    size = book.derive(name, book.measure, rate.size * arm)
+    return (across(book, name, size, ends, rate.sense),)
+
+
+def across(book: Book, name: Name, size: Value | None, ends: tuple[str, str], sense: int) -> Term:
+    """A vector of the point ``ends[0]`` across its radius to ``ends[1]``, in a sense of rotation about that one."""
+    angle = Geometry.turned(book.geometry.direction(ends[1], ends[0]), 90.0 * sense)
+    return book.term(name, size, angle, "across", **along(*ends))
+
+
+def vector(book: Book, point: str) -> Known:
+    """The vector of a point as known terms; written down now if it is not known yet.
+
+    Raises LookupError where no body of the point is known.
+    """
+    if point not in book.vectors:
+        body, pole = carrier_of(book, point)
+        vector(book, pole)
+        _carry(book, point, body, pole)
+    return book.vectors[point]
+
+
+def known_point(book: Book, body: str) -> str:
+    """A point of a body whose vector is written; the first that can be is written down where none is.
+
+    Raises LookupError where none can.
+    """
+    members = book.task.scene.bodies[body]
+    written = next((p for p in members if p in book.vectors), None)
+    if written is None:
+        written = next((p for p in members if is_carried(book, p, body)), members[0])
+        vector(book, written)
+    return written
+
+
+def _carry(book: Book, point: str, body: str, pole: str) -> None:
+    """Write down the vector of a point of a body by that of its pole."""
+    name = Name(book.letter, point)
+    if is_translating(book, body):
+        with book.step(f"points.translation_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point)):
+            book.say("points.same", first=VectorOf(name), second=VectorOf(Name(book.letter, pole)), body=Body(body))
+            book.vectors[point] = renamed(book, book.vectors[pole], point)
+            sum_up(book, point)
+    elif pole in book.task.fixed:
+        with book.step(f"points.turning_{book.letter}", body=Body(body), point=Point(point), pivot=Point(pole)):
+            book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
+            book.vectors[point] = rotation(book, point, pole, body, name)
+            sum_up(book, point)
+    elif book.carry is not None:
+        book.carry(book, point, body, pole)
+    else:
+        with book.step(
+            f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
+        ):
+            by_pole(book, point, body, pole)
+
+
+def renamed(book: Book, terms: Known, point: str) -> Known:
+    """The same vectors under the name of another point of a translating body."""
+    found = []
+    for term in terms:
+        assert term.size is not None
+        name = term.name._replace(of=point, about="")
+        size = book.derive(name, book.measure, term.size)
+        found.append(Term(name, size, term.angle, term.way))
+    return tuple(found)
+
+
+def by_pole(book: Book, point: str, body: str, pole: str) -> None:
+    """The pole formula: vectors of the pole and of the rotation about it, summed on the axes."""
+    name, about = Name(book.letter, point), Name(book.letter, point, pole)
+    known = vector(book, pole)
+    key = "wheel" if book.order == 2 and _is_rolling(book, body) else book.letter
+    known_way = book.has_said(f"points.sum_{key}", body=Body(body), pole=Point(pole))
+    phrase = f"points.again_{book.letter}" if known_way else f"points.sum_{key}"
+    book.say(phrase, body=Body(body), pole=Point(pole), point=Point(point), vector=VectorOf(name))
+    start = len(book.items)
+    turning = rotation(book, point, pole, body, about)
+    sought = book.term(name, None, RIGHT, "unknown")
+    write(book, (sought,), (*known, *turning), start)
+    book.vectors[point] = summed(book, name, (*known, *turning))
+    sum_up(book, point)
+
+
+def _is_rolling(book: Book, body: str) -> bool:
+    """Whether a body touches something without slip, so that its rates are known before the equation is written."""
+    at = book.task.at
+    return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
+
+
+def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
+    """The sum of known vectors: by a drawing, or by its projections on the axes x and y."""
+    return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
+
+
+def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
+    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
+    found = []
+    for axis, word in ((RIGHT, "x"), (UP, "y")):
+        parts = shares(terms, axis)
+        own = name.component(word)
+        whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
+        size = book.derive(own, book.measure, whole)
+        if size.exact == 0:
+            continue
+        found.append(book.term(own, size, axis, f"axis_{word}"))
+    return tuple(found)
+
+
+def sum_of(parts: Sequence[Share]) -> Expression:
+    """The sum of projections of known vectors."""
+    if not parts:
+        return Constant(0.0)
+    terms: list[tuple[int, Expression]] = []
+    for share in parts:
+        assert share.term.size is not None
+        terms.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
+    return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Total(tuple(terms))
+
+
+def positive(size: Value) -> Value:
+    """The magnitude behind a projection."""
+    return size if size.exact >= 0 else Value(size.name, size.measure, -size.exact, -size, size.size)
+
+
+def sum_up(book: Book, point: str) -> None:
+    """The magnitude of a vector that is known by components across each other, where it is asked."""
+    asked = any(q.point == point and q.kind == book.letter for q in book.task.asked)
+    if asked and len(book.vectors[point]) > 1:
+        magnitude(book, point)
+
+
+def magnitude(book: Book, point: str) -> Value:
+    """The magnitude of the vector of a point, as a value."""
+    return modulus(book, Name(book.letter, point), book.vectors[point])
+
+
+def modulus(book: Book, name: Name, terms: Known) -> Value:
+    """The magnitude of a vector of one term, or of terms at right angles; of others by their projections."""
+    sizes = [term.size for term in terms if term.size is not None]
+    if len(terms) == 1 and (sizes[0].name == name or (terms[0].name == name and sizes[0].exact > 0)):
+        return sizes[0]
+    if name in book.values:
+        return book.values[name]
+    if not terms:
+        return Value(name, book.measure, 0.0)
+    if book.graphics is not None:
+        return book.graphics.size(book, name, terms)
+    if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
+        terms = components(book, name, terms)
+        sizes = [term.size for term in terms if term.size is not None]
+    return book.derive(name, book.measure, hypotenuse(sizes))
+
+
+def _are_square(terms: Known) -> bool:
+    turn = abs(terms[0].angle.exact - terms[1].angle.exact) % 180.0
+    return abs(turn - 90.0) < 1e-7

@@ -1,0 +1,276 @@
+"""Relative motion: a point slides on a moving body (sleeve, slot, groove).
+
+``v = v_tr + v_rel`` and, by the theorem of Coriolis, ``a = a_tr + a_rel + a_cor`` with ``a_cor = 2 omega v_rel``, the
+relative velocity turned by a right angle in the sense of the transport rotation (rule of Zhukovsky). The transport
+vector is that of the point of the body below the sliding one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
+from variantgen.methods.algebra.expression import Constant, Value
+from variantgen.methods.algebra.name import Name
+from variantgen.methods.geometry.geometry import Geometry
+from variantgen.methods.groups.carriers import is_translating
+from variantgen.methods.groups.group import Slid
+from variantgen.methods.groups.wanted import is_rate_wanted
+from variantgen.methods.solution.book import Book, Known
+from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
+from variantgen.methods.vectors.given import amount, as_stated
+from variantgen.methods.vectors.points import RIGHT, across, modulus, rotation, summed, vector
+from variantgen.methods.vectors.pole import about_pole, enter_rate
+from variantgen.methods.vectors.tracks import on_track, settled
+from variantgen.methods.vectors.vector_equation import solved, write
+
+
+@dataclass
+class _Sides:
+    """Both sides of the equation, and its unknown vectors by what they are for."""
+
+    left: list[Term]
+    right: list[Term]
+    turn: Term | None = None
+    own: Term | None = None
+    path: Term | None = None
+    carried: Term | None = None
+    relative: Term | None = None
+    slip: Known = ()  # what is known of the relative vector
+
+
+def solve_slid(book: Book, group: Slid) -> None:
+    """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
+    group = _seen(book, group)
+    point, carrier = group.path.point, group.carrier
+    needed = [name for name in (group.pole, group.own_pole) if name]
+    needed += [point] if group.track is None and not group.body and not group.driven else []
+    for name in needed:
+        vector(book, name)
+    view = "velocities" if book.order == 1 else "accelerations"
+    facts: dict[str, Fact] = {"point": Point(point), "carrier": Body(carrier)}
+    with book.step(f"relative.{book.measure}", view, **facts):
+        _say_law(book, group, facts)
+        start = len(book.items)
+        sides = _sides(book, group)
+        write(book, sides.left, sides.right, start)
+        _solve(book, group, sides)
+
+
+def _seen(book: Book, group: Slid) -> Slid:
+    """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
+    track, hidden = group.carried, book.task.form.figure.hidden
+    if track is None or track.point not in hidden or not track.straight or not is_translating(book, group.carrier):
+        return group
+    shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
+    return replace(group, carried=replace(track, point=next(shown, track.point)))
+
+
+def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
+    """What is the relative and what the transport motion, and by which theorem their vectors are added."""
+    # Where no velocity is asked, the step of the velocities may not be told.
+    anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
+    if anew or not book.has_said("relative.compound", **facts):
+        book.say("relative.compound", **facts)
+    if not is_translating(book, group.carrier):
+        _say_parts(book, group)
+        book.say(f"relative.sum_{book.letter}")
+        return
+    lead = group.carried.point if group.carried is not None else group.pole
+    if lead not in book.task.fixed:
+        facts = {"vector": VectorOf(_named_as_given(book, lead)), "carrier": facts["carrier"]}
+        book.say(f"relative.translation_{book.letter}", **facts)
+
+
+def _say_parts(book: Book, group: Slid) -> None:
+    """That the point is at rest, and what the transport vector consists of, where that is not a rotation alone."""
+    point = group.path.point
+    if point in book.task.fixed:
+        book.say(f"relative.rest_{book.letter}", point=Point(point))
+    if group.pole in book.task.fixed:
+        return
+    names = Name(book.letter, point, part="tr"), Name(book.letter, group.pole), Name(book.letter, point, group.pole)
+    facts: dict[str, Fact] = dict(zip(("vector", "first", "second"), map(VectorOf, names), strict=True))
+    book.say(f"relative.carried_{book.letter}", point=Point(point), carrier=Body(group.carrier), **facts)
+
+
+def _named_as_given(book: Book, point: str) -> Name:
+    """The name of the vector of a point: its own, or under which it is given."""
+    terms = book.vectors.get(point, ())
+    return terms[0].name if len(terms) == 1 else Name(book.letter, point)
+
+
+def _sides(book: Book, group: Slid) -> _Sides:
+    """The absolute vector on the left, transport, Coriolis and relative vectors on the right."""
+    point = group.path.point
+    sides = _Sides([], [])
+    if group.track is not None:
+        known, sides.path = on_track(book, group.track)
+        sides.left = [*known, sides.path]
+    elif group.body:
+        known, sides.own = about_pole(book, point, group.own_pole, group.body)
+        sides.left = [*book.vectors[group.own_pole], *known, sides.own]
+    elif group.driven:
+        name = Name(book.letter, point)
+        sides.path = book.term(name, None, RIGHT, "unknown")
+        sides.left = [sides.path]
+    else:
+        sides.left = list(book.vectors[point])
+    _add_transport(book, group, sides)
+    coriolis = _coriolis(book, group)
+    if book.order == 2:
+        book.coriolis[point, group.carrier] = coriolis
+    sides.right += coriolis
+    sides.slip, sides.relative = _relative(book, group)
+    sides.right += [*sides.slip, *([sides.relative] if sides.relative else [])]
+    return sides
+
+
+def _add_transport(book: Book, group: Slid, sides: _Sides) -> None:
+    """The vector of the carrier's point: of its pole and of the rotation about it."""
+    point, carrier, pole = group.path.point, group.carrier, group.pole
+    if group.carried is not None:
+        known, sides.carried = on_track(book, group.carried)
+        sides.right = [*known, sides.carried]
+        return
+    fixed = pole in book.task.fixed
+    sides.right = [] if fixed else list(book.vectors[pole])
+    if is_translating(book, carrier):
+        return
+    if group.turning:
+        known, sides.turn = about_pole(book, point, pole, carrier)
+        if fixed:
+            known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
+        sides.right += [*known, sides.turn]
+    else:
+        name = Name(book.letter, point, part="tr") if fixed else Name(book.letter, point, pole)
+        sides.right += rotation(book, point, pole, carrier, name)
+
+
+def _transport(term: Term) -> Term:
+    """A vector of the rotation about a fixed point under the name of transport motion."""
+    part = f"tr {term.name.part}".strip()
+    name = term.name._replace(part=part)
+    if term.size is not None:
+        term.size.name = name
+    return Term(name, term.size, term.angle, term.way)
+
+
+def _coriolis(book: Book, group: Slid) -> Known:
+    """The Coriolis acceleration, known once the velocities are."""
+    point, carrier = group.path.point, group.carrier
+    if book.order == 1:
+        return ()
+    rate = book.omega.get(carrier)
+    slip = book.relative[point, carrier]
+    if rate is None or not rate.sense or not slip:
+        return ()
+    name = Name("a", point, part="cor")
+    assert slip[0].size is not None
+    size = book.derive(name, "acceleration", Constant(2) * rate.size * slip[0].size)
+    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(slip[0].name), sense=Word(rate.word))
+    angle = Geometry.turned(slip[0].angle, 90.0 * rate.sense)
+    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(slip[0].name)),)
+
+
+def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
+    """The relative vector: what is known of it and the rest along the path, assumed towards its second point."""
+    path, point = group.path, group.path.point
+    name = Name(book.letter, point, part="rel")
+    known: Known = ()
+    if path.line is None and book.order == 2:
+        slip = book.relative[point, group.carrier]
+        if slip:
+            assert slip[0].size is not None
+            own = name.component("n")
+            book.say("relative.circle", point=Point(point), centre=Point(path.centre))
+            size = book.derive(own, "acceleration", slip[0].size ** 2 / book.geometry.length(point, path.centre))
+            angle = book.geometry.direction(point, path.centre)
+            known = (book.term(own, size, angle, "towards", start=Point(point), end=Point(path.centre)),)
+        name = name.component("tau")
+    if group.driven:
+        return (*known, *_given(book, group, name)), None
+    if path.line is None:
+        return known, across(book, name, None, (point, path.centre), 1)
+    angle = book.geometry.direction(*path.line)
+    if set(path.line) & set(book.task.form.figure.hidden):
+        return known, book.term(name, None, angle, "path")
+    return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
+
+
+def _given(book: Book, group: Slid, name: Name) -> Known:
+    """The given relative vector along the path."""
+    path, point = group.path, group.path.point
+    for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
+        if not isinstance(driver, RelativeTravel | Circling) or driver.point != point:
+            continue
+        rate = float(driver.rates(book.order)[0])
+        if rate == 0:
+            return ()
+        size = amount(book, template, book.letter, book.measure)
+        name = as_stated(name, size)
+        sign = 1 if rate > 0 else -1
+        if path.line is None:
+            turn = sign * round(float(book.task.scene.frame.sense))
+            return (across(book, name, size, (point, path.centre), turn),)
+        angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
+        return (book.term(name, size, angle, "given", point=Point(point)),)
+    return ()
+
+
+def _solve(book: Book, group: Slid, sides: _Sides) -> None:
+    """Solve the equation for what is unknown and enter it."""
+    point, carrier = group.path.point, group.carrier
+    if group.driven:
+        name = Name(book.letter, point)
+        slips = book.relative if book.order == 1 else book.relative_acceleration
+        slips[point, carrier] = sides.slip
+        book.vectors[point] = summed(book, name, sides.right)
+        modulus(book, name, book.vectors[point])
+        _sum_up_slip(book, point, sides.slip)
+        return
+    wanted = [term for term in _wanted(book, group, sides) if term is not None]
+    sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
+    _enter(book, group, sides, sizes)
+
+
+def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
+    """The unknown vectors that are needed: the relative velocity also for the accelerations that follow from it."""
+    point, task = group.path.point, book.task
+    kinds = ("v_rel",) if book.order == 1 else ("a_rel",)
+    asked = any(q.target == point and q.kind in kinds for q in task.asked)
+    # On a carrier in translation there is no Coriolis acceleration, on a straight path no normal one.
+    leading = not is_translating(book, group.carrier) or group.path.line is None
+    relative = sides.relative if asked or (leading and book.order < task.order) else None
+    turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
+    # The vector of the point itself follows from the rate of its body.
+    sought = any(q.target == point and q.kind == book.letter for q in task.asked)
+    known = {group.own_pole} if sought else {point, group.own_pole}
+    own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
+    return [sides.carried, sides.path, turn, own, relative]
+
+
+def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> None:
+    """Note what was found, and the rates that follow."""
+    point, carrier = group.path.point, group.carrier
+    slips = book.relative if book.order == 1 else book.relative_acceleration
+    term = sides.relative
+    slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
+    _sum_up_slip(book, point, slips[point, carrier])
+    if sides.carried is not None and group.carried is not None:
+        known = tuple(t for t in sides.right if t.point == group.carried.point and t.size is not None)
+        book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
+    if sides.path is not None:
+        known = tuple(t for t in sides.left if t.size is not None)
+        book.vectors[point] = (*known, *settled(sides.path, sizes[sides.path.name]))
+    for term, body, pole in ((sides.turn, carrier, group.pole), (sides.own, group.body, group.own_pole)):
+        if term is not None and term.name in sizes:
+            enter_rate(book, body, term, sizes[term.name], book.geometry.length(point, pole))
+
+
+def _sum_up_slip(book: Book, point: str, terms: Known) -> None:
+    """The magnitude of a relative vector that is known by components, where it is asked."""
+    asked = any(q.target == point and q.kind == f"{book.letter}_rel" for q in book.task.asked)
+    if asked and len(terms) > 1:
+        modulus(book, Name(book.letter, point, part="rel"), terms)
