@@ -164,6 +164,11 @@ def test_links_lead_somewhere(name: str) -> None:
             assert anchor in anchors(goal.read_text("utf-8")), f"{name}: {target}"
 
 
+def test_the_readme_is_short() -> None:
+    """It says what the program is and where to read on."""
+    assert len(BY_NAME["README.md"].splitlines()) <= 150
+
+
 def test_every_page_is_reached_from_the_readme() -> None:
     found, left = set(), ["README.md"]
     while left:
@@ -249,3 +254,11 @@ def test_lists_are_complete() -> None:
     assert all(f"`{kind}`" in BY_NAME["docs/outputs.md"] for kind in view_names())
     assert all(f"`{ending}`" in BY_NAME["docs/outputs.md"] for ending in back_ends())
     assert {words_of(line)[0] for line in command_lines(BY_NAME["README.md"])} >= COMMANDS.keys()
+
+
+def test_the_map_names_every_room() -> None:
+    folders = [*(ROOT / "variantgen").iterdir(), *(ROOT / "variantgen" / "methods").iterdir()]
+    rooms = [path for path in folders if (path / "__init__.py").is_file()]
+    assert len(rooms) > 20
+    for room in rooms:
+        assert f"`{room.relative_to(ROOT).as_posix()}/`" in BY_NAME["docs/architecture.md"]
