@@ -262,3 +262,19 @@ def test_the_map_names_every_room() -> None:
     assert len(rooms) > 20
     for room in rooms:
         assert f"`{room.relative_to(ROOT).as_posix()}/`" in BY_NAME["docs/architecture.md"]
+
+
+def test_whoever_asks_for_kinds_of_joints_is_named() -> None:
+    """Modules that know a joint or a driver by its class, outside the folders with a module for each kind."""
+    own = (
+        "mechanism/|figure/symbols/|figure/telling/kinds/|methods/coordinates/equations/|methods/groups/laws/|accuracy/"
+    )
+    asking = re.compile(r"from variantgen\.mechanism\.(?:joints|drivers)\.")
+    package = ROOT / "variantgen"
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for path in package.rglob("*.py")
+        if not re.match(own, path.relative_to(package).as_posix()) and asking.search(path.read_text("utf-8"))
+    }
+    assert found
+    assert {name for name in found if f"`{name}`" not in BY_NAME["docs/extending.md"]} == set()
