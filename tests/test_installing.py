@@ -1,4 +1,4 @@
-"""How the program is installed: what README and messages tell to type agrees with the extras that there are."""
+"""How the program is installed: what README, guides and messages tell to type agrees with the extras that there are."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from variantgen.errors import missing_package
 
 # Only a checkout has the files of the project.
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text("utf-8")
 TOLD = "\n".join(path.read_text("utf-8") for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))))
 EXTRAS = set(tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"])
 SOURCES = sorted((ROOT / "variantgen").rglob("*.py"))
@@ -27,9 +26,10 @@ def test_extras_that_are_told_are_those_of_the_package() -> None:
     assert "variantgen[" not in TOLD
 
 
+@pytest.mark.parametrize("language", ["en", "ru"])
 @pytest.mark.parametrize("system", [". .venv/bin/activate", r".venv\Scripts\activate", "py -m venv .venv"])
-def test_activation_is_told(system: str) -> None:
-    assert f"`{system}`" in README
+def test_activation_is_told(system: str, language: str) -> None:
+    assert f"`{system}`" in (ROOT / "docs" / f"guide.{language}.md").read_text("utf-8")
 
 
 def test_messages_name_extras_that_there_are() -> None:

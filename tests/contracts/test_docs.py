@@ -15,6 +15,9 @@ from variantgen.cli.app import _parser
 from variantgen.exam import assembly, sheets
 from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
+from variantgen.families.solving import METHODS
+from variantgen.figure.views import view_names
+from variantgen.outputs.figures import back_ends
 from variantgen.outputs.formats import chosen, formats, parse_exam
 from variantgen.tables import Table
 from variantgen.variants import draw, seeding
@@ -161,6 +164,11 @@ def test_links_lead_somewhere(name: str) -> None:
             assert anchor in anchors(goal.read_text("utf-8")), f"{name}: {target}"
 
 
+def test_the_readme_is_short() -> None:
+    """It says what the program is and where to read on."""
+    assert len(BY_NAME["README.md"].splitlines()) <= 150
+
+
 def test_every_page_is_reached_from_the_readme() -> None:
     found, left = set(), ["README.md"]
     while left:
@@ -237,3 +245,36 @@ def test_the_walk_of_phi() -> None:
     assert (len(printed), printed[6]) == (31, 45)
     narrowed = restrict(family, ranges={"phi": [30, 60]}, forms=["crank"])
     assert narrowed.forms["crank"].parameters["phi"].printed == (30, 35, 40, 45, 50, 55, 60)
+
+
+def test_lists_are_complete() -> None:
+    """Methods in the guides, kinds and endings of single figures with the outputs, commands in the README."""
+    for name in GUIDES:
+        assert all(f"`{method}`" in BY_NAME[name] for method in METHODS), name
+    assert all(f"`{kind}`" in BY_NAME["docs/outputs.md"] for kind in view_names())
+    assert all(f"`{ending}`" in BY_NAME["docs/outputs.md"] for ending in back_ends())
+    assert {words_of(line)[0] for line in command_lines(BY_NAME["README.md"])} >= COMMANDS.keys()
+
+
+def test_the_map_names_every_room() -> None:
+    folders = [*(ROOT / "variantgen").iterdir(), *(ROOT / "variantgen" / "methods").iterdir()]
+    rooms = [path for path in folders if (path / "__init__.py").is_file()]
+    assert len(rooms) > 20
+    for room in rooms:
+        assert f"`{room.relative_to(ROOT).as_posix()}/`" in BY_NAME["docs/architecture.md"]
+
+
+def test_whoever_asks_for_kinds_of_joints_is_named() -> None:
+    """Modules that know a joint or a driver by its class, outside the folders with a module for each kind."""
+    own = (
+        "mechanism/|figure/symbols/|figure/telling/kinds/|methods/coordinates/equations/|methods/groups/laws/|accuracy/"
+    )
+    asking = re.compile(r"from variantgen\.mechanism\.(?:joints|drivers)\.")
+    package = ROOT / "variantgen"
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for path in package.rglob("*.py")
+        if not re.match(own, path.relative_to(package).as_posix()) and asking.search(path.read_text("utf-8"))
+    }
+    assert found
+    assert {name for name in found if f"`{name}`" not in BY_NAME["docs/extending.md"]} == set()

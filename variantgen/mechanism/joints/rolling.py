@@ -74,7 +74,8 @@ class Rolling(Joint):
         """Unit vector along the line."""
         w = at.z[self.centre] - at.z[self.contact]
         radius = np.abs(w)
-        return 1j * w / np.where(radius > 0, radius, 1.0)  # a wheel without a radius is not sound
+        # A wheel without a radius is not sound. Both are taken as arrays: the reference of many digits brings series.
+        return np.where(radius > 0, 1j * w, 0.0) / np.where(radius > 0, radius, 1.0)
 
     def rows(self, at: Placement) -> tuple[Row, ...]:
         """The velocity row of the class docstring."""
