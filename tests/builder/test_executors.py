@@ -69,7 +69,7 @@ class Cluster:
         from distributed import LocalCluster
 
         self.cluster = LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, local_directory=str(folder)
+            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=":0", local_directory=str(folder)
         )
         self.address: str = self.cluster.scheduler_address
 

@@ -36,10 +36,7 @@ def claimed(folder: Path, target: Path) -> Iterator[None]:
     finally:
         if os.name == "nt":  # which removes no file that is open
             os.close(lock)
-        with suppress(OSError):
-            if [path.name for path in folder.iterdir()] == [LOCK]:
-                (folder / LOCK).unlink()
-                folder.rmdir()  # fails if another build has begun in it, which is right
+        _remove(folder)
         if os.name != "nt":
             os.close(lock)
 
@@ -63,26 +60,51 @@ def empty(folder: Path) -> None:
 def _lock(folder: Path, target: Path) -> int:
     """The descriptor of the locked file in the folder, which is made if it is not there."""
     for _ in range(_TRIES):
+        made = False
         try:
-            folder.mkdir(mode=0o700)
-        except FileExistsError:
-            _check_ours(folder)
-        except OSError as error:
-            raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
-        try:
-            file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
+            made = _is_made(folder, target)
+            file = _locked_file(folder, target)
         except FileNotFoundError:
             continue  # removed by the build that had it
-        if not _is_locked(file):
-            os.close(file)
-            remedy = "wait until it is done, or choose another folder"
-            raise InputError(
-                Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy)
-            )
+        except InputError:
+            raise  # another build has it now
+        except BaseException:
+            _remove(folder, LOCK if made else "")  # interrupted: nothing is left that this process has made
+            raise
         if _is_still(folder / LOCK, file):
             return file
         os.close(file)
     raise InputError(Problem("the folder of its parts comes and goes", key="--out", value=str(target)))
+
+
+def _is_made(folder: Path, target: Path) -> bool:
+    """Make the folder, if it is not there; whether it was made. Raises InputError if it cannot be, or is not ours."""
+    try:
+        folder.mkdir(mode=0o700)
+    except FileExistsError:
+        _check_ours(folder)
+        return False
+    except OSError as error:
+        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
+    return True
+
+
+def _locked_file(folder: Path, target: Path) -> int:
+    """The descriptor of the lock, which this process has now. Raises InputError if another one has it."""
+    file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
+    if _is_locked(file):
+        return file
+    os.close(file)
+    remedy = "wait until it is done, or choose another folder"
+    raise InputError(Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy))
+
+
+def _remove(folder: Path, lock: str = LOCK) -> None:
+    """Remove the folder, if it holds nothing but the lock."""
+    with suppress(OSError):
+        if [path.name for path in folder.iterdir()] == [lock]:
+            (folder / lock).unlink()
+        folder.rmdir()  # fails if another build has begun in it, which is right
 
 
 def _is_locked(file: int) -> bool:

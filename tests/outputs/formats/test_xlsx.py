@@ -404,7 +404,7 @@ def test_text_is_text(students: int, tmp_path: Path, monkeypatch: pytest.MonkeyP
         csv.writer(file).writerows([["id", "name", "group"], *rows])
     roster = (tmp_path / "roster.csv").read_text("utf-8")
     title = "=1+1 &L&D [x]:*?/\\"
-    exam = f"title = '{title}'\nlanguage = 'en'\nformats = ['xlsx']\n[[problem]]\nfamily = 'spool'\n"
+    exam = f"title = '{title}'\nlanguage = 'en'\nsort = 'roster'\nformats = ['xlsx']\n[[problem]]\nfamily = 'spool'\n"
     out = build(tmp_path, exam, roster)
     for name in (KEY, FORM):
         workbook = openpyxl.load_workbook(out / name)
