@@ -36,10 +36,7 @@ def claimed(folder: Path, target: Path) -> Iterator[None]:
     finally:
         if os.name == "nt":  # which removes no file that is open
             os.close(lock)
-        with suppress(OSError):
-            if [path.name for path in folder.iterdir()] == [LOCK]:
-                (folder / LOCK).unlink()
-                folder.rmdir()  # fails if another build has begun in it, which is right
+        _remove_if_bare(folder)
         if os.name != "nt":
             os.close(lock)
 
@@ -63,26 +60,62 @@ def empty(folder: Path) -> None:
 def _lock(folder: Path, target: Path) -> int:
     """The descriptor of the locked file in the folder, which is made if it is not there."""
     for _ in range(_TRIES):
+        made = True
         try:
             folder.mkdir(mode=0o700)
         except FileExistsError:
+            made = False
             _check_ours(folder)
         except OSError as error:
             raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
         try:
-            file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
-        except FileNotFoundError:
-            continue  # removed by the build that had it
+            file = _locked(folder, target)
+        except BaseException:
+            if made:
+                _remove_again(folder, target)
+            raise
+        if file is not None:
+            return file
+    raise InputError(Problem("the folder of its parts comes and goes", key="--out", value=str(target)))
+
+
+def _locked(folder: Path, target: Path) -> int | None:
+    """The descriptor of the locked file, which is made if it is not there; None if the build that had it removed it."""
+    try:
+        file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
+    except FileNotFoundError:
+        return None
+    try:
         if not _is_locked(file):
-            os.close(file)
             remedy = "wait until it is done, or choose another folder"
             raise InputError(
                 Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy)
             )
-        if _is_still(folder / LOCK, file):
-            return file
+        is_still = _is_still(folder / LOCK, file)
+    except BaseException:
         os.close(file)
-    raise InputError(Problem("the folder of its parts comes and goes", key="--out", value=str(target)))
+        raise
+    if is_still:
+        return file
+    os.close(file)
+    return None
+
+
+def _remove_again(folder: Path, target: Path) -> None:
+    """Remove a folder that was made for a build which was interrupted at once, if no other build has begun in it."""
+    with suppress(OSError, InputError):
+        file = _locked(folder, target)
+        if file is not None:
+            _remove_if_bare(folder)
+            os.close(file)
+
+
+def _remove_if_bare(folder: Path) -> None:
+    """Remove a folder that holds nothing but the lock, which the caller has."""
+    with suppress(OSError):
+        if [path.name for path in folder.iterdir()] == [LOCK]:
+            (folder / LOCK).unlink()
+            folder.rmdir()  # fails if another build has begun in it, which is right
 
 
 def _is_locked(file: int) -> bool:
