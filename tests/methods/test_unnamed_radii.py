@@ -40,7 +40,7 @@ def explained(text: str, folder, capsys: pytest.CaptureFixture[str]) -> str:
 def test_threads_on_two_radii(tmp_path, capsys):
     """omega = 40 / (15 - 10), v_O = 15 omega."""
     told = explained(SPOOL, tmp_path, capsys)
-    assert "KU = r_2 spool − r_spool = 15 − 10 = 5 cm" in told
+    assert " = r_2 spool − r_spool = 15 − 10 = 5 cm" in told
     assert "r_2 spool = 8 \N{MIDDLE DOT} 15 = 120 cm/s" in told
 
 

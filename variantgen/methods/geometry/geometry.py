@@ -123,8 +123,9 @@ class Geometry(Layout):
         """A radius by that of a disc in the figure, if there is one."""
         if isinstance(drawn, Value):
             return self._taken(drawn)
-        unnamed = self.unnamed_radii.of(body, exact)
-        return unnamed if drawn is None else self._entered(Name("radius", body, unnamed.name.about), "length", drawn)
+        if drawn is None:
+            return self.unnamed_radii.of(body, exact)
+        return self._entered(self.unnamed_radii.named(body, exact), "length", drawn)
 
     # Directions.
 

@@ -12,14 +12,17 @@ class UnnamedRadii:
     """The radii of bodies as they are met: ``r_spool``, a second one of the same body ``r_2 spool``."""
 
     def __init__(self) -> None:
-        self._met: dict[str, list[Value]] = {}
+        self._met: dict[str, list[float]] = {}
 
     def of(self, body: str, exact: float) -> Value:
         """The radius of that length (printed unit) of a body."""
+        return Value(self.named(body, exact), "length", exact)
+
+    def named(self, body: str, exact: float) -> Name:
+        """The name of that radius; equal radii of a body have one."""
         met = self._met.setdefault(body, [])
-        for value in met:
-            if abs(value.exact - exact) <= _SAME * exact:
-                return value
-        number = str(len(met) + 1) if met else ""
-        met.append(Value(Name("radius", body, number), "length", exact))
-        return met[-1]
+        same = [place for place, radius in enumerate(met) if abs(radius - exact) <= _SAME * exact]
+        place = same[0] if same else len(met)
+        if not same:
+            met.append(exact)
+        return Name("radius", body, str(place + 1) if place else "")
