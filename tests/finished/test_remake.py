@@ -224,6 +224,7 @@ def test_a_page_that_is_large_in_memory_is_not_read(
         remade(out, "s0", code=1)
     told = capsys.readouterr().err
     assert "not the same: sheets.pdf cannot be read (" in told
+    assert "read (:" not in told
     assert "restore it from a copy" in told
     assert len(text(remade(out, "s0", "--anyway"), tmp_path)) >= 1
 

@@ -68,6 +68,17 @@ pivot = { point = "O" }
 [[drivers]]
 rotation = { body = "OA", omega = 2 }
 """
+PARAMETERS = """
+[parameters]
+v_A = { unit = "cm/s", from = 5, to = 15, step = 1 }
+v_B = { unit = "cm/s", from = 40, to = 90, step = 1 }
+"""
+EXAM = """title = "Level"
+language = "en"
+[[problem]]
+family = "level"
+points = 5
+"""
 
 
 def written(folder: Path, text: str) -> str:
@@ -120,8 +131,11 @@ def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     path = written(tmp_path, LEVEL)
     assert answers(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
-    assert main(["solve", path, "--explain"]) == 1
-    assert "no method of solution leads to omega_p, v_O; the answers themselves" in capsys.readouterr().err
+    assert main(["solve", path, "--explain"]) == 0
+    told = capsys.readouterr()
+    assert "no method of solution leads to omega_p, v_O; the answers themselves" in told.err
+    # omega = (20 - 10) / 20, and O is 10 cm to the left of A.
+    assert "omega_p = 0.5 rad/s\nv_O = 5 cm/s" in told.out
 
 
 @pytest.mark.parametrize("words", [["solve"], ["solve", "--explain"], ["check"]])
@@ -140,3 +154,33 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     assert main(["check", written(tmp_path, LEVEL)]) == 0
     assert "no method of solution leads to omega_p, v_O" in capsys.readouterr().out
+
+
+def test_build_and_show_without_any_method(tmp_path, capsys, monkeypatch):
+    def nowhere(*_):
+        raise NoWayError("nowhere")
+
+    monkeypatch.setattr(compose.walk, "velocities", nowhere)
+    monkeypatch.setattr(compose, "_by_one_method", nowhere)
+    monkeypatch.chdir(tmp_path)
+    own = tmp_path / "level"
+    own.mkdir()
+    head = 'schema = 1\ntitle = { en = "Level" }\nsource = "own"\n'
+    scene = head + LEVEL.replace("[points]", PARAMETERS + "[points]", 1).replace("v = 10", 'v = "v_A"').replace(
+        "10, y = 0", "10, y = 15"
+    )
+    (own / "family.toml").write_text(scene.replace("v = 20", 'v = "v_B"').lstrip(), encoding="utf-8")
+    (own / "statement.en.j2").write_text("{{ A }} has {{ v_A }}, {{ B }} has {{ v_B }}.", encoding="utf-8")
+    (tmp_path / "exam.toml").write_text(EXAM, encoding="utf-8")
+    assert main(["build", "exam.toml", "--variants", "3", "--out", "made"]) == 0
+    assert "answers only, no worked solution: level" in capsys.readouterr().err
+    for student in json.loads((tmp_path / "made/manifest.json").read_text(encoding="utf-8"))["students"]:
+        problem = student["problems"][0]
+        a, b = (float(problem["parameters"][name]["value"]) for name in ("v_A", "v_B"))
+        found = {item["quantity"]: item for item in problem["answers"]}
+        # omega = (v_B - v_A) / 20 cm, mirrored or not.
+        assert abs(found["omega_p"]["value"]) == pytest.approx((b - a) / 20)
+        assert found["omega_p"]["tolerance"] > 0
+    assert main(["show", "level", "--families", ".", "--explain", "--out", "page.svg"]) == 0
+    assert "no method of solution leads to" in capsys.readouterr().err
+    assert (tmp_path / "page.svg").is_file()

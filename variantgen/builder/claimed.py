@@ -36,7 +36,7 @@ def claimed(folder: Path, target: Path) -> Iterator[None]:
     finally:
         if os.name == "nt":  # which removes no file that is open
             os.close(lock)
-        _remove(folder)
+        _remove_if_bare(folder)
         if os.name != "nt":
             os.close(lock)
 
@@ -60,51 +60,62 @@ def empty(folder: Path) -> None:
 def _lock(folder: Path, target: Path) -> int:
     """The descriptor of the locked file in the folder, which is made if it is not there."""
     for _ in range(_TRIES):
-        made = False
+        made = True
         try:
-            made = _is_made(folder, target)
-            file = _locked_file(folder, target)
-        except FileNotFoundError:
-            continue  # removed by the build that had it
-        except InputError:
-            raise  # another build has it now
+            folder.mkdir(mode=0o700)
+        except FileExistsError:
+            made = False
+            _check_ours(folder)
+        except OSError as error:
+            raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
+        try:
+            file = _locked(folder, target)
         except BaseException:
-            _remove(folder, LOCK if made else "")  # interrupted: nothing is left that this process has made
+            if made:
+                _remove_again(folder, target)
             raise
-        if _is_still(folder / LOCK, file):
+        if file is not None:
             return file
-        os.close(file)
     raise InputError(Problem("the folder of its parts comes and goes", key="--out", value=str(target)))
 
 
-def _is_made(folder: Path, target: Path) -> bool:
-    """Make the folder, if it is not there; whether it was made. Raises InputError if it cannot be, or is not ours."""
+def _locked(folder: Path, target: Path) -> int | None:
+    """The descriptor of the locked file, which is made if it is not there; None if the build that had it removed it."""
     try:
-        folder.mkdir(mode=0o700)
-    except FileExistsError:
-        _check_ours(folder)
-        return False
-    except OSError as error:
-        raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
-    return True
-
-
-def _locked_file(folder: Path, target: Path) -> int:
-    """The descriptor of the lock, which this process has now. Raises InputError if another one has it."""
-    file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
-    if _is_locked(file):
+        file = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | _CAREFULLY, 0o600)
+    except FileNotFoundError:
+        return None
+    try:
+        if not _is_locked(file):
+            remedy = "wait until it is done, or choose another folder"
+            raise InputError(
+                Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy)
+            )
+        is_still = _is_still(folder / LOCK, file)
+    except BaseException:
+        os.close(file)
+        raise
+    if is_still:
         return file
     os.close(file)
-    remedy = "wait until it is done, or choose another folder"
-    raise InputError(Problem("another build is making this folder now", key="--out", value=str(target), remedy=remedy))
+    return None
 
 
-def _remove(folder: Path, lock: str = LOCK) -> None:
-    """Remove the folder, if it holds nothing but the lock."""
+def _remove_again(folder: Path, target: Path) -> None:
+    """Remove a folder that was made for a build which was interrupted at once, if no other build has begun in it."""
+    with suppress(OSError, InputError):
+        file = _locked(folder, target)
+        if file is not None:
+            _remove_if_bare(folder)
+            os.close(file)
+
+
+def _remove_if_bare(folder: Path) -> None:
+    """Remove a folder that holds nothing but the lock, which the caller has."""
     with suppress(OSError):
-        if [path.name for path in folder.iterdir()] == [lock]:
-            (folder / lock).unlink()
-        folder.rmdir()  # fails if another build has begun in it, which is right
+        if [path.name for path in folder.iterdir()] == [LOCK]:
+            (folder / LOCK).unlink()
+            folder.rmdir()  # fails if another build has begun in it, which is right
 
 
 def _is_locked(file: int) -> bool:

@@ -7,6 +7,7 @@ import pkgutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from variantgen.cli.messages import tell
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -69,16 +70,24 @@ def add_explaining(parser: argparse.ArgumentParser) -> None:
 
 
 def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | None:
-    """The solution that is asked for, None without ``--explain``. Raises InputError."""
+    """The solution that is asked for, None without ``--explain``; where no method leads there it is said, and None.
+
+    Raises InputError.
+    """
     if not arguments.explain:
         for option, value in (("--method", arguments.method), ("--depth", arguments.depth)):
             if value:
                 raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
         return None
     from variantgen.outputs.explanation import explain
+    from variantgen.wording.solution.explain import UnexplainedError
 
     depth = arguments.depth or "full"
-    return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
+    try:
+        return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
+    except UnexplainedError as error:
+        tell(str(error))
+        return None
 
 
 def settings(arguments: argparse.Namespace) -> dict[str, str]:

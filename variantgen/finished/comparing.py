@@ -26,7 +26,7 @@ def compared(content: bytes, joined: Path, place: int, problems_inside: bool) ->
         with _careful(), pikepdf.open(joined) as whole:
             return _compared(content, joined.name, whole, list(_starts(whole, problems_inside)), place)
     except (pikepdf.PdfError, LookupError, TypeError, ValueError, AttributeError) as error:
-        told = str(error).removeprefix(str(joined)).strip()
+        told = str(error).removeprefix(str(joined)).strip(": ")
         return range(0), [f"{joined.name} cannot be read ({told}): restore it from a copy"]
 
 

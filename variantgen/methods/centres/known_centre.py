@@ -112,7 +112,7 @@ def _radius(book: Book, body: str, axle: str, exact: float) -> Value:
     drawn = book.task.drawn_radius(axle, exact)
     if isinstance(drawn, Value):
         return drawn
-    return Value(Name("radius", body), "length", exact)
+    return book.geometry.unnamed_radii.of(body, exact)
 
 
 # By one velocity and omega.

@@ -113,7 +113,7 @@ def radius_of(book: Book, group: Rolled) -> Value:
         return drawn
     if group.contact:
         return book.geometry.length(group.centre, group.contact)
-    return Value(Name("radius", group.body), "length", exact)
+    return book.geometry.unnamed_radii.of(group.body, exact)
 
 
 def _centre(book: Book, group: Rolled, radius: Value, name: Name) -> Known:

@@ -19,6 +19,7 @@ from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees
 from variantgen.methods.geometry.layout import Layout
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.place import ORIGIN, Pair, Place
+from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.ways import Ways
 from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.steps.step import Derived, Fact, Item, Segment, Sentence
@@ -37,6 +38,7 @@ class Geometry(Layout):
         self.items: list[Item] = []
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
+        self.unnamed_radii = UnnamedRadii()
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
         plan = task.form.plan
@@ -114,8 +116,16 @@ class Geometry(Layout):
             discs = (disc for disc in self.task.form.figure.discs if disc.centre == centre)
             found = (self.read_length(disc.radius) for disc in discs)
             near = (item for item in found if abs(item.number(True) - exact) < CLOSE * exact)
-            self._lengths[key] = self._entered(Name("radius", body), "length", next(near, Constant(exact)))
+            self._lengths[key] = self._radius_by(next(near, None), body, exact)
         return self._lengths[key]
+
+    def _radius_by(self, drawn: Expression | None, body: str, exact: float) -> Value:
+        """A radius by that of a disc in the figure, if there is one."""
+        if isinstance(drawn, Value):
+            return self._taken(drawn)
+        if drawn is None:
+            return self.unnamed_radii.of(body, exact)
+        return self._entered(self.unnamed_radii.named(body, exact), "length", drawn)
 
     # Directions.
 

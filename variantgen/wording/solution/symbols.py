@@ -60,7 +60,8 @@ class Symbols:
                 letters = {"slide": "s", "arc": "chi", "swing": "theta", "offset": "h"}
                 return Symbol(letters[name.kind], self._body_index(name.of + name.about))
             case "radius":
-                return Symbol("r", self._body_index(name.of))
+                number = (Index(name.about),) if name.about else ()
+                return Symbol("r", (*number, *self._body_index(name.of)))
             case "heading":
                 return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
             case "omega" | "epsilon":
