@@ -61,14 +61,15 @@ def _lock(folder: Path, target: Path) -> int:
     """The descriptor of the locked file in the folder, which is made if it is not there."""
     for _ in range(_TRIES):
         made = True
-        try:
-            folder.mkdir(mode=0o700)
-        except FileExistsError:
-            made = False
-            _check_ours(folder)
-        except OSError as error:
-            raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
-        try:
+        try:  # an interrupt may come as soon as the folder is there
+            try:
+                folder.mkdir(mode=0o700)
+            except FileExistsError:
+                made = False
+                _check_ours(folder)
+            except OSError as error:
+                made = False
+                raise InputError(Problem(f"cannot be made: {error.strerror}", key="--out", value=str(target))) from None
             file = _locked(folder, target)
         except BaseException:
             if made:
