@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from variantgen.builder import build
-    from variantgen.check.family import check_family
     from variantgen.errors import InputError, VariantgenError
     from variantgen.exam.roster import Student, read_roster
     from variantgen.families.load import family_names, load_family
@@ -34,7 +33,6 @@ _HOMES = {
     "VariantgenError": "errors",
     "answers": "single",
     "build": "builder",
-    "check_family": "check.family",
     "draw": "variants.draw",
     "explain": "outputs.explanation",
     "family_names": "families.load",
@@ -53,7 +51,6 @@ __all__ = [
     "__version__",
     "answers",
     "build",
-    "check_family",
     "draw",
     "explain",
     "family_names",

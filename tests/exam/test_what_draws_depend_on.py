@@ -15,6 +15,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family, parse_family
+from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants.examined import examined
@@ -116,6 +117,16 @@ def test_questions_that_the_family_does_not_ask_are_looked_at() -> None:
     assert [q.name for q in examined(form, read_ask(form, ["epsilon_AB"]))] == FOUR_BAR
     own = examined(form, read_ask(form, ["v_B.x", "omega_AB.sense"]))
     assert [q.name for q in own] == [*FOUR_BAR[:3], "v_B.x"]
+
+
+def test_what_is_zero_in_all_ranges_is_looked_at_only_where_it_is_asked() -> None:
+    """``epsilon = a_O / R`` of a rolling wheel is zero where its centre keeps its velocity."""
+    family = restrict(load_family("rolling_wheel"), {"a_O": 0})
+    form = next(iter(family.forms.values()))
+    epsilon = "epsilon_wheel"
+    assert epsilon in [q.name for q in read_ask(form)]
+    assert epsilon not in [q.name for q in examined(form, read_ask(form, ["a_A"]))]
+    assert epsilon in [q.name for q in examined(form, read_ask(form, [epsilon]))]
 
 
 def screened(key: str, value: str) -> None:

@@ -11,7 +11,7 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.solve import solve
 
-_NOTHING = 1e-9  # of the size of the mechanism, or SI: what is smaller is zero but for rounding
+_NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 
 
 def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
@@ -34,8 +34,7 @@ def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
 def _without_zeros(form: Form, answers: Sequence[Quantity], asked: Collection[str]) -> list[Quantity]:
     """Answers that are not zero in the middle of all ranges, and those that are asked."""
     motion = solve(form.sample, max(quantity.order for quantity in answers), form.plan)
-    size = np.max(motion.length_scale())
-    return [q for q in answers if q.name in asked or not np.all(np.abs(q.whole.value(motion)) <= _NOTHING * size)]
+    return [q for q in answers if q.name in asked or not np.all(np.abs(q.whole.value(motion)) <= _NOTHING)]
 
 
 def _as_good_as(quantity: Quantity) -> str:
