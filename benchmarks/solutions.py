@@ -27,7 +27,7 @@ from variantgen.builder import build
 from variantgen.exam.assembly import assemble
 from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
-from variantgen.exam.content import Content, Posed, Solved
+from variantgen.exam.content import Content, PosedProblem, Solved
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.exam.shown import Figures, view_order
@@ -74,7 +74,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
             found = solution(task)
         with clock.measuring(TEXT):
             text = written(task, found, language)
-        posed = Posed(item, statement(item.variant, item.asked, language), drawing)
+        posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
         figures = Figures(item.variant, item.asked, language, (motion, place), drawing)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.exam.test_blueprint import at_most
-from variantgen.builder.carried import Carried
+from variantgen.builder.build_spec import BuildSpec
 from variantgen.cli import main
 from variantgen.families.files import family_files, family_hash
 from variantgen.families.load import load_family
@@ -167,7 +167,7 @@ def test_other_files_in_the_folder_of_a_family_are_not_read(tmp_path: Path) -> N
     (folder / "deeper" / "cases.toml").write_text("x")
     assert family_hash(folder) == known
     assert family_files(folder).keys() == {"cases.toml", "family.toml", "statement.en.j2", "statement.ru.j2"}
-    carried = Carried.of(replace(read_exam(tmp_path / "exam.toml"), seed="1"))
+    carried = BuildSpec.of(replace(read_exam(tmp_path / "exam.toml"), seed="1"))
     assert {name: files.keys() for name, files in carried.families.items()} == {"own": family_files(folder).keys()}
     (folder / "cases.toml").write_bytes((folder / "cases.toml").read_bytes() + b"\n")
     assert family_hash(folder) != known

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.margins import Margins
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
@@ -60,7 +60,7 @@ def one_variant(
         return variant
     if ask:
         check_ask(family, tuple(ask), load_family(family_or_file, folders))
-    return draw(family, tuple(ask) or None, [(seed, *SINGLE)], judge=Margins())[0]
+    return draw(family, tuple(ask) or None, [(seed, *SINGLE)], screening=AnswerTolerances())[0]
 
 
 def _check_values(form: Form) -> None:

@@ -18,8 +18,8 @@ import pytest
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from variantgen.builder import WorkerLostError, build, scheduled_workers
-from variantgen.builder.carried import OtherVersionError
-from variantgen.builder.workers import Others
+from variantgen.builder.build_spec import OtherVersionError
+from variantgen.builder.workers import PoolWorkers
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.blueprint import Exam
@@ -183,26 +183,26 @@ def test_workers_that_are_slow_are_waited_for(monkeypatch: pytest.MonkeyPatch, t
 
     monkeypatch.setattr("variantgen.builder.workers.ABSENCE", 0.3)
     with Slow(1) as executor:
-        build(exam(tmp_path), numbered(3), tmp_path / "out", executor=Others(executor, 4, there))
+        build(exam(tmp_path), numbered(3), tmp_path / "out", executor=PoolWorkers(executor, 4, there))
     assert len(asked) > 3
 
 
 def test_workers_of_another_version_are_refused(tmp_path: Path) -> None:
-    from variantgen.builder.carried import Carried
+    from variantgen.builder.build_spec import BuildSpec
 
-    carried = Carried.of(replace(exam(tmp_path), seed="1"))
+    carried = BuildSpec.of(replace(exam(tmp_path), seed="1"))
     assert carried.exam(tmp_path).title == "Quiz"
     with pytest.raises(OtherVersionError, match=r"0\.0 "):
         replace(carried, made_with={**carried.made_with, "program": "0.0 of another time"}).exam(tmp_path)
 
 
 def test_an_exam_that_is_not_that_of_its_text_cannot_be_carried(tmp_path: Path) -> None:
-    from variantgen.builder.carried import Carried
+    from variantgen.builder.build_spec import BuildSpec
 
     whole = exam(tmp_path)
     changed: Exam = replace(whole, tasks=whole.tasks[:1])
     with pytest.raises(OtherVersionError, match="changed"):
-        Carried.of(replace(changed, seed="1")).exam(tmp_path)
+        BuildSpec.of(replace(changed, seed="1")).exam(tmp_path)
     # In this process nothing is read again.
     build(changed, numbered(2), tmp_path / "out")
 
@@ -218,9 +218,9 @@ def test_errors_come_back_from_workers(tmp_path: Path) -> None:
 
 def test_threads_take_turns(tmp_path: Path) -> None:
     """The engine has but one memory: jobs in one process come one after the other."""
-    from variantgen.builder.carried import Carried, setting_of
+    from variantgen.builder.build_spec import BuildSpec, setting_of
 
-    carried = Carried.of(replace(exam(tmp_path), seed="1"))
+    carried = BuildSpec.of(replace(exam(tmp_path), seed="1"))
     inside = 0
 
     def enter() -> None:

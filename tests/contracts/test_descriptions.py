@@ -106,7 +106,7 @@ def test_languages_say_the_same(name: str) -> None:
 def test_every_joint_and_driver_has_its_phrase(stem: str, lang: str) -> None:
     phrases = load_language(lang).words("figure")
     assert any(key == stem or key.startswith(stem + "_") for key in phrases), f"[figure] {stem} = ... in {lang}.toml"
-    name = f"variantgen.figure.telling.kinds.{stem}"
+    name = f"variantgen.figure.alt_text.kinds.{stem}"
     if importlib.util.find_spec(name) is None:
         assert stem in phrases, "a kind without a module of its own is told by the phrase of its name"
     else:

@@ -14,7 +14,7 @@ from variantgen import single
 from variantgen.mechanism.component import discover
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import Loose, Slide
+from variantgen.mechanism.structure import FreePoint, GuidedPoint
 
 NOTHING_ELSE = {"cli", "errors", "version"}
 SOLVING = NOTHING_ELSE | {
@@ -50,9 +50,9 @@ def test_a_scene_without_a_sleeve_has_no_relative_unknowns(
     # An unknown is the rate of a body, the speed of a point along a line at rest, or one of a point that nothing leads.
     own = set(plan.omega.values())
     for step in plan.steps:
-        if isinstance(step, Slide):
+        if isinstance(step, GuidedPoint):
             own.add(step.unknown)
-        elif isinstance(step, Loose):
+        elif isinstance(step, FreePoint):
             own |= {step.x, step.y}
     assert {unknown for block in plan.blocks for unknown in block.unknowns} <= own
     if sliding_points(motion.scene):

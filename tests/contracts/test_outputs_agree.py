@@ -94,8 +94,11 @@ def moodle(out: Path) -> Iterator[Read]:
         accepted = [
             [tuple(map(Decimal, one.removeprefix("=").split(":"))) for one in part.split("~")] for part in parts
         ]
-        windows = [[(value - margin, value + margin) for value, margin in part] for part in accepted]
-        yield place(question.findtext("idnumber", "")), [float(part[0][0]) for part in accepted], windows
+        accepted_intervals = [
+            [(value - relative_tolerance, value + relative_tolerance) for value, relative_tolerance in part]
+            for part in accepted
+        ]
+        yield place(question.findtext("idnumber", "")), [float(part[0][0]) for part in accepted], accepted_intervals
 
 
 def prairielearn(out: Path) -> Iterator[Read]:
@@ -103,12 +106,12 @@ def prairielearn(out: Path) -> Iterator[Read]:
         number = int(path.parent.name.split("-")[-2])
         for variant in json.loads(path.read_text("utf-8"), parse_float=Decimal):
             values = [variant["answers"][part["name"]] for part in variant["parts"]]
-            margins = [Decimal(part["tolerance"]) for part in variant["parts"]]
-            windows = [
+            answer_tolerances = [Decimal(part["tolerance"]) for part in variant["parts"]]
+            accepted_intervals = [
                 [(v - m, v + m), *map(tuple, p["also"])]
-                for v, m, p in zip(values, margins, variant["parts"], strict=True)
+                for v, m, p in zip(values, answer_tolerances, variant["parts"], strict=True)
             ]
-            yield (variant["code"], number), list(map(float, values)), windows
+            yield (variant["code"], number), list(map(float, values)), accepted_intervals
 
 
 def qti(out: Path, name: str) -> Iterator[Read]:
@@ -182,14 +185,14 @@ def test_outputs_for_programs(name: str, built: tuple[str, Path]) -> None:
     truth = key(built[1])
     found = list(PROGRAMS[name](built[1]))
     assert sorted(where for where, _, _ in found) == sorted(truth)
-    for where, values, windows in found:
+    for where, values, accepted_intervals in found:
         assert values == [float(row["value"]) for row in truth[where]]
-        for row, own in zip(truth[where], windows or [], strict=windows is not None):
-            value, margin = Decimal(row["value"]), Decimal(row["tolerance"])
+        for row, own in zip(truth[where], accepted_intervals or [], strict=accepted_intervals is not None):
+            value, relative_tolerance = Decimal(row["value"]), Decimal(row["tolerance"])
             # PrairieLearn compares numbers with rounding errors: what stands at the edge is right there too.
             more = Decimal("2e-9") * abs(value) if name == "prairielearn" else Decimal(0)
-            assert value - margin - more <= own[0][0] <= value - margin
-            assert value + margin <= own[0][1] <= value + margin + more
+            assert value - relative_tolerance - more <= own[0][0] <= value - relative_tolerance
+            assert value + relative_tolerance <= own[0][1] <= value + relative_tolerance + more
 
 
 def printed(row: dict[str, str], language: str) -> str:

@@ -40,11 +40,11 @@ def test_each_problem_is_marked_by_its_own(tmp_path: Path) -> None:
     found = exam(tmp_path, "tolerance = 0.04", "", "tolerance = 0.1", "tolerance = 0.015")
     for sheet in sheets(found):
         speeds = [item.answers[0] for item in sheet.items]
-        assert [answer.margin for answer in speeds][:2] == [0.04, 0.1]
+        assert [answer.relative_tolerance for answer in speeds][:2] == [0.04, 0.1]
         # What rounding needs may be more than 1.5 %.
-        assert 0.015 <= speeds[2].margin <= 0.03
+        assert 0.015 <= speeds[2].relative_tolerance <= 0.03
         for answer in speeds:  # rounded to three digits
-            assert answer.tolerance == pytest.approx(answer.margin * abs(answer.value), rel=5e-3)
+            assert answer.tolerance == pytest.approx(answer.relative_tolerance * abs(answer.value), rel=5e-3)
         assert all(item.answers[1].tolerance == 0 for item in sheet.items)
 
 
@@ -53,7 +53,7 @@ def test_data_do_not_depend_on_it(tmp_path: Path) -> None:
     for one, two in zip(usual, other, strict=True):
         assert [item.variant.printed for item in one.items] == [item.variant.printed for item in two.items]
         assert [item.answers[0].value for item in one.items] == [item.answers[0].value for item in two.items]
-        assert one.items[1].answers[0].margin < two.items[1].answers[0].margin == 0.1
+        assert one.items[1].answers[0].relative_tolerance < two.items[1].answers[0].relative_tolerance == 0.1
 
 
 @pytest.mark.parametrize(
@@ -75,8 +75,8 @@ def test_what_is_not_said_is_that_of_the_exam(top: str, own: str, wanted: Tolera
 def test_a_ceiling_of_one_problem_leaves_the_others_alone(tmp_path: Path) -> None:
     free, cut = (sheets(exam(tmp_path, "", own, "")) for own in ("", "tolerance = { floor = 0.005, ceiling = 0.01 }"))
     assert [s.items[1].variant.printed for s in free] == [s.items[1].variant.printed for s in cut]
-    assert all(s.items[0].answers[0].margin <= 0.01 for s in cut)
-    assert any(s.items[0].answers[0].margin > 0.01 for s in free)
+    assert all(s.items[0].answers[0].relative_tolerance <= 0.01 for s in cut)
+    assert any(s.items[0].answers[0].relative_tolerance > 0.01 for s in free)
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,12 @@ def test_numbers_to_the_last_bit(number: float, packed: Packed) -> None:
     found, items, _ = packed
     answers = (
         replace(
-            items[0].answers[0], value=number, tolerance=number, margin=number, surd=Surd(-40, 3, 2), unnoticed=("я",)
+            items[0].answers[0],
+            value=number,
+            tolerance=number,
+            relative_tolerance=number,
+            surd=Surd(-40, 3, 2),
+            unnoticed=("я",),
         ),
     )
     (again,) = unpack(found, pack(found, [replace(items[0], answers=answers)]))

@@ -10,7 +10,7 @@ from variantgen.figure.moving import Moving
 from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.scene import fixed_points
 from variantgen.single import asked_quantities, one_variant
-from variantgen.variants.course import course
+from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.wording.language import load_language
 
 FAMILIES = [
@@ -27,7 +27,7 @@ FAMILIES = [
 def moving(family: str) -> tuple[Moving, int]:
     variant = one_variant(family, seed="moving")
     asked = asked_quantities(variant)
-    sweep = course(variant, asked, 91).sweep
+    sweep = driver_sweep(variant, asked, 91).sweep
     return Moving(variant, sweep.motion, asked, load_language("en")), sweep.instant
 
 

@@ -23,7 +23,7 @@ from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical import graphical
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, pole_letter
-from variantgen.methods.graphical.vector_chain import Chain
+from variantgen.methods.graphical.vector_chain import VectorChain
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Sentence, Solution
@@ -145,7 +145,7 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
                     assert abs(step) < COINCIDENT or min(abs(length - step) for length in lengths) < COINCIDENT, wanted
 
 
-def drawn(values: list[Value], letter: str, item: Task, chain: Chain) -> list[Value]:
+def drawn(values: list[Value], letter: str, item: Task, chain: VectorChain) -> list[Value]:
     """Readings of one plan that the figure shows as arrows.
 
     Projections are none; hidden points and contacts of rolling wheels are left out there, and what is too short.

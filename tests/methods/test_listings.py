@@ -14,8 +14,8 @@ from variantgen.families.asking import read_ask
 from variantgen.methods.coordinates import coordinates
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.step import Listing
-from variantgen.methods.wish import Wish
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.solution.document import Program
 from variantgen.wording.solution.explain import explain
@@ -83,7 +83,9 @@ def test_programs_are_short_and_need_numpy_only() -> None:
 @pytest.mark.parametrize("language", languages())
 def test_comments_are_in_the_language(language: str) -> None:
     drawn, motion = variants("four_bar", "crank", 1)
-    text = explain(drawn[0], motion, 0, read_ask(drawn[0].form), load_language(language), Wish(("coordinates",)))
+    text = explain(
+        drawn[0], motion, 0, read_ask(drawn[0].form), load_language(language), SolutionOptions(("coordinates",))
+    )
     (program,) = [block for section in text.sections for block in section.blocks if isinstance(block, Program)]
     comments = [line for line in program.code.splitlines() if line.startswith("#")]
     sentences = {

@@ -12,7 +12,7 @@ from tests.own_scenes import FACTORS, SCENES, OwnScene
 from variantgen.cli import main
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.wish import Wish
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.single import answers, asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
@@ -48,7 +48,7 @@ def test_answers_and_solutions_do_not_depend_on_the_unit(name, parameters, tmp_p
         for (quantity, value), answer in zip(told.answers, found, strict=True):
             assert abs(value.exact) == pytest.approx(abs(answer.value), rel=1e-7), (unit, quantity)
         for language in ("en", "ru"):
-            assert explain(variant, motion, 0, asked, load_language(language), Wish()).sections
+            assert explain(variant, motion, 0, asked, load_language(language), SolutionOptions()).sections
     for unit in FACTORS:
         assert relative[unit] == pytest.approx(relative["m"], rel=1e-9)
         assert all(share <= 0.06 for share in relative[unit]), relative[unit]

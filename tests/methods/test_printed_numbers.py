@@ -10,7 +10,7 @@ from variantgen.families.asking import read_ask
 from variantgen.methods.by_groups import three_rates
 from variantgen.methods.coordinates import analytical, coordinates
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.wish import Wish
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import Line, Lines, Section
@@ -40,7 +40,7 @@ def test_results_come_out(name: str, form: str, method: str) -> None:
     if not METHODS[method].applies(task_of(drawn[0], motion, 0, asked)):
         return
     for language in ("en", "ru"):
-        found = explain(drawn[0], motion, 0, asked, load_language(language), Wish((method,)))
+        found = explain(drawn[0], motion, 0, asked, load_language(language), SolutionOptions((method,)))
         reader = Reader(*known_data(drawn[0], asked, language))
         position = load_phrases(language).sentence("position.heading")
         for section in found.sections:

@@ -12,7 +12,7 @@ from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import deviation
 from variantgen.methods.by_groups import walk
 from variantgen.methods.centres import projections
-from variantgen.methods.groups.group import Dyad, Track
+from variantgen.methods.groups.group import Dyad, PointPath
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Projection
 from variantgen.methods.steps.style import Style
@@ -66,5 +66,5 @@ def test_a_path_across_the_line_is_left_to_other_methods() -> None:
     found, worked = case_of("ladder", "M23")
     book = Book(task(found, worked, ("v_B",)))
     side = book.geometry.vector("A", "B")
-    assert not projections.applies(book, Dyad("AB", "A", Track("B", line=1j * side / abs(side))))
-    assert projections.applies(book, Dyad("AB", "A", Track("B", line=1 + 0j)))
+    assert not projections.applies(book, Dyad("AB", "A", PointPath("B", line=1j * side / abs(side))))
+    assert projections.applies(book, Dyad("AB", "A", PointPath("B", line=1 + 0j)))

@@ -25,7 +25,7 @@ def test_the_fonts_have_the_usual_letters() -> None:
 
 
 def test_the_message_names_every_text(tmp_path: Path) -> None:
-    exam = Exam("Тест 学生", "Course", "en", (), path=tmp_path)
+    exam = Exam("Тест 学生", "DriverSweep", "en", (), path=tmp_path)
     students = [
         Student("1", "Ann"),
         Student("2", "李明", "三"),

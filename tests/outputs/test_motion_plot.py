@@ -22,7 +22,7 @@ from variantgen.outputs.motion.ranges import round_ticks, tick_texts, visible_ra
 from variantgen.outputs.motion.subject import Subject
 from variantgen.outputs.motion_plot import motion_bytes
 from variantgen.single import answers, asked_quantities, one_variant
-from variantgen.variants.course import course
+from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.mathtext import to_mathtext
@@ -33,11 +33,11 @@ STARTS = {"pdf": b"%PDF", "png": b"\x89PNG", "svg": b"<?xml", "gif": b"GIF89a"}
 def subject(family: str, language: str = "en", form: str = "", ask: Sequence[str] = (), **fixed: str) -> Subject:
     variant = one_variant(family, fixed, "plot", form, ask)
     asked = asked_quantities(variant, ask)
-    return Subject(variant, course(variant, asked), asked, load_language(language))
+    return Subject(variant, driver_sweep(variant, asked), asked, load_language(language))
 
 
 def caption(of: Subject) -> str:
-    shown, constants = panels(of.variant, of.course, of.asked, of.language)
+    shown, constants = panels(of.variant, of.driver_sweep, of.asked, of.language)
     clipped = any(of.range_of(panel)[2] for panel in shown)
     return " ".join(caption_lines(of, constants, clipped, 6.0))
 
@@ -67,7 +67,7 @@ def test_a_pdf_has_its_words(tmp_path: Path) -> None:
 
 def test_panels_are_grouped_by_units() -> None:
     of = subject("four_bar", form="crank")
-    shown, constants = panels(of.variant, of.course, of.asked, of.language)
+    shown, constants = panels(of.variant, of.driver_sweep, of.asked, of.language)
     assert [panel.unit.name for panel in shown] == ["cm", "cm/s", "rad/s", "cm/s^2", "rad/s^2"]
     assert shown[0].letters == ("x", "y")
     assert [[to_plain(curve.formula) for curve in panel.curves] for panel in shown] == [
@@ -82,17 +82,17 @@ def test_panels_are_grouped_by_units() -> None:
 
 def test_curves_pass_through_the_answers() -> None:
     of = subject("quick_return_shaper")
-    shown, _ = panels(of.variant, of.course, of.asked, of.language)
+    shown, _ = panels(of.variant, of.driver_sweep, of.asked, of.language)
     curves = {to_plain(curve.formula): curve for panel in shown for curve in panel.curves}
     for answer in answers(of.variant):
         curve = curves[to_plain(of.language.quantity(answer.quantity, of.variant.form.symbols))]
         assert curve.now == answer.value
-        assert curve.values[of.course.sweep.instant] == pytest.approx(answer.value, rel=1e-7)
+        assert curve.values[of.driver_sweep.sweep.instant] == pytest.approx(answer.value, rel=1e-7)
 
 
 def test_what_does_not_change_is_said_and_not_plotted() -> None:
     of = subject("planetary_train", form="two_suns")
-    shown, constants = panels(of.variant, of.course, of.asked, of.language)
+    shown, constants = panels(of.variant, of.driver_sweep, of.asked, of.language)
     assert [panel.unit.name for panel in shown] == ["cm"]
     assert len(constants) == len(of.asked)
     omega = next(answer for answer in answers(of.variant) if answer.quantity.name == "omega_gear2")
@@ -104,7 +104,7 @@ def test_what_does_not_change_is_said_and_not_plotted() -> None:
 
 def test_an_angle_does_not_jump() -> None:
     of = subject("four_bar", form="crank", ask=["v_A.angle", "a_A"], OA="20", OC="60", AB="50", BC="50", phi="75")
-    shown, _ = panels(of.variant, of.course, of.asked, of.language)
+    shown, _ = panels(of.variant, of.driver_sweep, of.asked, of.language)
     angle = next(panel for panel in shown if panel.unit.name == "deg").curves[0]
     assert np.max(np.abs(np.diff(angle.values))) < 2
     assert abs(angle.values[-1] - angle.values[0]) == pytest.approx(360)
@@ -112,13 +112,13 @@ def test_an_angle_does_not_jump() -> None:
 
 def test_dead_points_do_not_swallow_the_rest() -> None:
     of = subject("hydraulic_hoist", form="boom")
-    shown, _ = panels(of.variant, of.course, of.asked, of.language)
+    shown, _ = panels(of.variant, of.driver_sweep, of.asked, of.language)
     rate = next(panel for panel in shown if panel.unit.name == "rad/s")
     low, high, clipped = of.range_of(rate)
     values = rate.curves[0].values
     assert clipped
     assert np.ptp(values) > 20 * (high - low)
-    assert low < values[of.course.sweep.instant] < high
+    assert low < values[of.driver_sweep.sweep.instant] < high
     assert np.mean((values > low) & (values < high)) > 0.8
     assert "leave the frame" in caption(of)
 
@@ -170,11 +170,11 @@ def test_ticks(low: float, high: float, angles: bool, ticks: list[str]) -> None:
 def test_a_film_of_a_turn_and_one_to_and_fro() -> None:
     turn = subject("slider_crank", form="central")
     indices = film_indices(turn)
-    assert indices[0] == turn.course.sweep.instant
+    assert indices[0] == turn.driver_sweep.sweep.instant
     assert len(set(indices)) == len(indices) == 60
     swing = subject("hydraulic_hoist", form="boom")
     indices = film_indices(swing)
-    assert indices[0] == swing.course.sweep.instant
+    assert indices[0] == swing.driver_sweep.sweep.instant
     assert 55 <= len(indices) <= 65
     assert max(abs(a - b) for a, b in zip(indices, [*indices[1:], indices[0]], strict=True)) < 30
     made = motion_bytes(swing.variant, swing.asked, swing.language, "gif")

@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
-from variantgen.variants.distinct import TRIES, Settled, TooFewError, settle
+from variantgen.variants.distinct import TRIES, DistinctDraws, TooFewError, assign_distinct
 from variantgen.variants.draw import draw
-from variantgen.variants.likeness import CLOSE, CLOSE_ANGLE, Traits, traits
 from variantgen.variants.needed import told_size
 from variantgen.variants.seeding import digest
+from variantgen.variants.similarity import CLOSE, CLOSE_ANGLE, Traits, traits
 from variantgen.variants.variant import Variant
 
 Draw = tuple[int, int, float]  # identity, room, place
@@ -39,9 +39,9 @@ class Model:
             np.array([k + 1 for k in tries]),
         )
 
-    def settle(self) -> Settled:
+    def assign_distinct(self) -> DistinctDraws:
         first = self.traits(range(len(self.draws)), [0] * len(self.draws))
-        return settle(first, lambda i: self.priorities[i].to_bytes(8, "big"), self.traits)
+        return assign_distinct(first, lambda i: self.priorities[i].to_bytes(8, "big"), self.traits)
 
     def one_by_one(self) -> dict[int, int]:
         held: dict[int, Draw] = {}
@@ -77,17 +77,17 @@ def models(make: st.DrawFn) -> Model:
 @settings(max_examples=200, deadline=None)
 @given(models())
 def test_as_one_after_the_other(model: Model) -> None:
-    assert model.settle().again == model.one_by_one()
+    assert model.assign_distinct().again == model.one_by_one()
 
 
 def test_the_order_of_owners_changes_nothing() -> None:
     seed = random.Random(3)
     draws = [[(p, 0, float(p)) for p in [seed.randrange(30) for _ in range(200)]] for _ in range(12)]
-    whole = Model(draws, range(12)).settle().again
+    whole = Model(draws, range(12)).assign_distinct().again
     for _ in range(10):
         order = list(range(12))
         seed.shuffle(order)
-        again = Model([draws[i] for i in order], order).settle().again
+        again = Model([draws[i] for i in order], order).assign_distinct().again
         assert {order[k]: attempt for k, attempt in again.items()} == whole
 
 
@@ -95,14 +95,14 @@ def test_too_few_variants_are_noticed_and_counted() -> None:
     seed = random.Random(1)
     draws = [[(p, p, 0.0) for p in [seed.randrange(7) for _ in range(2000)]] for _ in range(9)]
     with pytest.raises(TooFewError) as caught:
-        Model(draws, range(9)).settle()
+        Model(draws, range(9)).assign_distinct()
     assert caught.value.found(lambda owner: True) == 7
 
 
 def test_a_crowd_is_told_and_only_kept_distinct() -> None:
     # 40 owners, all within reach of each other: nobody looks for what is not there.
     draws = [[(10 * i + k, 0, 0.01 * i) for k in range(50)] for i in range(40)]
-    found = Model(draws, range(40)).settle()
+    found = Model(draws, range(40)).assign_distinct()
     assert found.again == {}
     assert found.alike == tuple(range(40))
 
@@ -111,7 +111,7 @@ def test_large_rooms_are_searched_as_small_ones_are() -> None:
     # 1000 owners in one room, spaced by twice the distance, and a second owner near each tenth.
     draws = [[(i, 0, 2.5 * i), (5000 + i, 1, 50.0 * i)] for i in range(1000)]
     draws += [[(9000 + i, 0, 25.0 * i + 0.5), (20_000 + i, 2, 50.0 * i)] for i in range(100)]
-    assert Model(draws, range(1100)).settle().again == {1000 + i: 2 for i in range(100)}
+    assert Model(draws, range(1100)).assign_distinct().again == {1000 + i: 2 for i in range(100)}
 
 
 BASE = draw(load_family("four_bar"), ["v_B"], [("s", 1, 1)])[0]

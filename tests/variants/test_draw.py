@@ -13,11 +13,11 @@ from variantgen.errors import InputError
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.variants.batch import Tally
-from variantgen.variants.distinct import TooFewError, settle
+from variantgen.variants.distinct import TooFewError, assign_distinct
 from variantgen.variants.draw import Drawing, draw, too_few
-from variantgen.variants.likeness import Traits, traits
+from variantgen.variants.batch import Tally
 from variantgen.variants.seeding import Stream, digest, index_below
+from variantgen.variants.similarity import Traits, traits
 from variantgen.variants.variant import Variant, solve_variants
 
 SMALL = restrict(load_family("spool"), {"thread": "above", "a_B": 100, "v_B": 40}, {"r": [18, 22], "R": [40, 44]})
@@ -75,7 +75,7 @@ def distinct(family: Family, names: list[str], ask: list[str] | None = None) -> 
 
     found = draws(range(len(names)), [0] * len(names))
     try:
-        settled = settle(traits_of(found), lambda i: digest("priority", names[i]), more)
+        settled = assign_distinct(traits_of(found), lambda i: digest("priority", names[i]), more)
     except TooFewError as error:
         raise too_few(error, [drawing] * len(names)) from None
     for i, attempt in settled.again.items():

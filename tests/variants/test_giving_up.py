@@ -13,9 +13,9 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.assembly import Drawer, wishes_of
 from variantgen.exam.blueprint import parse_exam
-from variantgen.exam.margins import Margins
 from variantgen.exam.roster import numbered
 from variantgen.families.family import Family
 from variantgen.families.load import load_family, parse_family
@@ -23,9 +23,9 @@ from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants import attempts
-from variantgen.variants.batch import Tally
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import position_screens
+from variantgen.variants.batch import Tally
 from variantgen.variants.variant import columns, solve_variants
 
 KEYS = [("giving up", i) for i in range(100)]
@@ -42,7 +42,7 @@ def strict(name: str, form: str, ceiling: float) -> Family:
 def test_a_ceiling_that_nothing_meets_ends_after_some_thousand_judged_attempts() -> None:
     tally = Tally()
     with pytest.raises(InputError) as caught:
-        draw(strict("four_bar", "crank", 0.004), None, KEYS, tally, Margins())
+        draw(strict("four_bar", "crank", 0.004), None, KEYS, tally, AnswerTolerances())
     text = str(caught.value)
     assert "rounding by hand within the ceiling" in text
     assert "raise the ceiling of its screens (0.004)" in text
@@ -61,12 +61,12 @@ def test_ranges_that_nothing_meets_cost_a_class_no_more_than_a_few_students() ->
 
 
 def test_what_was_rejected_is_forgotten() -> None:
-    margins = Margins()
-    found = draw(strict("guided_plate", "", 0.02), None, KEYS[:20], judge=margins)
-    assert len(margins._errors) <= 5 * len(found)  # accepted ones, and those that came too late
-    margins.forget()
-    assert not margins._errors
-    assert not margins._marks
+    answer_tolerances = AnswerTolerances()
+    found = draw(strict("guided_plate", "", 0.02), None, KEYS[:20], screening=answer_tolerances)
+    assert len(answer_tolerances._errors) <= 5 * len(found)  # accepted ones, and those that came too late
+    answer_tolerances.forget()
+    assert not answer_tolerances._errors
+    assert not answer_tolerances._marks
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from variantgen.wording.formula import (
-    Chain,
     Cross,
     Equation,
     Formula,
@@ -14,6 +13,7 @@ from variantgen.wording.formula import (
     Number,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Symbol,
@@ -62,7 +62,7 @@ def minus(first: Formula, second: Formula) -> Sum:
 A, B, C, PHI = sym("a"), sym("b"), sym("c"), sym("phi")
 
 LINES: tuple[Formula, ...] = (
-    Chain(
+    Relation(
         (
             sym("v", "B"),
             Fraction(times(sym("v", "A"), cos(deg("40.02"))), cos(deg("22.5"))),

@@ -20,7 +20,6 @@ from variantgen.outputs.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import (
     About,
     Absolute,
-    Chain,
     Cross,
     Dotted,
     Equation,
@@ -34,6 +33,7 @@ from variantgen.wording.formula import (
     Place,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Surd,
@@ -219,7 +219,7 @@ ROWS = [
         "<i>A</i>(3;\xa0−4,5)",
     ),
     Row(
-        Chain((A, B, sym("AB"), Measured(num("1"), CM_PER_S)), ("=", "→", "≈")),
+        Relation((A, B, sym("AB"), Measured(num("1"), CM_PER_S)), ("=", "→", "≈")),
         "a = b → AB ≈ 1\xa0cm/s",
         'a = b arrow.r A B approx "1" thin "cm/s"',
         r"a = b \to A B \approx 1\,\text{cm/s}",
@@ -227,7 +227,7 @@ ROWS = [
         "<i>a</i> =\xa0<i>b</i> →\xa0<i>A</i><i>B</i> ≈\xa01\xa0cm/s",
     ),
     Row(
-        Chain((A, B, C), ("∥", "⟂")),
+        Relation((A, B, C), ("∥", "⟂")),
         "a ∥ b ⟂ c",
         "a parallel b perp c",
         r"a \parallel b \perp c",
@@ -409,8 +409,8 @@ def test_figures_refuse_what_stands_in_texts_only() -> None:
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda: Chain((A, B), ("=", "=")),
-        lambda: Chain((A, B), ("<",)),
+        lambda: Relation((A, B), ("=", "=")),
+        lambda: Relation((A, B), ("<",)),
         lambda: Dotted(A, 3),
         lambda: Surd(1, 0, 2),
         lambda: Surd(1, 1, -2),

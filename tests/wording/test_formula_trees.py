@@ -19,7 +19,6 @@ from variantgen.outputs.typesetter import typesetter
 from variantgen.wording.formula import (
     About,
     Absolute,
-    Chain,
     Cross,
     Dotted,
     Equation,
@@ -35,6 +34,7 @@ from variantgen.wording.formula import (
     Place,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Surd,
@@ -184,7 +184,7 @@ def chains(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
     """Two or three sides with any signs."""
     two = st.tuples(st.tuples(inner, inner), st.tuples(st.sampled_from(SIGNS)))
     three = st.tuples(st.tuples(inner, inner, inner), st.tuples(st.sampled_from(SIGNS), st.sampled_from(SIGNS)))
-    return st.one_of(two, three).map(lambda parts: Chain(*parts))
+    return st.one_of(two, three).map(lambda parts: Relation(*parts))
 
 
 def layer(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:

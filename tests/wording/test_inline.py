@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 
 from variantgen.errors import InputError
 from variantgen.wording.formula import (
-    Chain,
     Fraction,
     Index,
     Measured,
     Number,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Symbol,
@@ -68,8 +68,8 @@ def test_text_and_formulas(text: str, runs: tuple[object, ...]) -> None:
         (r"25\,cm/s", Measured(Number("25"), UnitText((("cm/s", 1),)))),
         ("3 m", Measured(Number("3"), UnitText((("m", 1),)))),
         ("3 mu", Product((Number("3"), Symbol("mu")))),
-        ("v = 5", Chain((Symbol("v"), Number("5")), ("=",))),
-        (r"v \approx 5 cm", Chain((Symbol("v"), Measured(Number("5"), UnitText((("cm", 1),)))), ("≈",))),
+        ("v = 5", Relation((Symbol("v"), Number("5")), ("=",))),
+        (r"v \approx 5 cm", Relation((Symbol("v"), Measured(Number("5"), UnitText((("cm", 1),)))), ("≈",))),
         ("-a + b", Sum(((-1, Symbol("a")), (1, Symbol("b"))))),
         (r"2 \cdot R", Product((Number("2"), Symbol("R")))),
         ("a/b", Fraction(Symbol("a"), Symbol("b"))),
@@ -138,5 +138,5 @@ def test_any_text_is_read_or_refused(text: str) -> None:
 @pytest.mark.parametrize("typed", ["9.8 м/с^2", "9,8 м/с²", "9.8 m/s^2"])
 def test_a_unit_may_be_typed_as_the_language_writes_it_or_by_its_name_in_files(typed: str) -> None:
     assert inline(f"$g = {typed}$", RU) == (
-        Chain((Symbol("g"), Measured(Number("9,8"), UnitText((("м/с", 2),)))), ("=",)),
+        Relation((Symbol("g"), Measured(Number("9,8"), UnitText((("м/с", 2),)))), ("=",)),
     )

@@ -8,10 +8,10 @@ import pytest
 
 from tests.solved_cases import every_case, quantities, variant_of
 from variantgen.families.family import frame
-from variantgen.variants.mistakes import wrong_answers
+from variantgen.variants.distractors import wrong_answers
 from variantgen.variants.variant import columns, solve_variants
+from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import languages, load_language
-from variantgen.wording.mistakes import mistake_text
 
 
 @pytest.mark.parametrize(

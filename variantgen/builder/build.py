@@ -10,12 +10,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from variantgen.builder.carried import Carried, known_here
+from variantgen.builder.build_spec import BuildSpec, known_here
 from variantgen.builder.drawing import draw_all
 from variantgen.builder.jobs import Make
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
-from variantgen.builder.workers import Others, Workers, local_workers
+from variantgen.builder.workers import PoolWorkers, Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.assembly import Standing
 from variantgen.exam.blueprint import Exam
@@ -62,7 +62,7 @@ def build(
     jobs: int = 1,
     force: bool = False,
     progress: Progress = lambda stage, done, total: None,
-    executor: Executor | Others | None = None,
+    executor: Executor | PoolWorkers | None = None,
     resume: bool = False,
     standing: Sequence[Standing] = (),
 ) -> Built:
@@ -84,7 +84,7 @@ def build(
     for name in exam.formats:
         formats()[name].check(exam, students)
     with terminable(), typesetter() as engine:
-        carried = Carried.of(exam)
+        carried = BuildSpec.of(exam)
         with (
             writing(out),
             unfinished(out, _plan(exam, carried, students, standing), resume, (RECORDS, *exam.formats)) as parts,
@@ -103,16 +103,16 @@ def build(
 
 
 @contextmanager
-def _workers(executor: Executor | Others | None, jobs: int) -> Iterator[Workers]:
+def _workers(executor: Executor | PoolWorkers | None, jobs: int) -> Iterator[Workers]:
     """Who does the jobs."""
     with ExitStack() as stack:
         if executor is None:
             yield stack.enter_context(local_workers(jobs))
         else:
-            yield executor if isinstance(executor, Others) else Others(executor, AHEAD)
+            yield executor if isinstance(executor, PoolWorkers) else PoolWorkers(executor, AHEAD)
 
 
-def _plan(exam: Exam, carried: Carried, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
+def _plan(exam: Exam, carried: BuildSpec, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
     """What must be the same for a build to go on: by the words that tell what is different."""
     roster = hashlib.sha256()
     for student in students:
@@ -143,7 +143,7 @@ def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] 
 
 
 def _make_all(
-    exam: Exam, sheets: StoredSheets, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
+    exam: Exam, sheets: StoredSheets, carried: BuildSpec, parts: Unfinished, workers: Workers, progress: Progress
 ) -> int:
     """Make all pieces that are not there; how many jobs were done before."""
     count = len(sheets)
@@ -168,7 +168,7 @@ def _make_all(
 
 
 def _put_together(
-    exam: Exam, sheets: StoredSheets, carried: Carried, parts: Unfinished, folder: Path, engine: Typesetter
+    exam: Exam, sheets: StoredSheets, carried: BuildSpec, parts: Unfinished, folder: Path, engine: Typesetter
 ) -> Built:
     """The output folder from all pieces."""
     pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
@@ -181,6 +181,6 @@ def _put_together(
     notes: list[str] = []
     for name in exam.formats:
         formats()[name].finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
-    redrawn, alike, cut = parts.settled()
+    redrawn, alike, cut = parts.drawn_marks()
     write_records(folder, exam, carried.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -8,18 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.builder.carried import Carried
+from variantgen.builder.build_spec import BuildSpec
 from variantgen.builder.jobs import STUDENTS_PER_DRAW, Compare, Draw
 from variantgen.builder.unfinished import Unfinished
 from variantgen.builder.workers import Workers
-from variantgen.exam.assembly import Drawer, Standing, Wish, again_of, alike_of, keep_apart, redrawn_of
+from variantgen.exam.assembly import Drawer, DrawRequest, Standing, again_of, alike_of, keep_apart, redrawn_of
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item
 from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.variants.draw import check_room
-from variantgen.variants.likeness import Traits
+from variantgen.variants.similarity import Traits
 
 Progress = Callable[[str, int, int], None]
 
@@ -27,7 +27,7 @@ Progress = Callable[[str, int, int], None]
 def draw_all(
     exam: Exam,
     students: Sequence[Student],
-    carried: Carried,
+    carried: BuildSpec,
     parts: Unfinished,
     workers: Workers,
     progress: Progress,
@@ -37,23 +37,23 @@ def draw_all(
 
     Raises InputError where a problem leaves too few valid variants.
     """
-    wishes, drawer = _Wishes(exam, students), Drawer(exam)
-    if parts.is_settled([(start, problem) for start, problem, _ in wishes.batches()]):
+    requests, drawer = _Wishes(exam, students), Drawer(exam)
+    if parts.is_settled([(start, problem) for start, problem, _ in requests.batches()]):
         return
-    check_room([drawer.drawing(wish) for wish in wishes])
-    first, cut = _first(drawer, wishes, carried, parts, workers, progress)
+    check_room([drawer.drawing(request) for request in requests])
+    first, cut = _first(drawer, requests, carried, parts, workers, progress)
 
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
-        again = [replace(wishes[i], used=done) for i, done in zip(owners, used, strict=True)]
+        again = [replace(requests[i], used=done) for i, done in zip(owners, used, strict=True)]
         found = dict(workers.run(carried, ((k, Compare(chosen)) for k, chosen in _batches(again))))
         return Traits.joined([found[k] for k in sorted(found)])
 
-    settled = keep_apart(drawer, wishes, first, more, standing)
-    _change(exam, again_of(wishes, settled), carried, parts, workers)
-    parts.settle(redrawn_of(wishes, settled), alike_of(drawer, wishes, settled.alike), cut)
+    drawn_marks = keep_apart(drawer, requests, first, more, standing)
+    _change(exam, again_of(requests, drawn_marks), carried, parts, workers)
+    parts.mark_drawn(redrawn_of(requests, drawn_marks), alike_of(drawer, requests, drawn_marks.alike), cut)
 
 
-class _Wishes(Sequence[Wish]):
+class _Wishes(Sequence[DrawRequest]):
     """The problems of all students, student by student, made when they are asked for."""
 
     def __init__(self, exam: Exam, students: Sequence[Student]) -> None:
@@ -65,7 +65,7 @@ class _Wishes(Sequence[Wish]):
     def __getitem__(self, place: Any) -> Any:
         """The wish at a place."""
         student, problem = divmod(place, self.problems)
-        return Wish(self.students[student], problem)
+        return DrawRequest(self.students[student], problem)
 
     def batches(self) -> Iterator[tuple[int, int, list[int]]]:
         """What is drawn together, one problem of many students: the first student, the problem, places of wishes."""
@@ -77,40 +77,44 @@ class _Wishes(Sequence[Wish]):
 
 
 def _first(
-    drawer: Drawer, wishes: _Wishes, carried: Carried, parts: Unfinished, workers: Workers, progress: Progress
+    drawer: Drawer, requests: _Wishes, carried: BuildSpec, parts: Unfinished, workers: Workers, progress: Progress
 ) -> tuple[Traits, int]:
     """What is compared of the first draws of all wishes, in order, and how many of them the exam's ceiling changed."""
     found: list[Traits] = []
     cut = 0
     order: list[int] = []
     todo: list[tuple[tuple[int, int, list[int]], Draw]] = []
-    for start, problem, places in wishes.batches():
+    for start, problem, places in requests.batches():
         if parts.has_drawn(start, problem):
-            kept, changed = _kept(drawer, parts, start, problem, [wishes[i] for i in places])
+            kept, changed = _kept(drawer, parts, start, problem, [requests[i] for i in places])
             found.append(kept)
             cut += changed
             order += places
         else:
-            todo.append(((start, problem, places), Draw(tuple(wishes[i] for i in places))))
-    progress("drawing variants", len(order) // wishes.problems, len(wishes.students))
+            todo.append(((start, problem, places), Draw(tuple(requests[i] for i in places))))
+    progress("drawing variants", len(order) // requests.problems, len(requests.students))
     for (start, problem, places), drawn in workers.run(carried, todo):
         parts.put_drawn(start, problem, drawn.parts)
         found.append(drawn.traits)
         cut += drawn.cut
         order += places
-        progress("drawing variants", len(order) // wishes.problems, len(wishes.students))
+        progress("drawing variants", len(order) // requests.problems, len(requests.students))
     return Traits.joined(found).take(np.argsort(np.array(order))), cut
 
 
-def _kept(drawer: Drawer, parts: Unfinished, start: int, problem: int, wishes: Sequence[Wish]) -> tuple[Traits, int]:
+def _kept(
+    drawer: Drawer, parts: Unfinished, start: int, problem: int, requests: Sequence[DrawRequest]
+) -> tuple[Traits, int]:
     """What is compared of a problem that was drawn before, and how many the exam's ceiling has changed."""
-    chosen = range(start // STUDENTS_PER_PART, -(-(start + len(wishes)) // STUDENTS_PER_PART))
+    chosen = range(start // STUDENTS_PER_PART, -(-(start + len(requests)) // STUDENTS_PER_PART))
     items = [item for part in chosen for item in unpack(drawer.exam, parts.first(part, problem))]
     variants = [item.variant for item in items]
-    return drawer.traits(wishes, variants), drawer.cut(wishes, variants)
+    return drawer.traits(requests, variants), drawer.cut(requests, variants)
 
 
-def _change(exam: Exam, again: Mapping[int, Wish], carried: Carried, parts: Unfinished, workers: Workers) -> None:
+def _change(
+    exam: Exam, again: Mapping[int, DrawRequest], carried: BuildSpec, parts: Unfinished, workers: Workers
+) -> None:
     """Put the next draws of wishes, by their places, in the place of the first ones."""
     places, items = list(again), list[Item]()
     drawn = dict(workers.run(carried, ((k, Draw(chosen)) for k, chosen in _batches(list(again.values())))))
@@ -126,6 +130,6 @@ def _change(exam: Exam, again: Mapping[int, Wish], carried: Carried, parts: Unfi
         parts.put_changed(part, problem, pack(exam, [own.get(i, item) for i, item in enumerate(first)]))
 
 
-def _batches(wishes: Sequence[Wish]) -> Iterator[tuple[int, tuple[Wish, ...]]]:
+def _batches(requests: Sequence[DrawRequest]) -> Iterator[tuple[int, tuple[DrawRequest, ...]]]:
     """What is drawn together of some wishes, with the place of the first one."""
-    return ((k, tuple(wishes[k : k + STUDENTS_PER_DRAW])) for k in range(0, len(wishes), STUDENTS_PER_DRAW))
+    return ((k, tuple(requests[k : k + STUDENTS_PER_DRAW])) for k in range(0, len(requests), STUDENTS_PER_DRAW))

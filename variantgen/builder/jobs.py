@@ -8,17 +8,17 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from variantgen.builder.carried import Carried, Setting, setting_of
-from variantgen.exam.assembly import Wish
+from variantgen.builder.build_spec import BuildSpec, Setting, setting_of
+from variantgen.exam.assembly import DrawRequest
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, formats
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, formats
 from variantgen.outputs.records import RECORDS, key_rows, manifest_lines
 from variantgen.variants.attempts import VerificationError
-from variantgen.variants.likeness import Traits
+from variantgen.variants.similarity import Traits
 
 # Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
 # not depend, in their last bit, on how the work was split.
@@ -32,7 +32,7 @@ class Job(Protocol):
         """Do it."""
 
 
-def perform(carried: Carried, job: Job) -> Any:
+def perform(carried: BuildSpec, job: Job) -> Any:
     """Do a job in this process. This is what executors are given."""
     with setting_of(carried) as setting, _without_collector():
         try:
@@ -56,27 +56,27 @@ class Drawn:
 class Draw:
     """Some wishes drawn, solved and verified."""
 
-    wishes: tuple[Wish, ...]
+    requests: tuple[DrawRequest, ...]
 
     def run(self, setting: Setting) -> Drawn:
         """Draw, solve, verify."""
-        variants = setting.drawer.variants(self.wishes)
-        items = setting.drawer.items(self.wishes, variants)
+        variants = setting.drawer.variants(self.requests)
+        items = setting.drawer.items(self.requests, variants)
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
         packed = tuple(pack(setting.exam, part) for part in parts)
         drawer = setting.drawer
-        return Drawn(packed, drawer.traits(self.wishes, variants), drawer.cut(self.wishes, variants))
+        return Drawn(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
 
 
 @dataclass(frozen=True)
 class Compare:
     """The next draws of some wishes, only to be compared."""
 
-    wishes: tuple[Wish, ...]
+    requests: tuple[DrawRequest, ...]
 
     def run(self, setting: Setting) -> Traits:
         """Draw."""
-        found = setting.drawer.traits(self.wishes, setting.drawer.variants(self.wishes))
+        found = setting.drawer.traits(self.requests, setting.drawer.variants(self.requests))
         setting.drawer.forget()
         return found
 
@@ -101,7 +101,7 @@ class PackedPart:
 class Made:
     """The pieces of a part by format, and the families of problems in it that have no worked solution."""
 
-    pieces: tuple[tuple[str, Piece], ...]
+    pieces: tuple[tuple[str, Fragment], ...]
     unexplained: tuple[str, ...] = ()
 
 
@@ -122,11 +122,11 @@ class Make:
         exam = setting.exam
         sheets = tuple(sheet for part in self.parts for sheet in part.sheets(exam))
         content = Content(exam, sheets)
-        part = Part(content, self.first, setting.engine, self.beginning)
+        part = Chunk(content, self.first, setting.engine, self.beginning)
         pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]
         return Made(tuple(pieces), () if self.summary else content.unexplained)
 
-    def _makers(self, chosen: Iterable[str]) -> Iterator[tuple[str, Callable[[Part], Iterable[Piece]]]]:
+    def _makers(self, chosen: Iterable[str]) -> Iterator[tuple[str, Callable[[Chunk], Iterable[Fragment]]]]:
         known = formats()
         if self.summary:
             name, place = self.summary
@@ -136,10 +136,10 @@ class Make:
             yield from ((name, known[name].make) for name in chosen)
 
 
-def _records(part: Part) -> Iterator[Piece]:
+def _records(part: Chunk) -> Iterator[Fragment]:
     """What every build has, whatever its formats are."""
-    yield Piece("key.csv", key_rows(part.sheets).encode())
-    yield Piece("manifest.json", manifest_lines(part.exam, part.sheets).encode())
+    yield Fragment("key.csv", key_rows(part.sheets).encode())
+    yield Fragment("manifest.json", manifest_lines(part.exam, part.sheets).encode())
 
 
 @contextmanager

@@ -134,14 +134,14 @@ class Unfinished:
                 path.unlink()
         return whole
 
-    def settle(self, redrawn: Sequence[str], alike: Mapping[str, int], cut: int) -> None:
+    def mark_drawn(self, redrawn: Sequence[str], alike: Mapping[str, int], cut: int) -> None:
         """Note who had to draw again, how many sheets have data like others, and how many problems the exam's ceiling
         of tolerances has changed; all changed parts are there.
         """
-        told = {"redrawn": list(redrawn), "alike": dict(alike), "cut": cut, "changed": sorted(self._changed)}
-        write(self.folder, SETTLED, json.dumps(told).encode(), self._key)
+        record = {"redrawn": list(redrawn), "alike": dict(alike), "cut": cut, "changed": sorted(self._changed)}
+        write(self.folder, SETTLED, json.dumps(record).encode(), self._key)
 
-    def settled(self) -> tuple[tuple[str, ...], dict[str, int], int]:
+    def drawn_marks(self) -> tuple[tuple[str, ...], dict[str, int], int]:
         """What was noted."""
         found = self._settled()
         return tuple(found["redrawn"]), found["alike"], found["cut"]
@@ -211,8 +211,8 @@ class Unfinished:
             name = f"{number:07}-{k:03}{piece.ending}"
             write(self.folder, f"{MADE}/{name}", piece.content)
             listed.append([output, piece.target, name, digest(piece.content)])
-        told = {"pieces": listed, "unexplained": made.unexplained}
-        write(self.folder, f"{MADE}/{number:07}.json", json.dumps(told).encode(), self._key)
+        record = {"pieces": listed, "unexplained": made.unexplained}
+        write(self.folder, f"{MADE}/{number:07}.json", json.dumps(record).encode(), self._key)
 
     def made(self, number: int) -> MadePart:
         """The pieces of a part."""

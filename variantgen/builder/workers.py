@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from variantgen.builder.carried import Carried
+from variantgen.builder.build_spec import BuildSpec
 from variantgen.builder.jobs import Job, perform
 from variantgen.errors import InputError, Problem, VariantgenError, missing_package
 
@@ -36,21 +36,21 @@ class WorkerLostError(VariantgenError):
 class Workers(Protocol):
     """Who does jobs."""
 
-    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
 
 
-class Here:
+class InlineWorkers:
     """Does every job at once, in this process."""
 
-    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs one after another."""
         for key, job in jobs:
             yield key, perform(carried, job)
 
 
 @dataclass(frozen=True)
-class Others:
+class PoolWorkers:
     """An executor and how many jobs it is given at a time: more would only be held in memory.
 
     ``there`` says whether anybody is there who could do a job; where it cannot be known, it is taken to be so.
@@ -60,7 +60,7 @@ class Others:
     ahead: int
     there: Callable[[], bool] = lambda: True
 
-    def run(self, carried: Carried, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
         pending: dict[Future[Any], _Key] = {}
         try:
@@ -106,7 +106,7 @@ def _is_loss(error: Exception) -> bool:
 def local_workers(processes: int) -> Iterator[Workers]:
     """The calling process alone or so many beside it, which end with the block, and when this process is killed."""
     if processes <= 1:
-        yield Here()
+        yield InlineWorkers()
         return
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
@@ -114,7 +114,7 @@ def local_workers(processes: int) -> Iterator[Workers]:
     others = set(multiprocessing.active_children())
     with ProcessPoolExecutor(processes, _context(), initializer=_leave_with_parent) as pool:
         try:
-            yield Others(pool, 2 * processes + 2)
+            yield PoolWorkers(pool, 2 * processes + 2)
         except BaseException:
             # Nobody waits for what is being done.
             for worker in set(multiprocessing.active_children()) - others:
@@ -154,7 +154,7 @@ def _leave_with_parent() -> None:
 
 
 @contextmanager
-def scheduled_workers(address: str) -> Iterator[Others]:
+def scheduled_workers(address: str) -> Iterator[PoolWorkers]:
     """The workers of a Dask scheduler. Raises ToolMissingError without its client, InputError if nobody answers."""
     if importlib.util.find_spec("distributed") is None:
         raise missing_package("--scheduler needs", "distributed", "dask")
@@ -173,7 +173,7 @@ def scheduled_workers(address: str) -> Iterator[Others]:
             raise InputError(Problem("the scheduler has no workers", key="--scheduler", value=address, remedy=remedy))
         # A job that was lost with its worker is given to another one.
         with client.get_executor(pure=False, retries=3) as executor:
-            yield Others(executor, 2 * threads + 2, lambda: _has_workers(client))
+            yield PoolWorkers(executor, 2 * threads + 2, lambda: _has_workers(client))
 
 
 def _has_workers(client: Any) -> bool:

@@ -13,17 +13,17 @@ from variantgen.check.explained import check_explained
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
-from variantgen.exam.margins import Margins
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.family import Family, Form, Nice
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
-from variantgen.variants.batch import Judge, Tally
 from variantgen.variants.counting import variety
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import VERIFIED
+from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.variant import Variant, solve_variants
 
 # Below this share of accepted draws a large class costs too much time, and ranges are hardly what the author meant.
@@ -42,7 +42,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     tally = Tally()
     start = time.perf_counter()
     try:
-        variants = _drawn(family, form, seeds, tally, Margins())
+        variants = _drawn(family, form, seeds, tally, AnswerTolerances())
     except VariantgenError as error:
         report.fail(str(error), where)
         return
@@ -77,7 +77,7 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
     keys = [(str(seed), *SINGLE) for seed in range(_NICE)]
     try:
         narrowed = restrict(single, nice=True)
-        variants = draw(narrowed, None, keys, judge=Margins())
+        variants = draw(narrowed, None, keys, screening=AnswerTolerances())
     except InputError as error:
         if form.nice != Nice():
             report.fail(str(error), f"{where}, hand-friendly variants")
@@ -86,10 +86,10 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
     found.nice = max(1, round(narrowed.forms[form.name].grid_size / found.nice_attempts))
 
 
-def _drawn(family: Family, form: Form, seeds: int, tally: Tally, judge: Judge | None) -> list[Variant]:
+def _drawn(family: Family, form: Form, seeds: int, tally: Tally, screening: MakeScreening | None) -> list[Variant]:
     single = replace(family, forms={form.name: form})
     keys = [(str(seed), *SINGLE) for seed in range(seeds)]
-    return Drawing(single, None, tally, judge=judge).after(keys, [0] * seeds)
+    return Drawing(single, None, tally, screening=screening).after(keys, [0] * seeds)
 
 
 def _check_agreement(motion: Motion, found: FormReport, where: str, report: Report) -> None:

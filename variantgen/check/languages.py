@@ -88,8 +88,8 @@ def _crossed_once(first: Sheet, other: Sheet) -> set[str]:
     (one, here), (two, there) = apart
     if (one.name, two.name) != (there.name, here.name):
         return set()
-    told = one.noun != two.noun and (one.noun, two.noun) == (there.noun, here.noun)
-    return set() if told else {one.name, two.name}
+    distinguished = one.noun != two.noun and (one.noun, two.noun) == (there.noun, here.noun)
+    return set() if distinguished else {one.name, two.name}
 
 
 def _in_wrong_order(first: Sheet, other: Sheet, one: str, two: str) -> bool:

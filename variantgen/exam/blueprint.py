@@ -23,7 +23,7 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.solving import check_methods
 from variantgen.limits import LISTED, PROBLEMS
-from variantgen.methods.wish import Depth, Wish
+from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, languages, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
@@ -59,7 +59,7 @@ class Exam:
     """
 
     title: str
-    course: str
+    driver_sweep: str
     language: str
     tasks: tuple[Task, ...]
     seed: str = "0"
@@ -85,9 +85,9 @@ class Exam:
         """By what a problem is marked: its own tolerance, or that of the exam."""
         return task.tolerance or self.tolerance
 
-    def wish(self, task: Task) -> Wish:
+    def solution_options(self, task: Task) -> SolutionOptions:
         """What is wished of the solution of a problem."""
-        return Wish(task.methods, cast(Depth, self.solutions.depth))
+        return SolutionOptions(task.methods, cast(Depth, self.solutions.depth))
 
     @property
     def spoken(self) -> Language:
@@ -151,7 +151,7 @@ def parse_exam(
     tolerance = read_tolerance(top)
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
-        course=_printed(top, "course", top.take("course", str, "")),
+        driver_sweep=_printed(top, "course", top.take("course", str, "")),
         language=language,
         seed=str(seed),
         tolerance=tolerance,

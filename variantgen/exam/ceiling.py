@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.margins import Margins
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.sheets import batches_of, solve_all
 from variantgen.families.quantities import Quantity
 from variantgen.variants.attempts import MAX_ATTEMPTS
@@ -25,7 +25,7 @@ Next = Callable[[Sequence[int], Sequence[int]], list[Variant]]  # the next draws
 
 def within(
     ceiling: float,
-    margins: Margins,
+    answer_tolerances: AnswerTolerances,
     first: Sequence[Variant],
     asked: Callable[[int, Variant], list[Quantity]],
     problem: Sequence[int],
@@ -40,7 +40,7 @@ def within(
     tried, good = Counter[int](), Counter[int]()
     while left:
         variants = [found[i] for i in left]
-        passed = _keep(ceiling, margins, variants, [asked(i, found[i]) for i in left])
+        passed = _keep(ceiling, answer_tolerances, variants, [asked(i, found[i]) for i in left])
         tried.update(problem[i] for i in left)
         good.update(problem[i] for i, keeps in zip(left, passed, strict=True) if keeps)
         left = [i for i, keeps in zip(left, passed, strict=True) if not keeps]
@@ -54,24 +54,27 @@ def within(
 
 
 def _keep(
-    ceiling: float, margins: Margins, variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]]
+    ceiling: float,
+    answer_tolerances: AnswerTolerances,
+    variants: Sequence[Variant],
+    asked: Sequence[Sequence[Quantity]],
 ) -> list[bool]:
     """Whether all tolerances of each variant are within the ceiling."""
     solved = solve_all(variants, asked)
     kept = [False] * len(variants)
     for (_, questions), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
-        needed = margins.tolerances([variants[i] for i in members], questions, motion, places)
+        needed = answer_tolerances.tolerances([variants[i] for i in members], questions, motion, places)
         for i, keeps in zip(members, np.all(needed <= ceiling * (1 + 1e-9), axis=0).tolist(), strict=True):
             kept[i] = keeps
     return kept
 
 
 def _too_low(ceiling: float, problem: int, family: str, tried: int, good: int) -> InputError:
-    told = f"{good or 'none'} of {tried} draws of problem {problem} ({family})"
+    share = f"{good or 'none'} of {tried} draws of problem {problem} ({family})"
     return InputError(
         Problem(
-            f"{told} can be worked out by hand with tolerances up to {100 * ceiling:g} %",
+            f"{share} can be worked out by hand with tolerances up to {100 * ceiling:g} %",
             key="tolerance.ceiling",
             value=f"{ceiling:g}",
             remedy="raise the ceiling, or leave it out: then an answer has a wider tolerance where rounding needs it",

@@ -24,12 +24,12 @@ from variantgen.wording.statement import Statement, statement
 
 # What writes solutions is loaded by the functions that need it: sheets alone do without.
 if TYPE_CHECKING:
-    from variantgen.exam.shown import Shown
+    from variantgen.exam.shown import SolutionFigure
     from variantgen.wording.solution.document import SolutionText
 
 
 @dataclass(frozen=True)
-class Posed:
+class PosedProblem:
     """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
 
     item: Item
@@ -48,7 +48,7 @@ class Solved:
     variant: Variant
     said: Statement
     text: SolutionText
-    rows: tuple[tuple[Shown, ...], ...]
+    rows: tuple[tuple[SolutionFigure, ...], ...]
     numbers: dict[str, int]
     explained: bool = True
 
@@ -60,7 +60,7 @@ class Content:
         self.exam, self.sheets = exam, tuple(sheets)
 
     @cached_property
-    def posed(self) -> tuple[tuple[Posed, ...], ...]:
+    def posed(self) -> tuple[tuple[PosedProblem, ...], ...]:
         """The problems of each student."""
         language = self.exam.spoken
         items = [item for sheet in self.sheets for item in sheet.items]
@@ -88,13 +88,13 @@ class Content:
         """The families of problems that have an answer, but no worked solution."""
         return tuple(p.variant.family.name for own in self.solved for p in own if not p.explained)
 
-    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: Posed | None) -> Solved:
+    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: PosedProblem | None) -> Solved:
         """One solution; ``known`` is the problem as it was posed in the same language."""
         from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
 
         language, explained = self.exam.explained, True
         try:
-            text = explain(item.variant, *place, item.asked, language, self.exam.wish(item.task))
+            text = explain(item.variant, *place, item.asked, language, self.exam.solution_options(item.task))
         except InputError as error:
             where = f"problem[{item.task.number}]."
             raise InputError(replace(p, file=str(self.exam.path), key=where + p.key) for p in error.problems) from None
@@ -113,7 +113,7 @@ def with_figures(
     language: Language,
     place: tuple[Motion, int],
     text: SolutionText,
-    known: Posed | None = None,
+    known: PosedProblem | None = None,
     explained: bool = True,
 ) -> Solved:
     """A written solution with the problem and the figures that its steps name.
@@ -129,6 +129,6 @@ def with_figures(
     return Solved(variant, said, text, figures.rows(), figures.numbers, explained)
 
 
-def _posed(item: Item, motion: Motion, place: int, language: Language) -> Posed:
+def _posed(item: Item, motion: Motion, place: int, language: Language) -> PosedProblem:
     said = statement(item.variant, item.asked, language)
-    return Posed(item, said, statement_figure(item.variant, motion, place, item.asked, language))
+    return PosedProblem(item, said, statement_figure(item.variant, motion, place, item.asked, language))

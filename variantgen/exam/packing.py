@@ -38,8 +38,8 @@ def pack(exam: Exam, items: Sequence[Item]) -> bytes:
     for i, task in enumerate(exam.tasks):
         for k, family in enumerate(task.families):
             places.setdefault(id(family), (i, k))  # the same object may belong to several tasks
-    told = [[tasks[id(item.task)], *_packed(item, places)] for item in items]
-    return json.dumps(told, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
+    packed = [[tasks[id(item.task)], *_packed(item, places)] for item in items]
+    return json.dumps(packed, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
 
 
 def _packed(item: Item, places: Mapping[int, tuple[int, int]]) -> list[Any]:
@@ -52,7 +52,7 @@ def _packed(item: Item, places: Mapping[int, tuple[int, int]]) -> list[Any]:
         variant.turns,
         variant.attempt,
         [
-            [a.quantity.name, a.value, a.tolerance, a.margin, a.surd and _numbers(a.surd), a.unnoticed]
+            [a.quantity.name, a.value, a.tolerance, a.relative_tolerance, a.surd and _numbers(a.surd), a.unnoticed]
             for a in item.answers
         ],
     ]
@@ -101,15 +101,15 @@ def _answer(
     name: str,
     value: float,
     tolerance: float,
-    margin: float,
+    relative_tolerance: float,
     surd: Sequence[int] | None,
     unnoticed: Sequence[str],
 ) -> Answer:
     quantity, unit = _quantity(name, length)
-    numbers = value, tolerance, margin
+    numbers = value, tolerance, relative_tolerance
     if not (_are(float, numbers) and all(map(isfinite, numbers)) and _are(int, surd or ()) and _are(str, unnoticed)):
         raise ValueError(name)
-    return Answer(quantity, unit, value, tolerance, margin, Surd(*surd) if surd else None, tuple(unnoticed))
+    return Answer(quantity, unit, value, tolerance, relative_tolerance, Surd(*surd) if surd else None, tuple(unnoticed))
 
 
 def _are(kind: type, values: Sequence[object]) -> bool:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import degrees
 
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.blueprint import Task
-from variantgen.exam.margins import Margins
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
@@ -29,8 +29,8 @@ _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 class Answer:
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
-    ``margin`` is the relative tolerance (of an angle in radians, of a sense zero); ``unnoticed`` names the plausible
-    mistakes that change the answer by less.
+    ``relative_tolerance`` is that of an angle in radians, of a sense zero; ``unnoticed`` names the plausible mistakes
+    that change the answer by less.
     ``surd`` is the same value in closed form, where it is a simple root or fraction.
     """
 
@@ -38,12 +38,12 @@ class Answer:
     unit: Unit
     value: float
     tolerance: float
-    margin: float = 0.0
+    relative_tolerance: float = 0.0
     surd: Surd | None = None
     unnoticed: tuple[str, ...] = ()
 
     @property
-    def windows(self) -> tuple[tuple[float, float], ...]:
+    def accepted_intervals(self) -> tuple[tuple[float, float], ...]:
         """The intervals, ends included, in which an answer counts as right.
 
         A direction near ±180° has two: an angle of −179.9° is as good as 180.1°. The ends are the sums of the decimal
@@ -126,25 +126,25 @@ def solve_all(
     return [found[i] for i in range(len(variants))]
 
 
-def _tolerance(quantity: Quantity, value: float, margin: float) -> float:
+def _tolerance(quantity: Quantity, value: float, relative_tolerance: float) -> float:
     """Absolute tolerance in the printed unit: of an angle the like part of a radian."""
-    return float(f"{margin * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
+    return float(f"{relative_tolerance * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
 
 
 def answers_of(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
-    margins: Mapping[Tolerance, Margins],
+    answer_tolerances: Mapping[Tolerance, AnswerTolerances],
     tolerances: Sequence[Tolerance],
 ) -> list[tuple[Answer, ...]]:
     """The answers of solved variants, with tolerances and the mistakes that go unnoticed in them.
 
-    ``margins`` has what is known for each tolerance, ``tolerances`` that of each variant.
+    ``answer_tolerances`` has what is known for each tolerance, ``tolerances`` that of each variant.
     """
     found: dict[int, tuple[Answer, ...]] = {}
     for tolerance, places in places_by_tolerance(tolerances).items():
-        own, known = _taken(places, variants, asked, solved), margins[tolerance]
+        own, known = _taken(places, variants, asked, solved), answer_tolerances[tolerance]
         found.update(zip(places, _with_mistakes(_answers(*own, known), *own, known), strict=True))
     return [found[i] for i in range(len(variants))]
 
@@ -154,13 +154,13 @@ def _with_mistakes(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
-    margins: Margins,
+    answer_tolerances: AnswerTolerances,
 ) -> list[tuple[Answer, ...]]:
     """The answers with the mistakes that go unnoticed in them."""
     found = list(answers)
     for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
-        every = margins.unnoticed([variants[i] for i in members], quantities, motion, places)
+        every = answer_tolerances.unnoticed([variants[i] for i in members], quantities, motion, places)
         for i, own in zip(members, every, strict=True):
             if any(own):
                 found[i] = tuple(replace(a, unnoticed=names) for a, names in zip(answers[i], own, strict=True))
@@ -184,9 +184,9 @@ def answer_variants(
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     solved, found = solve_all(variants, asked), dict[int, tuple[Answer, ...]]()
     if marked:
-        return answers_of(variants, asked, solved, {own: Margins(own) for own in tolerances}, tolerances)
+        return answers_of(variants, asked, solved, {own: AnswerTolerances(own) for own in tolerances}, tolerances)
     for tolerance, places in places_by_tolerance(tolerances).items():
-        own = _answers(*_taken(places, variants, asked, solved), Margins(tolerance))
+        own = _answers(*_taken(places, variants, asked, solved), AnswerTolerances(tolerance))
         found.update(zip(places, own, strict=True))
     return [found[i] for i in range(len(variants))]
 
@@ -205,12 +205,12 @@ def _answers(
     variants: Sequence[Variant],
     asked: Sequence[Sequence[Quantity]],
     solved: Sequence[tuple[Motion, int]],
-    margins: Margins,
+    answer_tolerances: AnswerTolerances,
 ) -> list[tuple[Answer, ...]]:
     found: dict[int, tuple[Answer, ...]] = {}
     for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
-        needed = margins.tolerances([variants[i] for i in members], quantities, motion, places)
+        needed = answer_tolerances.tolerances([variants[i] for i in members], quantities, motion, places)
         length = variants[members[0]].family.length_unit
         table = [
             _column(quantity, quantity.unit(length), quantity.value(motion)[places], own)
@@ -225,9 +225,9 @@ def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> li
     computed = unit.from_si(numbers)
     roots = square_fractions(computed)[0].tolist()  # zero where there is none
     found = []
-    for number, root, margin in zip(computed.tolist(), roots, needed.tolist(), strict=True):
+    for number, root, relative_tolerance in zip(computed.tolist(), roots, needed.tolist(), strict=True):
         value = recorded(quantity, number)
-        own = 0.0 if quantity.component == "sense" else margin  # a sense is right or wrong
+        own = 0.0 if quantity.component == "sense" else relative_tolerance  # a sense is right or wrong
         exact = surd(number) if root else None
         found.append(Answer(quantity, unit, value, _tolerance(quantity, value, own), own, exact))
     return found

@@ -26,7 +26,7 @@ _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
 
 @dataclass(frozen=True)
-class Shown:
+class SolutionFigure:
     """A figure of a solution: its kind, the drawing, its caption and, for paper, millimetres per figure unit."""
 
     name: str
@@ -74,7 +74,7 @@ class Figures:
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)
 
-    def rows(self) -> tuple[tuple[Shown, ...], ...]:
+    def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
         """Rows of figures as they fit beside each other on paper."""
         rows: list[list[str]] = [[]]
         for name in self.numbers:
@@ -83,9 +83,9 @@ class Figures:
             rows[-1].append(name)
         return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
 
-    def _one(self, name: str, shared: float) -> Shown:
+    def _one(self, name: str, shared: float) -> SolutionFigure:
         unit = _PLAN_UNIT if _is_plan(name) else round(shared, 3)
-        return Shown(name, self._drawn[name], self._caption(name), unit)
+        return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
         """The number and title of a figure, and which centres lie outside it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.methods.wish import DEPTHS
+from variantgen.methods.solution_options import DEPTHS
 from variantgen.tables import Table
 from variantgen.wording.language import load_language
 

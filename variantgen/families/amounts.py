@@ -6,7 +6,7 @@ from decimal import Decimal
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.expressions import dimension_name, parse
-from variantgen.families.plain_angles import Part, kind_of
+from variantgen.families.plain_angles import Unknown, kind_of
 from variantgen.families.units import Unit, is_number, parse_value, sound
 
 _PURE, _LENGTH = (0, 0), (1, 0)
@@ -37,7 +37,7 @@ def amount(value: int | Decimal | str, unit: Unit) -> float:
             )
         )
     kind = kind_of(expression, {})
-    if unit.measures == "angle" and kind is Part.ANGLE:
+    if unit.measures == "angle" and kind is Unknown.ANGLE:
         return unit.from_si(number)
     if unit.name == "deg" and isinstance(kind, frozenset) and expression.uses("pi"):
         remedy = f'write "{value} / deg" or the degrees'

@@ -20,7 +20,7 @@ from variantgen.families.expressions import CONSTANTS, Expression
 from variantgen.families.family import Parameter
 
 
-class Part(Enum):
+class Unknown(Enum):
     """A part of an expression whose values are not known."""
 
     ANGLE = "an angle"
@@ -28,7 +28,7 @@ class Part(Enum):
 
 
 # The values that a plain number may have: several if it depends on a choice.
-Kind: TypeAlias = Part | frozenset[float]
+Kind: TypeAlias = Unknown | frozenset[float]
 
 _STEP = math.pi / 12  # multiples of this are meant in radians
 _LARGEST = 4 * math.pi
@@ -40,7 +40,7 @@ def kind_of_parameter(parameter: Parameter) -> Kind:
     """What a parameter is: a choice is a plain number, a rate of turning counts as an angle (it is one, per second)."""
     if parameter.unit is None:
         return frozenset(parameter.si.tolist())
-    return Part.ANGLE if parameter.unit.measures.startswith("ang") else Part.OTHER
+    return Unknown.ANGLE if parameter.unit.measures.startswith("ang") else Unknown.OTHER
 
 
 def kind_of(expression: Expression, known: Mapping[str, Kind]) -> Kind:
@@ -75,10 +75,10 @@ class _Reading:
             case ast.BinOp(op=ast.Add() | ast.Sub()):
                 return self._together(kinds)
             case ast.BinOp(op=ast.Div()) if not isinstance(kinds[1], frozenset) or _is_turn(kinds[1]):
-                return Part.OTHER  # an angle divided by an angle, by pi, or by what may be one: epsilon / omega**2
+                return Unknown.OTHER  # an angle divided by an angle, by pi, or by what may be one: epsilon / omega**2
             case ast.BinOp(op=ast.Pow()):
-                return Part.OTHER
-        return Part.ANGLE if kinds[0] is Part.ANGLE or Part.ANGLE in kinds[1:] else Part.OTHER
+                return Unknown.OTHER
+        return Unknown.ANGLE if kinds[0] is Unknown.ANGLE or Unknown.ANGLE in kinds[1:] else Unknown.OTHER
 
     def beside_angle(self, kind: Kind) -> None:
         """Raise InputError for a plain number that is no small multiple of pi."""
@@ -94,32 +94,32 @@ class _Reading:
 
     def _of_name(self, name: str) -> Kind:
         if name == "deg":
-            return Part.ANGLE
-        return frozenset({CONSTANTS[name][0]}) if name == "pi" else self._known.get(name, Part.OTHER)
+            return Unknown.ANGLE
+        return frozenset({CONSTANTS[name][0]}) if name == "pi" else self._known.get(name, Unknown.OTHER)
 
     def _of_call(self, node: ast.expr, name: str, kinds: list[Kind]) -> Kind:
         if name in _ARCS:
-            return Part.ANGLE
+            return Unknown.ANGLE
         if name in _CIRCULAR:
             self.beside_angle(kinds[0])
         if all(isinstance(kind, frozenset) for kind in kinds):
             return self._values(node)
-        return Part.OTHER if name in (*_CIRCULAR, "sqrt") else self._together(kinds)
+        return Unknown.OTHER if name in (*_CIRCULAR, "sqrt") else self._together(kinds)
 
     def _together(self, kinds: list[Kind]) -> Kind:
         """Parts that are added or compared."""
-        if Part.ANGLE not in kinds:
-            return Part.OTHER
+        if Unknown.ANGLE not in kinds:
+            return Unknown.OTHER
         for kind in kinds:
             self.beside_angle(kind)
-        return Part.ANGLE
+        return Unknown.ANGLE
 
     def _values(self, node: ast.expr) -> Kind:
         """The values of a plain number, whatever the choices in it."""
         names = sorted({part.id for part in ast.walk(node) if isinstance(part, ast.Name)} & self._known.keys())
         choices = [sorted(kind) for name in names if isinstance(kind := self._known[name], frozenset)]
         if math.prod(len(values) for values in choices) > _MOST:
-            return Part.OTHER
+            return Unknown.OTHER
         part = Expression(self._text, node, frozenset(names))
         return frozenset(float(part.value(dict(zip(names, row, strict=True)))) for row in product(*choices))
 

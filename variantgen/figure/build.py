@@ -51,7 +51,7 @@ def statement_figure(
 def _told(board: Board, axes: bool) -> str:
     """What a statement figure shows, in words."""
     # Here, because most programs draw figures and tell of none.
-    from variantgen.figure.telling.description import describe
+    from variantgen.figure.alt_text.description import describe
 
     return describe(board, axes)
 

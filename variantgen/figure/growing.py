@@ -5,7 +5,7 @@ from __future__ import annotations
 from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.solved import Solved
 from variantgen.mechanism.drivers.extension import Extension
-from variantgen.methods.graphical.vector_chain import Reach
+from variantgen.methods.graphical.vector_chain import Cylinder
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import component_marks, compound
@@ -38,7 +38,7 @@ def growing_accelerations(board: MotionBoard, found: Solved, language: Language)
     return parts
 
 
-def _relative(board: MotionBoard, reach: Reach, kind: str, language: Language) -> Symbol:
+def _relative(board: MotionBoard, reach: Cylinder, kind: str, language: Language) -> Symbol:
     """The relative vector under the letter by which its magnitude is given."""
     drivers = (driver for driver in board.scene.drivers if isinstance(driver, Extension))
     driver = next(driver for driver in drivers if (driver.end, driver.start) == (reach.point, reach.base))

@@ -17,7 +17,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.requests import Places, Request, along_line, around, label_size
 from variantgen.figure.sketch import DOT, Sketch
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, places_of
-from variantgen.methods.graphical.vector_chain import Chain
+from variantgen.methods.graphical.vector_chain import VectorChain
 from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
 from variantgen.wording.language import Language
@@ -73,7 +73,7 @@ class PlanScale:
         return 1 / (self.unit.to_si(self.value) * MILLIMETRES)
 
 
-def scale_of_plan(chain: Chain, now: Instant, order: int, unit: Unit) -> PlanScale:
+def scale_of_plan(chain: VectorChain, now: Instant, order: int, unit: Unit) -> PlanScale:
     """The round scale of a plan, in the printed unit."""
     places = [place * unit.from_si(1.0) for place in places_of(chain, now, order)]
     return PlanScale(per_millimetre(places), unit)

@@ -10,7 +10,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.methods.graphical.vector_chain import Chain, chain_of
+from variantgen.methods.graphical.vector_chain import VectorChain, chain_of
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.needed import shown_points
@@ -23,7 +23,7 @@ _NOTHING = 1e-9  # of the largest vector
 class Solved:
     """One variant with its chain, its numbers, the unit of its vectors, and the task of its solution."""
 
-    chain: Chain
+    chain: VectorChain
     now: Instant
     unit: Unit
     task: Task

@@ -15,7 +15,7 @@ from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.methods.algebra.expression import Value
 from variantgen.methods.algebra.name import Name
-from variantgen.methods.graphical.vector_chain import Chain, Slip
+from variantgen.methods.graphical.vector_chain import SlidingPoint, VectorChain
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.vectors.given import as_stated, unsigned
 from variantgen.wording.formula import Symbol
@@ -25,7 +25,7 @@ from variantgen.wording.vector_names import absolute
 _LETTERS = {1: ("v", "omega"), 2: ("a", "epsilon")}
 
 
-def stated_vectors(task: Task, chain: Chain, order: int, language: Language) -> dict[str, Symbol]:
+def stated_vectors(task: Task, chain: VectorChain, order: int, language: Language) -> dict[str, Symbol]:
     """The symbols of given vectors by point: ``v``, where the statement does not call it ``v_F``."""
     kind, _ = _LETTERS[order]
     found = {}
@@ -57,13 +57,15 @@ def _symbol(task: Task, template: Template, field: str, usual: Name, language: L
     return None if name == usual else language.symbol(name.of, task.form.symbols)
 
 
-def transport_name(task: Task, chain: Chain, slip: Slip, kind: str, stated: dict[str, Symbol]) -> Symbol | None:
+def transport_name(
+    task: Task, chain: VectorChain, slip: SlidingPoint, kind: str, stated: dict[str, Symbol]
+) -> Symbol | None:
     """The vector of a translating carrier under the name of the point by which it is known; None for other carriers."""
     lead = _lead(task, chain, slip)
     return None if lead is None else stated.get(lead, absolute(kind, lead))
 
 
-def _lead(task: Task, chain: Chain, slip: Slip) -> str | None:
+def _lead(task: Task, chain: VectorChain, slip: SlidingPoint) -> str | None:
     """The point of a translating carrier whose motion is given, led by a guide or by a crank, or else its pole."""
     if slip.body not in task.translating:
         return None
@@ -80,7 +82,7 @@ def _driven(task: Task) -> set[str]:
     return {point for shape in shapes for point in shape.points}
 
 
-def telling_points(task: Task, chain: Chain, points: Sequence[str]) -> list[str]:
+def telling_points(task: Task, chain: VectorChain, points: Sequence[str]) -> list[str]:
     """Points without those that only repeat what another point of the same translating body shows."""
     driven = _driven(task)
     vital = driven | {quantity.point for quantity in task.asked} | {slip.point for slip in chain.slips}

@@ -26,8 +26,8 @@ def compared(content: bytes, joined: Path, place: int, problems_inside: bool) ->
         with _careful(), pikepdf.open(joined) as whole:
             return _compared(content, joined.name, whole, list(_starts(whole, problems_inside)), place)
     except (pikepdf.PdfError, LookupError, TypeError, ValueError, AttributeError) as error:
-        told = str(error).removeprefix(str(joined)).strip(": ")
-        return range(0), [f"{joined.name} cannot be read ({told}): restore it from a copy"]
+        reason = str(error).removeprefix(str(joined)).strip(": ")
+        return range(0), [f"{joined.name} cannot be read ({reason}): restore it from a copy"]
 
 
 def _compared(content: bytes, name: str, whole: Any, starts: list[int], place: int) -> tuple[range, list[str]]:

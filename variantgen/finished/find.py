@@ -70,8 +70,8 @@ def _several(record: Record, found: Sequence[RecordedSheet], text: str) -> Input
     lines = []
     for student in in_order([sheet.student for sheet in found])[:_LISTED]:
         who = ", ".join(filter(None, (student.name, student.group)))
-        told = "" if student.name and student.name in student.id else f"  (id {student.id})"
-        lines.append(f"{own[student.id].code}  {who}{told}")
+        suffix = "" if student.name and student.name in student.id else f"  (id {student.id})"
+        lines.append(f"{own[student.id].code}  {who}{suffix}")
     if len(found) > _LISTED:
         lines.append(f"... and {len(found) - _LISTED} more")
     remedy = "give the code of one of them:\n      " + "\n      ".join(lines)

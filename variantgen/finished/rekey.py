@@ -22,7 +22,7 @@ from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
 from variantgen.outputs.edited import EDITED
 from variantgen.outputs.folder import file_hashes, whole_folder
-from variantgen.outputs.formats import STUDENTS_PER_PART, Part, Piece, Whole, formats
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, Whole, formats
 from variantgen.outputs.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
 from variantgen.outputs.typesetter import Typesetter
 
@@ -52,8 +52,8 @@ def marking(exam: Exam, floors: Mapping[int | None, float], ceiling: float | Non
     numbers = [task.number for task in exam.tasks]
     for number, floor in floors.items():
         if not 0 < floor <= LARGEST:
-            told = f"{floor:g}"
-            raise InputError(Problem(f"expected a number between 0 and {LARGEST:g}", key="--tolerance", value=told))
+            given = f"{floor:g}"
+            raise InputError(Problem(f"expected a number between 0 and {LARGEST:g}", key="--tolerance", value=given))
         if number is not None and number not in numbers:
             remedy = f"the problems are {', '.join(map(str, numbers))}"
             raise InputError(
@@ -145,11 +145,11 @@ def _compare(finished: Finished, sheets: Sequence[Sheet]) -> int:
 def _check_ceiling(sheets: Iterable[Sheet], ceiling: float) -> None:
     """Raise InputError if an answer needs more."""
     above = [
-        (answer.margin, f"{answer.quantity.name} of student {sheet.student.id}, problem {item.task.number}")
+        (answer.relative_tolerance, f"{answer.quantity.name} of student {sheet.student.id}, problem {item.task.number}")
         for sheet in sheets
         for item in sheet.items
         for answer in item.answers
-        if answer.margin > ceiling * (1 + 1e-9)
+        if answer.relative_tolerance > ceiling * (1 + 1e-9)
     ]
     if above:
         most, whose = max(above)
@@ -223,15 +223,15 @@ class _Making:
         """Contents as files, in their order."""
         return [self._file(content, f".{ending}") for content in contents]
 
-    def _of(self, parts: int) -> Iterator[Part]:
+    def _of(self, parts: int) -> Iterator[Chunk]:
         """So many parts of a build together."""
         step = parts * STUDENTS_PER_PART
         for start in range(0, len(self._sheets), step):
             content = Content(self._exam, self._sheets[start : start + step])
             beginning = frozenset(group for group, place in self._begun.items() if start <= place < start + step)
-            yield Part(content, start == 0, self._engine, beginning)
+            yield Chunk(content, start == 0, self._engine, beginning)
 
-    def _collect(self, found: dict[str, list[Path]], made: Iterable[Piece]) -> None:
+    def _collect(self, found: dict[str, list[Path]], made: Iterable[Fragment]) -> None:
         for piece in made:
             found.setdefault(piece.target, []).append(self._file(piece.content, piece.ending))
 

@@ -18,7 +18,7 @@ from variantgen.exam.sheets import Sheet
 from variantgen.finished.comparing import compared, destination, is_used
 from variantgen.finished.restore import Finished
 from variantgen.outputs.file_names import file_stem
-from variantgen.outputs.formats import STUDENTS_PER_PART, Part, options, pdf
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, options, pdf
 from variantgen.outputs.groups import GroupFiles
 from variantgen.outputs.typesetter import Typesetter
 
@@ -104,7 +104,7 @@ def _told(answers: Sequence[tuple[str, float]]) -> str:
 
 def _typeset(finished: Finished, sheets: tuple[Sheet, ...], target: str, engine: Typesetter) -> bytes:
     """The document of some students as a build makes it."""
-    part = Part(Content(finished.exam, sheets), False, engine)
+    part = Chunk(Content(finished.exam, sheets), False, engine)
     for piece in pdf.make(part):
         if piece.target == target:
             return piece.content

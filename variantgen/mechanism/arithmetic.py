@@ -73,7 +73,7 @@ def unit_towards(start: Complex, end: Complex) -> tuple[Complex, Flags]:
     return np.where(apart, step, 1.0) / np.where(apart, length, 1.0), apart
 
 
-def settle(total: Real, magnitude: Real) -> Real:
+def snap_to_zero(total: Real, magnitude: Real) -> Real:
     """A sum, with exact zero where cancellation has left nothing but rounding.
 
     ``magnitude`` is the sum of the absolute values of the terms. This makes an instantaneous translation come out

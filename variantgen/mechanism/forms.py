@@ -14,7 +14,7 @@ import numpy as np
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.linear import Assembly
 from variantgen.mechanism.rows import Row, ScalarRow, VectorRow
-from variantgen.mechanism.structure import Carry, Closure, Equation, Lead, Loose, Plan, Slide, Step
+from variantgen.mechanism.structure import Closure, Equation, FreePoint, GivenPoint, GuidedPoint, Plan, RigidPoint, Step
 
 Form: TypeAlias = dict[int, Complex]
 Rows: TypeAlias = list[tuple[Row, ...]]
@@ -33,18 +33,18 @@ class _Reached:
 
 def _reached(step: Step, rows: Rows, z: Mapping[str, Complex], plan: Plan) -> _Reached:
     match step:
-        case Carry(point, body, pole):
+        case RigidPoint(point, body, pole):
             arm = z[point] - z[pole]
             return _Reached({plan.omega[body]: 1j * arm}, arm)
-        case Lead(_, constraint, number, _):
+        case GivenPoint(_, constraint, number, _):
             row = rows[constraint][number]
             assert isinstance(row, VectorRow)
             return _Reached({plan.omega[body]: c for body, c in row.bodies.items()})
-        case Slide(point, constraint, number, unknown, _):
+        case GuidedPoint(point, constraint, number, unknown, _):
             row = rows[constraint][number]
             assert isinstance(row, ScalarRow)
             return _Reached({unknown: -1j * row.points[point]})
-        case Loose(_, x, y, _):
+        case FreePoint(_, x, y, _):
             return _Reached({x: 1.0, y: 1.0j})
 
 
@@ -71,7 +71,7 @@ class Velocities:
             form[unknown] = form[unknown] + coefficient if unknown in form else coefficient
         return form
 
-    def _closing(self, step: Lead | Carry) -> tuple[Form, dict[int, Real]]:
+    def _closing(self, step: GivenPoint | RigidPoint) -> tuple[Form, dict[int, Real]]:
         """The first expression for the velocity of a point less the second one; sizes before cancellation."""
         if step not in self._closed:
             form = dict(self._forms[step.point])
@@ -137,11 +137,11 @@ class Drifts:
         """
         if step not in self._own:
             match step:
-                case Carry(_, body, _):
+                case RigidPoint(_, body, _):
                     self._own[step] = self._squares[body] * self._velocities.arm(step)
-                case Lead(_, constraint, number, _):
+                case GivenPoint(_, constraint, number, _):
                     self._own[step] = self._extra[constraint][number]
-                case Slide(point, constraint, number, _, _) if np.any(self._extra[constraint][number]):
+                case GuidedPoint(point, constraint, number, _, _) if np.any(self._extra[constraint][number]):
                     row = self._rows[constraint][number]
                     assert isinstance(row, ScalarRow)
                     self._own[step] = -np.real(self._extra[constraint][number]) * row.points[point]
@@ -153,7 +153,7 @@ class Drifts:
         """The whole quadratic part of the acceleration of the point of a step, through its pole."""
         return self.own(step) + self._whole[step.pole] if step.pole else self.own(step)
 
-    def _closing(self, step: Lead | Carry) -> tuple[Complex, Real]:
+    def _closing(self, step: GivenPoint | RigidPoint) -> tuple[Complex, Real]:
         """The second expression for the quadratic part of a point less the first one; size before cancellation."""
         if step not in self._closed:
             again, known = self._through(step), self._whole[step.point]

@@ -8,7 +8,7 @@ from functools import reduce
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Flags, Real, settle
+from variantgen.mechanism.arithmetic import Flags, Real, snap_to_zero
 
 # Below this scaled determinant a double has no digits left for the accelerations (they lose its square).
 SINGULAR = 1e-9
@@ -59,7 +59,7 @@ def _solve_one(
     a = equation.coefficients[unknown]
     sine = known or _sine(a, equation.sizes[unknown])
     # Adding 0.0 turns a negative zero into zero.
-    return {unknown: settle(*side) / np.where(sine.regular, a, 1.0) + 0.0}, sine
+    return {unknown: snap_to_zero(*side) / np.where(sine.regular, a, 1.0) + 0.0}, sine
 
 
 def _solve_two(
@@ -77,8 +77,8 @@ def _solve_two(
     sine = known or _sine(determinant, _scale(equations, unknowns))
     determinant = np.where(sine.regular, determinant, 1.0)
     (p, p_size), (q, q_size) = sides
-    x = settle(p * d - q * b, p_size * np.abs(d) + q_size * np.abs(b)) / determinant
-    y = settle(q * a - p * c, q_size * np.abs(a) + p_size * np.abs(c)) / determinant
+    x = snap_to_zero(p * d - q * b, p_size * np.abs(d) + q_size * np.abs(b)) / determinant
+    y = snap_to_zero(q * a - p * c, q_size * np.abs(a) + p_size * np.abs(c)) / determinant
     return {j: x + 0.0, k: y + 0.0}, sine
 
 

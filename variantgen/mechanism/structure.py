@@ -15,14 +15,14 @@ from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.mechanism.blocks import indeterminate, triangular_blocks
-from variantgen.mechanism.mistakes import check_scene
 from variantgen.mechanism.placing import placing_order
 from variantgen.mechanism.rows import Shape
 from variantgen.mechanism.scene import Scene, label
+from variantgen.mechanism.scene_errors import check_scene
 
 
 @dataclass(frozen=True)
-class Lead:
+class GivenPoint:
     """The velocity of ``point`` is given by a vector row: constraint and row numbers, and the pole if there is one."""
 
     point: str
@@ -32,7 +32,7 @@ class Lead:
 
 
 @dataclass(frozen=True)
-class Slide:
+class GuidedPoint:
     """``point`` moves along the line that a scalar row leaves to it; ``unknown`` is its speed there."""
 
     point: str
@@ -43,7 +43,7 @@ class Slide:
 
 
 @dataclass(frozen=True)
-class Loose:
+class FreePoint:
     """``point`` is reached by nothing; both components of its velocity are unknowns."""
 
     point: str
@@ -53,7 +53,7 @@ class Loose:
 
 
 @dataclass(frozen=True)
-class Carry:
+class RigidPoint:
     """``point`` is a point of ``body``, with ``pole`` as the pole: ``v = v_pole + i omega (z - z_pole)``."""
 
     point: str
@@ -61,7 +61,7 @@ class Carry:
     pole: str
 
 
-Step = Lead | Slide | Loose | Carry
+Step = GivenPoint | GuidedPoint | FreePoint | RigidPoint
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class RowEquation:
 class Closure:
     """A second expression (``step``) for a point that is already reached; ``part`` 0 is its x, 1 its y component."""
 
-    step: Lead | Carry
+    step: GivenPoint | RigidPoint
     part: int
 
 
@@ -88,7 +88,7 @@ def _equation_name(scene: Scene, equation: Equation) -> str:
     if isinstance(equation, RowEquation):
         return label(scene.constraints[equation.constraint])
     step = equation.step
-    if isinstance(step, Lead):
+    if isinstance(step, GivenPoint):
         return label(scene.constraints[step.constraint])
     return f"hinge {step.point} of {step.body}"
 
@@ -97,7 +97,7 @@ def _remedy(scene: Scene, equation: Equation) -> str:
     """What the joint of an equation proposes to write in its place where there are too many of them."""
     if isinstance(equation, RowEquation):
         number = equation.constraint
-    elif isinstance(equation.step, Lead):
+    elif isinstance(equation.step, GivenPoint):
         number = equation.step.constraint
     else:
         return ""
@@ -215,14 +215,14 @@ class _Reach:
             return False
         self._consumed.add(guides[0])
         self.unknowns.append(f"slide of {point}")
-        self._take(Slide(point, *guides[0], len(self.unknowns) - 1))
+        self._take(GuidedPoint(point, *guides[0], len(self.unknowns) - 1))
         return True
 
     def _take(self, step: Step) -> None:
         if step.point not in self.reached:
             self.reached[step.point] = None
             self.steps.append(step)
-        elif isinstance(step, Lead | Carry):
+        elif isinstance(step, GivenPoint | RigidPoint):
             self.equations += [Closure(step, 0), Closure(step, 1)]
 
     def _lead(self, fixed: bool) -> bool:
@@ -231,7 +231,7 @@ class _Reach:
             ready = all(p in self.reached for p in shape.points if p != shape.lead)
             if ready and (not fixed or not shape.bodies) and shape.lead is not None:
                 self._open_leads.remove(item)
-                self._take(Lead(shape.lead, c, r, shape.pole))
+                self._take(GivenPoint(shape.lead, c, r, shape.pole))
                 return self._lead(fixed) or True
         return False
 
@@ -244,7 +244,7 @@ class _Reach:
             self._open_bodies.remove(body)
             for point in members:
                 if point != pole:
-                    self._take(Carry(point, body, pole))
+                    self._take(RigidPoint(point, body, pole))
             return True
         return False
 
@@ -261,7 +261,7 @@ class _Reach:
         if not any(self._slide(point) for point in waiting):
             point = waiting[0]
             self.unknowns += [f"velocity of {point} along x", f"velocity of {point} along y"]
-            self._take(Loose(point, len(self.unknowns) - 2, len(self.unknowns) - 1))
+            self._take(FreePoint(point, len(self.unknowns) - 2, len(self.unknowns) - 1))
         return True
 
 
@@ -272,15 +272,15 @@ def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
     def through(step: Step) -> set[int]:
         """Unknowns in the velocity of the point that a step reaches."""
         match step:
-            case Lead(_, c, r, _):
+            case GivenPoint(_, c, r, _):
                 shape = scene.constraints[c].shapes()[r]
                 own = {reach.omega[b] for b in shape.bodies}
                 return own.union(*(forms[p] for p in shape.points if p != shape.lead))
-            case Slide(_, _, _, unknown, _):
+            case GuidedPoint(_, _, _, unknown, _):
                 return {unknown}
-            case Loose(_, x, y, _):
+            case FreePoint(_, x, y, _):
                 return {x, y}
-            case Carry(_, body, pole):
+            case RigidPoint(_, body, pole):
                 return forms[pole] | {reach.omega[body]}
 
     for step in reach.steps:

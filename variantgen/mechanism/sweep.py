@@ -14,9 +14,9 @@ from enum import Enum
 
 import numpy as np
 
+from variantgen.mechanism.continuation import Continuation, State, Stop
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.pursuit import Pursuit, State, Stop
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import add_speeds
@@ -42,7 +42,7 @@ class End(Enum):
 
 
 @dataclass(frozen=True)
-class Lead:
+class LeadingDriver:
     """The driver that measures the way: its number, whether it is an angle, its given rate per second (rad or m)."""
 
     number: int
@@ -62,7 +62,7 @@ class Sweep:
     way: Field
     turned: Mapping[str, Field]
     instant: int
-    lead: Lead
+    lead: LeadingDriver
     ends: tuple[End, End]
 
     @property
@@ -95,22 +95,22 @@ def sweep(
     if motion.size != 1 or not motion.solved[0]:
         raise ValueError("a sweep starts from one solved variant")
     lead, rates = leading(motion.scene)
-    pursuit = Pursuit(motion, rates / lead.rate, limits)
+    continuation = Continuation(motion, rates / lead.rate, limits)
     whole = lead.angular
     if whole:
-        pursuit.bound(_LONG, np.inf)
+        continuation.bound(_LONG, np.inf)
     else:
-        pursuit.bound(_LONG if pursuit.turning * _LONG > 0.5 * FULL_TURN else _FARTHEST, 0.5 * FULL_TURN)
-    low, high = _reach(pursuit, before, whole)
+        continuation.bound(_LONG if continuation.turning * _LONG > 0.5 * FULL_TURN else _FARTHEST, 0.5 * FULL_TURN)
+    low, high = _reach(continuation, before, whole)
     ways, instant = _ways(low, high, samples)
     states = [*reversed(low.states[1:]), *high.states]
-    turned, places = pursuit.between(states, ways)
+    turned, places = continuation.between(states, ways)
     moved = _moved(motion, places, len(ways))
     ends = _end(low, whole), _end(high, whole)
     return Sweep(add_speeds(moved, plan, 2), ways, turned, instant, lead, ends)
 
 
-def leading(scene: Scene) -> tuple[Lead, Field]:
+def leading(scene: Scene) -> tuple[LeadingDriver, Field]:
     """The leading driver, and the rates of the rows of all drivers (per second, shape (D,)).
 
     Raises ValueError where no driver moves.
@@ -122,7 +122,7 @@ def leading(scene: Scene) -> tuple[Lead, Field]:
             turning = [number for number in moving if _is_angular(scene.drivers[number])]
             number = (turning or moving)[0]
             rate = float(np.linalg.norm(tables[number]))
-            return Lead(number, bool(turning), rate), np.concatenate(tables)
+            return LeadingDriver(number, bool(turning), rate), np.concatenate(tables)
     raise ValueError("no driver moves")
 
 
@@ -139,21 +139,21 @@ class _Reach:
     stop: Stop | None
 
 
-def _run(pursuit: Pursuit, wanted: float) -> _Reach:
+def _run(continuation: Continuation, wanted: float) -> _Reach:
     """The way to a wanted place, or as far as it goes."""
-    states, stop = pursuit.run(wanted)
+    states, stop = continuation.run(wanted)
     return _Reach(states, wanted if stop is None else states[-1].way, stop)
 
 
-def _reach(pursuit: Pursuit, before: float, whole: bool) -> tuple[_Reach, _Reach]:
+def _reach(continuation: Continuation, before: float, whole: bool) -> tuple[_Reach, _Reach]:
     """The way below and above the instant; together at most a full turn."""
     if not whole:
-        return _run(pursuit, -pursuit.longest), _run(pursuit, pursuit.longest)
-    low, high = _run(pursuit, -before), _run(pursuit, FULL_TURN - before)
+        return _run(continuation, -continuation.longest), _run(continuation, continuation.longest)
+    low, high = _run(continuation, -before), _run(continuation, FULL_TURN - before)
     if high.stop is not None and low.stop is None:
-        low = _run(pursuit, high.way - FULL_TURN)
+        low = _run(continuation, high.way - FULL_TURN)
     elif low.stop is not None and high.stop is None:
-        high = _run(pursuit, low.way + FULL_TURN)
+        high = _run(continuation, low.way + FULL_TURN)
     return low, high
 
 

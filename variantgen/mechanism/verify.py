@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.centres import velocity_centre
-from variantgen.mechanism.chain import Chain
+from variantgen.mechanism.closure_residuals import ClosureResiduals
 from variantgen.mechanism.motion import ComplexField, Field, Motion, largest_change
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.rows import Placement
@@ -56,7 +56,7 @@ def recompute(motion: Motion) -> Recomputed:
 
     The entries of variants that are not solved have no meaning.
     """
-    chain = Chain(motion)
+    chain = ClosureResiduals(motion)
     h = _time_step(motion, chain.length)
     inverse = _inverse(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
     q = np.zeros((len(_OFFSETS), motion.size, chain.unknowns))

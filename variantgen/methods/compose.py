@@ -16,7 +16,7 @@ from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.no_way import NO_WAY
-from variantgen.methods.steps.printed_digits import DIGITS, items_values, settle
+from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
 from variantgen.methods.steps.step import Item, Listing, Solution
 from variantgen.variants.attempts import VerificationError
 
@@ -54,7 +54,7 @@ def _chosen(task: Task, choice: Choice) -> Solution:
     check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
     steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
-    settle([*(item for step in steps for item in step.items), *check], list(found.values()))
+    choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     return Solution(tuple(steps), tuple(found.items()), check, centres=_acceleration_centres(book))
 
 
@@ -72,11 +72,11 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
         found[quantity.name] = answer(book.at(quantity.order), quantity)
     confirm(book)
     # A program comes last, after what answers still needed.
-    told = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
-    steps = with_position(book.task, book.geometry.items, told, found.values())
+    ordered = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
+    steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
     digits = (method.digits + 1,) if method.digits else DIGITS
-    settle([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
+    choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
     return Solution(tuple(steps), tuple(found.items()), check, method.digits)
 
 

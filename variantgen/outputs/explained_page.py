@@ -7,7 +7,7 @@ from pathlib import Path
 
 from variantgen.exam.content import with_figures
 from variantgen.families.quantities import Quantity
-from variantgen.methods.wish import Wish
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single_page import page_format
 from variantgen.outputs.solution_data import problem_data, solution_words
@@ -19,7 +19,12 @@ from variantgen.wording.statement import sign_notes
 
 
 def write_explained(
-    variant: Variant, asked: Sequence[Quantity], language: Language, wish: Wish, path: Path, remark: str = ""
+    variant: Variant,
+    asked: Sequence[Quantity],
+    language: Language,
+    options: SolutionOptions,
+    path: Path,
+    remark: str = "",
 ) -> None:
     """Write one problem with its solution; the format follows the ending of the path.
 
@@ -27,7 +32,7 @@ def write_explained(
     """
     form = page_format(path)
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    text = explain(variant, motion, 0, asked, language, wish)
+    text = explain(variant, motion, 0, asked, language, options)
     solved = with_figures(variant, asked, language, (motion, 0), text)
     data = {
         "lang": language.name,

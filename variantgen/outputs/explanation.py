@@ -9,7 +9,7 @@ from typing import cast
 
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
-from variantgen.methods.wish import Depth, Wish
+from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.outputs.explained_page import write_explained
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language, load_language
@@ -26,7 +26,7 @@ class Explanation:
     variant: Variant
     asked: tuple[Quantity, ...]
     language: Language
-    wish: Wish
+    options: SolutionOptions
     text: SolutionText
 
     def __str__(self) -> str:
@@ -36,7 +36,7 @@ class Explanation:
 
     def save(self, path: str | Path, remark: str = "") -> None:
         """Write the problem with its solution and figures as a page: .pdf, .png or .svg. Raises InputError."""
-        write_explained(self.variant, self.asked, self.language, self.wish, Path(path), remark)
+        write_explained(self.variant, self.asked, self.language, self.options, Path(path), remark)
 
 
 def explain(
@@ -53,7 +53,7 @@ def explain(
     :mod:`variantgen.wording.notation`). Raises InputError, and UnexplainedError where no method leads to what is asked.
     """
     asked = tuple(read_ask(variant.form, tuple(ask) or None))
-    wish = Wish(tuple(methods), cast(Depth, depth))
+    options = SolutionOptions(tuple(methods), cast(Depth, depth))
     spoken = load_language(language, notation_of(notation))
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    return Explanation(variant, asked, spoken, wish, wording.explain(variant, motion, 0, asked, spoken, wish))
+    return Explanation(variant, asked, spoken, options, wording.explain(variant, motion, 0, asked, spoken, options))

@@ -51,7 +51,7 @@ class Row:
     command: str
 
 
-Shown = Sequence[tuple[Family, Sequence[Row]]]
+SolutionFigure = Sequence[tuple[Family, Sequence[Row]]]
 
 
 @dataclass(frozen=True)
@@ -115,14 +115,14 @@ def _example(wanted: Wanted, family: Family, form: str, number: int, language: L
     return Example(name, seed, drawing, statement(variant, asked, language))
 
 
-def _counts(shown: Shown, language: Language) -> str:
+def _counts(shown: SolutionFigure, language: Language) -> str:
     """How many families, forms and figures there are."""
     rows = [row for _, own in shown for row in own]
     figures = sum(len(row.examples) for row in rows)
     return language.words("gallery")["counts"].format(families=len(shown), forms=len(rows), figures=figures)
 
 
-def _page(shown: Shown, language: Language) -> str:
+def _page(shown: SolutionFigure, language: Language) -> str:
     """The page of HTML."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(templates_dir() / "gallery"),
@@ -168,7 +168,7 @@ def _markup(text: Text | Sequence[Any]) -> Markup:
     return Markup("").join(part if isinstance(part, str) else Markup(to_html(part)) for part in text)  # noqa: S704
 
 
-def _document(shown: Shown, language: Language) -> dict[str, Any]:
+def _document(shown: SolutionFigure, language: Language) -> dict[str, Any]:
     """Data for ``gallery.typ``."""
     return {
         "lang": language.name,

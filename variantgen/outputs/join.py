@@ -10,7 +10,7 @@ from typing import Any
 import pikepdf
 
 from variantgen.outputs.pdf.bookmarks import Bookmark, Named, read_bookmarks, renamed, write_bookmarks
-from variantgen.outputs.pdf.part import Part
+from variantgen.outputs.pdf.part import PageCopier
 from variantgen.outputs.pdf.structure import Structure
 from variantgen.outputs.pdf.writer import PdfWriter
 
@@ -52,7 +52,7 @@ class _Whole:
 
     def add(self, source: pikepdf.Pdf, even: bool) -> None:
         """Write what a part holds."""
-        part = Part(source, self._writer, self._structure.next_key if self._structure else 0)
+        part = PageCopier(source, self._writer, self._structure.next_key if self._structure else 0)
         node = self._writer.reserve()
         for page in source.pages:
             part.new[page.obj.Parent.objgen[0]] = node
@@ -89,7 +89,7 @@ class _Whole:
 
     def _standing(self) -> bytes:
         """What a standard wants of the whole: metadata and output intents, as the first part has them."""
-        part = Part(self._first, self._writer, 0)
+        part = PageCopier(self._first, self._writer, 0)
         found: Any = self._first.Root.get("/OutputIntents")
         entries = b"" if found is None else b"/OutputIntents " + part.text(found)
         part.copy()

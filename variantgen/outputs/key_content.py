@@ -53,9 +53,13 @@ def equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> 
     return Equation(language.quantity(answer.quantity, symbols), value)
 
 
-def margin(answer: Answer, exam: Exam, language: Language) -> str:
+def tolerance_note(answer: Answer, exam: Exam, language: Language) -> str:
     """The relative tolerance of an answer, where it is not the usual one; a sense has none."""
-    return _percent(answer.margin, language) if answer.margin not in (0.0, exam.tolerance.floor) else ""
+    return (
+        _percent(answer.relative_tolerance, language)
+        if answer.relative_tolerance not in (0.0, exam.tolerance.floor)
+        else ""
+    )
 
 
 def mark(answer: Answer) -> str:

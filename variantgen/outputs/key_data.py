@@ -7,7 +7,7 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.key_content import equation, group, margin, mark, place, remarks
+from variantgen.outputs.key_content import equation, group, mark, place, remarks, tolerance_note
 from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
@@ -26,7 +26,7 @@ def key_by_student(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Wr
                     "answers": [
                         {
                             **writing.equals(equation(a, language, item.variant.form.symbols), a.surd),
-                            "margin": margin(a, exam, language),
+                            "margin": tolerance_note(a, exam, language),
                             "mark": mark(a),
                         }
                         for a in item.answers
@@ -58,7 +58,7 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Wr
                     "values": [
                         {
                             "value": language.answer(a.quantity, a.value).text,
-                            "margin": margin(a, exam, language),
+                            "margin": tolerance_note(a, exam, language),
                             "mark": mark(a),
                         }
                         for a in item.answers
@@ -77,7 +77,7 @@ def _document(
         "lang": exam.language,
         "title": exam.title,
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": "  ·  ".join(filter(None, (exam.course, *remarks(exam, language)))) if heading else "",
+        "subheading": "  ·  ".join(filter(None, (exam.driver_sweep, *remarks(exam, language)))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),

@@ -16,7 +16,7 @@ from variantgen.outputs.figures.mpl import need_matplotlib
 from variantgen.outputs.motion.film import film
 from variantgen.outputs.motion.page import page
 from variantgen.outputs.motion.subject import Subject
-from variantgen.variants.course import course
+from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language, load_language
 
@@ -58,7 +58,7 @@ def motion_bytes(variant: Variant, asked: Sequence[Quantity], language: Language
     need_matplotlib()
     import matplotlib as mpl
 
-    subject = Subject(variant, course(variant, asked), asked, language)
+    subject = Subject(variant, driver_sweep(variant, asked), asked, language)
     with mpl.rc_context():
         # Settings of the machine must not change the page.
         mpl.rcdefaults()

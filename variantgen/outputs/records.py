@@ -172,7 +172,7 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
                 "value": a.value,
                 "unit": a.unit.name,
                 "tolerance": a.tolerance,
-                "relative_tolerance": round(a.margin, 6),
+                "relative_tolerance": round(a.relative_tolerance, 6),
                 **({"unnoticed": list(a.unnoticed)} if a.unnoticed else {}),
             }
             for a in item.answers

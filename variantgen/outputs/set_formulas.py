@@ -25,7 +25,7 @@ _SIZE = (1.0, 0.7, 0.5)  # of formula, index, index of an index
 _UNKNOWN = "°"  # stands for letters that the table does not have
 
 # To the right of the one before and up (em), size, the level that it is cut for, letters.
-Piece = tuple[float, float, float, int, str]
+Fragment = tuple[float, float, float, int, str]
 
 
 def set_formulas(data: Any) -> dict[str, Any]:
@@ -34,7 +34,7 @@ def set_formulas(data: Any) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=10_000)
-def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Piece, ...]] | None:
+def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Fragment, ...]] | None:
     if not all(map(_is_set, formulas)):
         return None
     whole = formulas[0] if len(formulas) == 1 else Listing(formulas)
@@ -49,7 +49,7 @@ def _is_set(formula: Formula) -> bool:
     return isinstance(formula, _SET) and not (isinstance(formula, Symbol) and formula.base.startswith(ANGLE))
 
 
-def _pieces(lettering: Lettering) -> tuple[Piece, ...]:
+def _pieces(lettering: Lettering) -> tuple[Fragment, ...]:
     """The glyphs of a formula; letters of a word are one piece, which the engine spaces itself."""
     words: list[list[Placed]] = []
     for placed in lettering.glyphs:
@@ -69,7 +69,7 @@ def _follows(before: Placed, after: Placed) -> bool:
     return abs(before.at + gap - after.at) < 1e-9
 
 
-def _piece(word: Sequence[Placed], right: float) -> Piece:
+def _piece(word: Sequence[Placed], right: float) -> Fragment:
     glyph = word[0].glyph
     level, upright = int(glyph.name[0]), glyph.name[1] == "u"
     letters = "".join(placed.glyph.name[2:] for placed in word)

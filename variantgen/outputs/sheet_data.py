@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.content import Content, Posed
+from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.qr import qr_text
@@ -37,7 +37,7 @@ def sheets_data(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "course": exam.course,
+        "course": exam.driver_sweep,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),
         **_notices(exam, language, writing),
@@ -112,7 +112,7 @@ def group_text(student: Student, language: Language) -> str:
     return f"{language.words('sheet')['group']} {student.group}" if student.group else ""
 
 
-def _problem(posed: Posed, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
+def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     item, said = posed.item, posed.said
     drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {

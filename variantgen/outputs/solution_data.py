@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.exam.content import Content, Solved
-from variantgen.exam.shown import Shown
+from variantgen.exam.shown import SolutionFigure
 from variantgen.outputs.sheet_data import statement_data, student_data
 from variantgen.outputs.solution_blocks import blocks_data
 from variantgen.outputs.writing import TYPST, Writing
@@ -33,7 +33,7 @@ def solutions_data(
     return {
         "lang": language.name,
         "title": exam.title,
-        "course": exam.course,
+        "course": exam.driver_sweep,
         "duplex": exam.duplex,
         "words": solution_words(language),
         "students": [student_data(sheet, problems, language, last=True)],
@@ -62,7 +62,7 @@ def problem_data(
     }
 
 
-def _shown(shown: Shown, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
+def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing)
     return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
 

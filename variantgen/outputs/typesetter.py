@@ -61,8 +61,8 @@ class Typesetter:
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
         those of PDF that it conforms to.
         """
-        told = tagged and form == "pdf"
-        inputs = {"data": _json(data, told), "form": form}
+        with_alt = tagged and form == "pdf"
+        inputs = {"data": _json(data, with_alt), "form": form}
         if form == "pdf":
             known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
             inputs.update((name, _json(found)) for name, found in known.items())
@@ -92,11 +92,11 @@ def _compiler(root: Path) -> typst.Compiler:
     return typst.Compiler(root=root, font_paths=[], ignore_system_fonts=True)
 
 
-def _json(data: Any, told: bool = True) -> str:
+def _json(data: Any, with_alt: bool = True) -> str:
     """The data as text; drawings in it stand for their words, which only documents with tags hold."""
 
     def words(drawing: Drawing) -> str:
-        return drawing.alt if told else ""
+        return drawing.alt if with_alt else ""
 
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=words)
 

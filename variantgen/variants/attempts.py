@@ -13,7 +13,6 @@ from variantgen.families.family import Family, Form, Screens, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
-from variantgen.variants.batch import Attempts, Judge, Tally, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
@@ -22,6 +21,7 @@ from variantgen.variants.screening import (
     sensitivity,
     verification,
 )
+from variantgen.variants.batch import Attempts, MakeScreening, Tally, starts
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -56,9 +56,9 @@ class FormDrawing:
         asked: Sequence[Quantity],
         tally: Tally,
         where: str,
-        judge: Judge | None = None,
+        screening: MakeScreening | None = None,
     ) -> None:
-        self.family, self.form, self.where, self.judge = family, form, where, judge
+        self.family, self.form, self.where, self.screening = family, form, where, screening
         self.asked = list(asked)
         self.tally = tally
         self.names = sorted(form.parameters)
@@ -136,7 +136,7 @@ class FormDrawing:
             chosen = np.flatnonzero(rank < max(1, min(_AHEAD, _AT_LEAST // begin.size)))
             heads = promising.take(chosen)
             good = np.flatnonzero(self._conditioned(heads))
-            accepted = self._judged(heads.take(good)) if self.judge else self._firsts(heads.take(good))
+            accepted = self._screened(heads.take(good)) if self.screening else self._firsts(heads.take(good))
             settled = []
             for variant, owner in accepted:
                 settled.append(owner)
@@ -179,8 +179,8 @@ class FormDrawing:
         """Whether the answers are well conditioned."""
         motion = attempts.motion
         assert motion is not None, "only promising attempts come here, and these are solved"
-        gain = sensitivity(self.form, self._si(attempts), self._frame(attempts), self.asked, motion)
-        good = gain <= self.form.screens.sensitivity * (1 + 1e-6)
+        sensitivities = sensitivity(self.form, self._si(attempts), self._frame(attempts), self.asked, motion)
+        good = sensitivities <= self.form.screens.sensitivity * (1 + 1e-6)
         self.tally.rejected["answers well conditioned"] += int(np.count_nonzero(~good))
         return good
 
@@ -189,23 +189,23 @@ class FormDrawing:
         for place in starts(attempts.owner).tolist() if attempts.owner.size else []:
             yield self._variant(attempts, place), int(attempts.owner[place])
 
-    def _judged(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
-        """The first attempt of each owner that passes the judge.
+    def _screened(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
+        """The first attempt of each owner that passes the screening.
 
-        What is dear to judge is judged one attempt of each owner at a time.
+        The expensive screens see one attempt of each owner at a time.
         """
-        assert self.judge is not None
+        assert self.screening is not None
         assert attempts.motion is not None
         if not attempts.owner.size:
             return
-        judging = self.judge(self.form, self._si(attempts), self._frame(attempts), self.asked, attempts.motion)
-        left = self._keep(judging.screens(), attempts.owner.size)
+        screening = self.screening(self.form, self._si(attempts), self._frame(attempts), self.asked, attempts.motion)
+        left = self._keep(screening.of_all(), attempts.owner.size)
         while left.size:
             owner = attempts.owner[left]
             firsts = starts(owner)
             places = left[firsts].tolist()
             variants = [self._variant(attempts, place) for place in places]
-            passed = self._keep(judging.judge(variants, places), len(places))
+            passed = self._keep(screening.of_survivors(variants, places), len(places))
             self._looked_at += len(places)
             for i in passed.tolist():
                 yield variants[i], int(owner[firsts[i]])

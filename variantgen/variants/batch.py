@@ -20,20 +20,20 @@ from variantgen.variants.variant import Variant
 Flags: TypeAlias = Mapping[str, NDArray[np.bool_]]  # by screen, shape (N,)
 
 
-class Judging(Protocol):
-    """More screens for a batch of attempts at one form, the cheap ones apart from the dear ones."""
+class Screening(Protocol):
+    """Screens in two stages: cheap ones on the whole batch of attempts, expensive ones on the survivors."""
 
-    def screens(self) -> Flags:
-        """Of all attempts."""
+    def of_all(self) -> Flags:
+        """The cheap screens, by name, for all attempts of the batch, shape (N,) each."""
         ...
 
-    def judge(self, variants: Sequence[Variant], places: Sequence[int]) -> Flags:
-        """Of some of them: the variants at these places of the batch."""
+    def of_survivors(self, variants: Sequence[Variant], places: Sequence[int]) -> Flags:
+        """The expensive screens, by name, for the variants at these places of the batch, shape (len(places),) each."""
         ...
 
 
-# Judging of attempts at a form: SI values of their parameters, how they lie on paper, what is asked, their motion.
-Judge: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Judging]
+# Screening of attempts at a form: SI values of their parameters, how they lie on paper, what is asked, their motion.
+MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Screening]
 
 
 @dataclass

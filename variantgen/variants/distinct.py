@@ -2,7 +2,7 @@
 
 Everyone has a sequence of draws of their own and a priority. In the order of priority each takes the first of their own
 draws that nobody before has, and that is not nearly the same as one that somebody before in the same group has
-(:mod:`variantgen.variants.likeness`). Where the ranges leave no room for the second wish, only the first is kept.
+(:mod:`variantgen.variants.similarity`). Where the ranges leave no room for the second wish, only the first is kept.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.variants.likeness import Traits
+from variantgen.variants.similarity import Traits
 
 TRIES = 10  # draws in which somebody looks for data that are not nearly those of another
 # With more near neighbours than this, on average, there is no room to keep the variants of a group apart.
@@ -27,7 +27,7 @@ More = Callable[[Sequence[int], Sequence[int]], Traits]
 
 
 @dataclass(frozen=True)
-class Settled:
+class DistinctDraws:
     """Who has to take another than their first draw, and by which attempt; who has nearly the same data as another."""
 
     again: dict[int, int]
@@ -47,7 +47,7 @@ class TooFewError(Exception):
         return int(np.unique(self._identities[np.array(own)]).size)
 
 
-def settle(first: Traits, priority: Callable[[int], bytes], more: More, kept: int = 0) -> Settled:
+def assign_distinct(first: Traits, priority: Callable[[int], bytes], more: More, kept: int = 0) -> DistinctDraws:
     """Give everyone a draw, from the first draw of each owner 0 .. N-1. Raises TooFewError.
 
     The last ``kept`` of them keep theirs, whatever it is.
@@ -94,12 +94,12 @@ class _Pool:
         """The error for an owner who finds nothing."""
         return TooFewError(owner, self._owner, self.traits.identity)
 
-    def settled(self) -> Settled:
+    def settled(self) -> DistinctDraws:
         """What was chosen."""
         again = {owner: int(self.traits.attempt[taken]) for owner, taken in self._taken.items() if taken != owner}
         everyone = range(self._kept.start if self._crowds else 0)
         crowded = {i for i in everyone if int(self.traits.room[self._taken.get(i, i)]) in self._crowds}
-        return Settled(dict(sorted(again.items())), tuple(sorted(self._alike | crowded)))
+        return DistinctDraws(dict(sorted(again.items())), tuple(sorted(self._alike | crowded)))
 
     def choose(self) -> list[int]:
         """Choose for everyone; the owners for whom no draw is left, in order."""

@@ -14,10 +14,10 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
 from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.batch import Judge, Tally
 from variantgen.variants.distinct import TooFewError
 from variantgen.variants.examined import examined
 from variantgen.variants.needed import told_size
+from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
@@ -27,7 +27,7 @@ def draw(
     ask: Ask,
     keys: Sequence[tuple[object, ...]],
     tally: Tally | None = None,
-    judge: Judge | None = None,
+    screening: MakeScreening | None = None,
 ) -> list[Variant]:
     """One variant per key, each depending on its key only (and on the family); keys may repeat variants.
 
@@ -35,7 +35,7 @@ def draw(
     and what no form asks by itself (:mod:`variantgen.variants.examined`). Raises InputError when the ranges leave
     nothing.
     """
-    return Drawing(family, ask, tally, judge=judge).after(keys, [0] * len(keys))
+    return Drawing(family, ask, tally, screening=screening).after(keys, [0] * len(keys))
 
 
 def check_room(drawings: Sequence[Drawing]) -> None:
@@ -81,7 +81,7 @@ def drawn(drawings: Sequence[Drawing], keys: Sequence[tuple[object, ...]], done:
 
 
 class Drawing:
-    """The drawing of one family for one list of asked quantities; ``judge`` adds screens to those of the family."""
+    """The drawing of one family for one list of asked quantities; ``screening`` adds screens to those of the family."""
 
     def __init__(
         self,
@@ -89,9 +89,9 @@ class Drawing:
         ask: Ask,
         tally: Tally | None = None,
         where: str = "",
-        judge: Judge | None = None,
+        screening: MakeScreening | None = None,
     ) -> None:
-        self.family, self.judge = family, judge
+        self.family, self.screening = family, screening
         self.where = f"{where}: {family.name}" if where else family.name
         self.forms = list(family.forms.values())
         self.asked = {form.name: read_ask(form, ask) for form in self.forms}
@@ -106,7 +106,7 @@ class Drawing:
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
             if members:
-                batch = FormDrawing(self.family, form, self.examined[form.name], self.tally, self.where, self.judge)
+                batch = FormDrawing(self.family, form, self.examined[form.name], self.tally, self.where, self.screening)
                 own = batch.run([streams[i] for i in members], [done[i] for i in members])
                 found.update(zip(members, own, strict=True))
         return [found[i] for i in range(len(keys))]

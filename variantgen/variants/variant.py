@@ -35,8 +35,8 @@ class Variant:
     def identity(self) -> tuple[str, str, tuple[tuple[str, str], ...]]:
         """What makes two variants the same problem: family, form, parameters (no pose on paper, nothing silent)."""
         parameters = self.form.parameters
-        told = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
-        return self.family.name, self.form.name, tuple(sorted(told))
+        printed = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
+        return self.family.name, self.form.name, tuple(sorted(printed))
 
     def word(self, parameter: str) -> str:
         """The word of a choice parameter."""

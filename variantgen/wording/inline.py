@@ -14,7 +14,6 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.units import UNITS
 from variantgen.wording.formula import (
     GREEK,
-    Chain,
     Formula,
     Fraction,
     Group,
@@ -23,6 +22,7 @@ from variantgen.wording.formula import (
     Number,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Symbol,
@@ -118,7 +118,7 @@ class _Reader:
         while sign := self._sign("=≈→∥⟂"):
             signs.append(_SIGNS[sign])
             items.append(self._sum())
-        return Chain(tuple(items), tuple(signs)) if signs else items[0]
+        return Relation(tuple(items), tuple(signs)) if signs else items[0]
 
     def _sum(self) -> Formula:
         first = self._sign("-\N{MINUS SIGN}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from variantgen.mechanism.closed_form import closed_form
-from variantgen.wording.formula import Chain, Equation, Surd
+from variantgen.wording.formula import Equation, Relation, Surd
 from variantgen.wording.language import ANSWER_DIGITS
 
 _FRACTION, _ROOT, _RADICAND = 9, 25, 100  # largest denominators of fractions and of roots, largest number under a root
@@ -30,8 +30,8 @@ def _is_simple(denominator: int, radicand: int) -> bool:
     return denominator <= (_FRACTION if radicand == 1 else _ROOT) and radicand <= _RADICAND
 
 
-def with_surd(equation: Equation, exact: Surd | None) -> Equation | Chain:
+def with_surd(equation: Equation, exact: Surd | None) -> Equation | Relation:
     """``symbol = value``, with the exact form before the rounded value if there is one."""
     if exact is None:
         return equation
-    return Chain((equation.left, exact, equation.right), ("=", "≈"))
+    return Relation((equation.left, exact, equation.right), ("=", "≈"))

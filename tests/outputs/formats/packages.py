@@ -18,7 +18,7 @@ from variantgen.cli import main
 from variantgen.exam.assembly import assemble
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
-from variantgen.outputs.formats import Part, read_exam
+from variantgen.outputs.formats import Chunk, read_exam
 from variantgen.outputs.typesetter import typesetter
 from variantgen.outputs.web.questions import Question, questions
 
@@ -62,7 +62,7 @@ def exam(*problems: str, language: str = "ru", head: str = "", tables: str = "",
 
 
 @contextmanager
-def direction(folder: Path) -> Iterator[tuple[Part, Callable[[float], Question]]]:
+def direction(folder: Path) -> Iterator[tuple[Chunk, Callable[[float], Question]]]:
     """A part of an exam without solutions, and its question for a direction with another answer, within 1 degree."""
     (folder / "exam.toml").write_text(
         exam('family = "four_bar"\nask = ["v_B.angle"]', tables='[solutions]\ndepth = "none"'), "utf-8"
@@ -70,7 +70,7 @@ def direction(folder: Path) -> Iterator[tuple[Part, Callable[[float], Question]]
     read = read_exam(folder / "exam.toml")
     sheets = assemble(replace(read, seed="1"), numbered(1)).sheets
     with typesetter() as engine:
-        part = Part(Content(read, sheets), True, engine)
+        part = Chunk(Content(read, sheets), True, engine)
         asked = next(questions(part))
         (number,) = asked.parts
 

@@ -15,7 +15,7 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.choice import applicable
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.wish import Wish
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.variants.draw import Drawing
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
@@ -139,7 +139,7 @@ def test_other_methods_come_out_as_well(name: str, form: str, method: str) -> No
     variant, asked = drawn[0], read_ask(drawn[0].form)
     if method not in applicable(task_of(variant, motion, 0, asked)):
         return  # choice.applicable is tested against lists of its own
-    found = explain(variant, motion, 0, asked, load_language("en"), Wish((method,)))
+    found = explain(variant, motion, 0, asked, load_language("en"), SolutionOptions((method,)))
     reader = Reader(*known_data(variant, asked, "en"))
     reader.read(found)
     assert not reader.wrong, "\n".join(reader.wrong)

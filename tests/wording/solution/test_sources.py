@@ -16,8 +16,8 @@ from tests.solved_cases import case_of, quantities, variant_of
 from tests.wording.solution.test_recomputed import lines_of
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.step import Sentence
-from variantgen.methods.wish import Wish
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import explain
@@ -327,7 +327,7 @@ READINGS = [
 def test_same_laws_and_same_numbers_as_the_source(reading: Reading) -> None:
     family, case = case_of(reading.family, reading.case)
     variant, asked = variant_of(family, case), quantities(case, reading.ask)
-    text = explain(variant, case.motion(), 0, asked, load_language("en"), Wish((reading.method,)))
+    text = explain(variant, case.motion(), 0, asked, load_language("en"), SolutionOptions((reading.method,)))
     lines = [[to_plain(formula) for _, formula in line.pieces] for line in lines_of(text)]
     printed: dict[str, float] = {}
     for pieces, line in zip(lines, lines_of(text), strict=True):

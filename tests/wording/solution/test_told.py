@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from variantgen.figure.views import accelerations
-from variantgen.methods.wish import Wish
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import to_plain
@@ -20,7 +20,7 @@ def solved(name: str, form: str, seed: int, *methods: str) -> tuple[Variant, Sol
     variant = one_variant(name, seed=str(seed), form=form)
     asked = asked_quantities(variant)
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    return variant, explain(variant, motion, 0, asked, EN, Wish(methods))
+    return variant, explain(variant, motion, 0, asked, EN, SolutionOptions(methods))
 
 
 def lines(text: SolutionText) -> list[str]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from variantgen.accuracy.computed import Computed
 from variantgen.accuracy.norms import deviation
-from variantgen.accuracy.overtime.integrate import METHODS, STABILISATIONS, Track, integrate, possible
+from variantgen.accuracy.overtime.integrate import METHODS, STABILISATIONS, Trajectory, integrate, possible
 from variantgen.accuracy.overtime.passage import Passage
 from variantgen.accuracy.precise import exact_number, many_digits
 from variantgen.mechanism.solve import solve
@@ -60,7 +60,7 @@ def follow(passage: Passage, tolerances: Sequence[float], most: int, rounds: int
                     break
 
 
-def _timed(passage: Passage, method: str, tolerance: float, stabilisation: str, most: int) -> tuple[Track, float]:
+def _timed(passage: Passage, method: str, tolerance: float, stabilisation: str, most: int) -> tuple[Trajectory, float]:
     """The integration and its seconds; short ones are repeated, the least time counts."""
     times: list[float] = []
     while True:
@@ -89,7 +89,7 @@ def _direct(passage: Passage, rounds: int) -> Followed:
 
 
 def _judged(
-    passage: Passage, method: str, stabilisation: str, tolerance: float, track: Track, seconds: float
+    passage: Passage, method: str, stabilisation: str, tolerance: float, track: Trajectory, seconds: float
 ) -> Followed:
     failed = track.failed
     if not failed and not np.all(np.isfinite(track.states)):

@@ -25,7 +25,7 @@ class TooLongError(ArithmeticError):
 
 
 @dataclass(frozen=True)
-class Track:
+class Trajectory:
     """States at the instants of a passage, shape (K, 2); ``evaluations`` of the velocity equations, ``drift`` of the
     closure (m): the largest gap at an instant; ``failed``: why it ends early, empty if it does not.
     """
@@ -41,7 +41,7 @@ def possible(method: str, stabilisation: str) -> bool:
     return stabilisation != "projection" or method in _ONE_STEP
 
 
-def integrate(passage: Passage, method: str, tolerance: float, stabilisation: str, most: int) -> Track:
+def integrate(passage: Passage, method: str, tolerance: float, stabilisation: str, most: int) -> Trajectory:
     """From the start of a passage to its end with a relative and absolute tolerance of each step, by so many
     evaluations at most.
     """
@@ -59,11 +59,11 @@ def integrate(passage: Passage, method: str, tolerance: float, stabilisation: st
     try:
         states, failed = _stepped(passage, method, tolerance, slope, project)
     except TooLongError:
-        return Track(np.zeros((0, 2)), count, np.inf, "too long")
+        return Trajectory(np.zeros((0, 2)), count, np.inf, "too long")
     except (ZeroDivisionError, ValueError, OverflowError, np.linalg.LinAlgError):
-        return Track(np.zeros((0, 2)), count, np.inf, "exception")
+        return Trajectory(np.zeros((0, 2)), count, np.inf, "exception")
     drift = max((abs(passage.gap(t, y)) for t, y in zip(passage.instants, states, strict=False)), default=np.inf)
-    return Track(states, count, float(drift), failed)
+    return Trajectory(states, count, float(drift), failed)
 
 
 def _stepped(

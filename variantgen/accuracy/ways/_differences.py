@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.accuracy.computed import Computed, Group
-from variantgen.mechanism.chain import Chain
+from variantgen.mechanism.closure_residuals import ClosureResiduals
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
@@ -39,7 +39,7 @@ def differentiated(group: Group, stencil: Stencil) -> Callable[[], Computed]:
 
 
 def _run(motion: Motion, stencil: Stencil, h: Any) -> Computed:
-    chain = Chain(motion)
+    chain = ClosureResiduals(motion)
     inverse = np.linalg.inv(np.where(motion.solved[:, None, None], chain.jacobian(), np.eye(chain.unknowns)))
     q = np.zeros((len(stencil.offsets), motion.size, chain.unknowns))
     times = np.array(stencil.offsets)[:, None] * h

@@ -154,8 +154,8 @@ def _report(made: Built, seconds: float) -> None:
     from variantgen.exam.order import natural
 
     if made.redrawn:
-        told = some_of(natural(made.redrawn), listed=f"listed as redrawn in {made.folder / 'manifest.json'}")
-        tell(f"drawn again to keep variants distinct: {told}")
+        redrawn = some_of(natural(made.redrawn), listed=f"listed as redrawn in {made.folder / 'manifest.json'}")
+        tell(f"drawn again to keep variants distinct: {redrawn}")
     if made.cut:
         tell(f"drawn again for tolerance.ceiling: {counted(made.cut, 'problem')}")
     if made.unexplained:

@@ -56,6 +56,6 @@ def run(arguments: argparse.Namespace) -> int:
         return 1
     path = arguments.out or Path(f"{made.stem}{'-solutions' if arguments.solutions else ''}.pdf")
     write_whole(path, made.content, "--out")
-    told = f", the same as {made.same}" if made.same else ""
-    tell(f"{path}{told}")
+    same = f", the same as {made.same}" if made.same else ""
+    tell(f"{path}{same}")
     return 0

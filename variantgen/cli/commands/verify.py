@@ -45,10 +45,10 @@ def run(arguments: argparse.Namespace) -> int:
         tell(f"and {len(found.faults) - _SHOWN} more")
     for name in found.edited:
         tell(f"edited since the build, which is no fault: {name}")
-    told = f"{counted(found.answers, 'answer')} of {counted(found.students, 'student')} computed again"
+    summary = f"{counted(found.answers, 'answer')} of {counted(found.students, 'student')} computed again"
     if found.faults:
-        tell(f"{told}; faults: {len(found.faults)}")
+        tell(f"{summary}; faults: {len(found.faults)}")
         return 1
     changed = "no other file changed" if found.edited else "no file changed"
-    tell(f"{told}: all right (largest difference {found.largest:.0e}), {changed}")
+    tell(f"{summary}: all right (largest difference {found.largest:.0e}), {changed}")
     return 0

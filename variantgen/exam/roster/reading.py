@@ -90,8 +90,8 @@ class _Reader:
         """The students of a table; what is wrong with their rows is noted."""
         before = f"worksheet {sheet.title}, " if several else ""
         if columns.row:
-            told = ", ".join(str(number) for number, _ in sheet.rows[: columns.row])
-            self._notes.append(f"{before}above the header, left out: row {told}")
+            rows = ", ".join(str(number) for number, _ in sheet.rows[: columns.row])
+            self._notes.append(f"{before}above the header, left out: row {rows}")
         if columns.unused:
             self._notes.append(f"{before}columns that are not used: {told_unused(columns)}")
         for number, cells in sheet.rows[columns.row + 1 :]:

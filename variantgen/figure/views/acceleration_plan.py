@@ -15,7 +15,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.graphical.vector_chain import Chain, Reach, Slip, Turn, taken_apart
+from variantgen.methods.graphical.vector_chain import Cylinder, SlidingPoint, Turn, VectorChain, taken_apart
 from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Index, Symbol
@@ -39,7 +39,7 @@ def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]
     return draw_plan(acceleration_plan(found.chain, found.now, language), scale, language)
 
 
-def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
+def acceleration_plan(chain: VectorChain, now: Instant, language: Language) -> VectorPlan:
     """What the plan shows, in m/s^2."""
     plan = VectorPlan(Symbol("pi"))
     for point in chain.points:
@@ -58,7 +58,9 @@ def acceleration_plan(chain: Chain, now: Instant, language: Language) -> VectorP
     return plan
 
 
-def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn, marks: Sequence[tuple[Index, ...]]) -> None:
+def _add_turn(
+    plan: VectorPlan, chain: VectorChain, now: Instant, turn: Turn, marks: Sequence[tuple[Index, ...]]
+) -> None:
     """Normal and tangential component (if there are ``marks`` for them) from the end of the pole's acceleration."""
     fixed = turn.pole in chain.resting
     start, normal = now.a[turn.pole], now.normal(turn.point, turn.pole)
@@ -76,7 +78,9 @@ def _add_pair(plan: VectorPlan, start: complex, first: complex, second: complex,
     return end
 
 
-def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language: Language, apart: bool) -> None:
+def _add_slip(
+    plan: VectorPlan, chain: VectorChain, now: Instant, slip: SlidingPoint, language: Language, apart: bool
+) -> None:
     """Transport (in its components if ``apart``), Coriolis and relative acceleration, one after the other."""
     point, body = slip.point, slip.body
     transport, coriolis = now.transport_acceleration(point, body), now.coriolis(point, body)
@@ -103,7 +107,7 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
         plan.lines.append((transport, slip.path.tangent(now.z)))
 
 
-def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, language: Language) -> complex:
+def _add_relative(plan: VectorPlan, now: Instant, slip: SlidingPoint, start: complex, language: Language) -> complex:
     """The relative acceleration, on a curved path in two components; returns its end."""
     point = slip.point
     relative = now.relative_acceleration(point, slip.body)
@@ -120,7 +124,7 @@ def _add_relative(plan: VectorPlan, now: Instant, slip: Slip, start: complex, la
     return _add_pair(plan, start, relative - normal, normal, names[::-1])
 
 
-def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+def _add_reach(plan: VectorPlan, now: Instant, reach: Cylinder, language: Language) -> None:
     """The acceleration along a line that grows, and those of its rotation, one after the other."""
     place = now.a[reach.base]
     normal, tangential = component_marks(language)

@@ -19,7 +19,7 @@ from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on
 from variantgen.figure.solved import Solved, solved
 from variantgen.figure.stated import stated_rates, stated_vectors, telling_points, transport_name
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.graphical.vector_chain import Slip, Turn, taken_apart
+from variantgen.methods.graphical.vector_chain import SlidingPoint, Turn, taken_apart
 from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
@@ -79,8 +79,8 @@ def components(found: Solved, language: Language, entire: Collection[tuple[str, 
     parts: dict[str, Named] = {point: [whole(point)] for point in telling_points(found.task, chain, chain.points)}
     apart = taken_apart(chain)
     for turn in chain.turns:
-        told = (turn.body, turn.point) in apart and (turn.body, turn.point) not in entire
-        if told and turn.point in parts and turn.body not in found.task.translating:
+        split = (turn.body, turn.point) in apart and (turn.body, turn.point) not in entire
+        if split and turn.point in parts and turn.body not in found.task.translating:
             fixed = turn.pole in chain.resting
             parts[turn.point] += [] if fixed else [whole(turn.pole)]
             parts[turn.point] += _turn_parts(now, turn, fixed, language)
@@ -107,7 +107,7 @@ def _turn_parts(now: Instant, turn: Turn, fixed: bool, language: Language) -> Na
     return list(zip(names, (now.normal(point, pole), now.tangential(point, pole)), strict=True))
 
 
-def _transport_parts(now: Instant, slip: Slip, pole: str, fixed: bool, language: Language) -> Named:
+def _transport_parts(now: Instant, slip: SlidingPoint, pole: str, fixed: bool, language: Language) -> Named:
     """Normal and tangential component of the rotation about the pole, of the point of the carrier below a sliding one.
 
     They are parts of the transport acceleration where the pole is fixed.
@@ -120,7 +120,7 @@ def _transport_parts(now: Instant, slip: Slip, pole: str, fixed: bool, language:
     return list(zip(names, (-(now.omega[slip.body] ** 2) * arm, 1j * now.epsilon[slip.body] * arm), strict=True))
 
 
-def _slip_parts(now: Instant, slip: Slip, language: Language) -> Named:
+def _slip_parts(now: Instant, slip: SlidingPoint, language: Language) -> Named:
     """Relative and Coriolis acceleration; on a curved path the components of the relative one."""
     point, body = slip.point, slip.body
     relative = now.relative_acceleration(point, body)

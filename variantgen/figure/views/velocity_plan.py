@@ -16,7 +16,7 @@ from variantgen.figure.plans import Vector, VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import pole_letter
-from variantgen.methods.graphical.vector_chain import Chain, Reach, Slip, Turn
+from variantgen.methods.graphical.vector_chain import Cylinder, SlidingPoint, Turn, VectorChain
 from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
@@ -34,7 +34,7 @@ def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]
     return draw_plan(velocity_plan(found.chain, found.now, language), scale, language)
 
 
-def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
+def velocity_plan(chain: VectorChain, now: Instant, language: Language) -> VectorPlan:
     """What the plan shows, in m/s."""
     largest = max(abs(now.v[point]) for point in chain.points)
     moving = [point for point in chain.points if abs(now.v[point]) > _AT_REST * largest]
@@ -58,7 +58,7 @@ def velocity_plan(chain: Chain, now: Instant, language: Language) -> VectorPlan:
     return plan
 
 
-def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn) -> None:
+def _add_turn(plan: VectorPlan, chain: VectorChain, now: Instant, turn: Turn) -> None:
     """The side between two ends; the line of its direction, where the point is found by two of them."""
     if turn.pole not in chain.resting:
         symbol = about("v", turn.point, turn.pole)
@@ -67,7 +67,7 @@ def _add_turn(plan: VectorPlan, chain: Chain, now: Instant, turn: Turn) -> None:
         plan.lines.append((now.v[turn.point], 1j * (now.z[turn.point] - now.z[turn.pole])))
 
 
-def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language: Language) -> None:
+def _add_slip(plan: VectorPlan, chain: VectorChain, now: Instant, slip: SlidingPoint, language: Language) -> None:
     """Transport velocity, and from its end the relative velocity."""
     transport = now.transport_velocity(slip.point, slip.body)
     plan.ends.append((transport_image(slip.point, primed=False, language=language), transport))
@@ -82,7 +82,7 @@ def _add_slip(plan: VectorPlan, chain: Chain, now: Instant, slip: Slip, language
         plan.lines.append((end, 1j * (now.z[slip.point] - now.z[slip.pole])))
 
 
-def _add_reach(plan: VectorPlan, now: Instant, reach: Reach, language: Language) -> None:
+def _add_reach(plan: VectorPlan, now: Instant, reach: Cylinder, language: Language) -> None:
     """The velocity along a line that grows, and across it."""
     point, start = reach.point, now.v[reach.base]
     along, across = now.growth(point, reach.base)

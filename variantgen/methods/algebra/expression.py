@@ -92,7 +92,7 @@ class Value(Expression):
         """The full or the printed number."""
         return self.exact if exact else self.shown
 
-    def settle(self, digits: int) -> None:
+    def round_to(self, digits: int) -> None:
         """Compute the printed number anew, with so many significant digits; a given one stays as it is.
 
         Where the printed numbers miss a short result only by rounding, ``8.00001`` for 8, that is printed.

@@ -69,7 +69,7 @@ def _linear_solution(count: int, index: int) -> Function:
     return solved
 
 
-def taken(number: Table) -> Table:
+def rounded_at(number: Table) -> Table:
     """A value takes the number of its expression: here it may be rounded."""
     return number
 
@@ -121,10 +121,10 @@ class Operations:
             self.listed[place] = function, operands
         return place
 
-    def taken(self, operand: int) -> int:
+    def rounded_at(self, operand: int) -> int:
         """The place of a number that a value takes, which no other value shares."""
         place = self._new()
-        self.listed[place] = taken, (operand,)
+        self.listed[place] = rounded_at, (operand,)
         return place
 
     def of(self, item: Expression, values: Places) -> int:
@@ -145,7 +145,7 @@ class Operations:
             found[place] = self.named(name)
         for place, (function, operands) in other.listed.items():
             own = [found[i] for i in operands]
-            found[place] = own[0] if function is taken else self.operation(function, *own)
+            found[place] = own[0] if function is rounded_at else self.operation(function, *own)
         return found
 
     def _new(self, key: Hashable = None, number: Table | None = None) -> int:

@@ -10,17 +10,17 @@ from variantgen.methods.centres import acceleration_centre, known_centre, projec
 from variantgen.methods.centres.turning import solve_composed, solve_rested, solve_rolled, solve_turned
 from variantgen.methods.groups.group import (
     Composed,
-    Coupled,
-    Crossed,
     Dyad,
     Extended,
+    FloatingDyad,
     Group,
     Joined,
-    Rested,
+    PivotedLink,
     Rolled,
-    Slid,
-    Spanned,
-    Turned,
+    RollingContactPole,
+    SlidingPair,
+    ThirdClassGroup,
+    TwoPointBody,
 )
 from variantgen.methods.groups.route import Route
 from variantgen.methods.groups.wanted import is_accelerated
@@ -47,17 +47,17 @@ class DyadMethod(Protocol):
 
 
 HANDLERS: dict[type, Handler] = {
-    Turned: solve_turned,
+    PivotedLink: solve_turned,
     Rolled: solve_rolled,
     Dyad: solve_dyad,
-    Crossed: solve_crossing,
-    Slid: solve_slid,
+    FloatingDyad: solve_crossing,
+    SlidingPair: solve_slid,
     Composed: solve_composed,
     Joined: solve_joined,
     Extended: solve_extended,
-    Rested: solve_rested,
-    Spanned: solve_spanned,
-    Coupled: solve_coupled,
+    RollingContactPole: solve_rested,
+    TwoPointBody: solve_spanned,
+    ThirdClassGroup: solve_coupled,
 }
 
 _OF_DYADS: dict[int, dict[str, DyadMethod]] = {
@@ -111,7 +111,7 @@ def _solve(book: Book, group: Group) -> None:
     method = _OF_DYADS[book.order].get(style)
     if isinstance(group, Dyad) and method is not None and method.applies(book, group):
         method.solve_dyad(book, group)
-    elif isinstance(group, Spanned) and style == "velocity_centre" and known_centre.is_divided(book, group):
+    elif isinstance(group, TwoPointBody) and style == "velocity_centre" and known_centre.is_divided(book, group):
         known_centre.solve_divided(book, group)
     else:
         HANDLERS[type(group)](book, group)

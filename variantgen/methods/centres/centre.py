@@ -27,7 +27,7 @@ from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.rays import Centre, Ray
-from variantgen.methods.steps.step import Derived, Fact, Point, Segment, Shown
+from variantgen.methods.steps.step import Derived, Fact, NumberOf, Point, Segment
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
 SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
@@ -72,7 +72,7 @@ def note_angle(book: Book, value: Value, symbolic: bool = False) -> Value:
 
 def say_rays(book: Book, rays: Mapping[Segment, Value]) -> None:
     """Say the directions of rays, from which the angles between them follow."""
-    book.say("centre.rays", True, rays=tuple(rays), angles=tuple(Shown(angle) for angle in rays.values()))
+    book.say("centre.rays", True, rays=tuple(rays), angles=tuple(NumberOf(angle) for angle in rays.values()))
 
 
 def is_angle(value: float, *others: float) -> bool:

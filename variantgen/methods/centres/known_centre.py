@@ -19,7 +19,7 @@ from variantgen.methods.centres.perpendiculars import facts_of_two, perpendicula
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.contact import place_of
-from variantgen.methods.groups.group import Spanned
+from variantgen.methods.groups.group import TwoPointBody
 from variantgen.methods.groups.law import touches
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.linkage.problem import Task
@@ -67,14 +67,14 @@ def _found(book: Book, body: str) -> Centre:
 def _contact(book: Book, body: str) -> Centre | None:
     """The contact of a wheel of known motion with something at rest; None where there is none."""
     task = book.task
-    told = any(book.has_said(key, body=Body(body)) for key in _TELLING)
-    for axle, place in _resting(task, body, told):
+    explained = any(book.has_said(key, body=Body(body)) for key in _TELLING)
+    for axle, place in _resting(task, body, explained):
         if not book.velocity.get(axle):
             continue
         name = named_place(book, place)
         centre = Centre(body, at=name)
         facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact}
-        if not told:
+        if not explained:
             named: dict[str, Fact] = {"at": Point(name)} if name else {}
             book.say("known_centre.named_contact" if name else "known_centre.contact", False, **named, **facts)
         if name:
@@ -93,15 +93,15 @@ def contact_fact(book: Book, body: str) -> Fact:
     return Point(name) if name else Centre(body).fact
 
 
-def _resting(task: Task, body: str, told: bool) -> Iterator[tuple[str, complex]]:
-    """Centres and places of the contacts of a body with something at rest, of those with a tied thread if ``told``."""
+def _resting(task: Task, body: str, explained: bool) -> Iterator[tuple[str, complex]]:
+    """Centres and places of the contacts of a body with something at rest; tied threads only if ``explained``."""
     metre = task.length_unit
     at = Placement({name: place * metre for name, place in task.now.z.items()}, task.scene.frame)
     for joint in task.scene.joints:
         touch = joint.contact_at(at)
         if touch is not None and touch.other is None and touch.body[0] == body:
             yield touch.body[1], complex(touch.place) / metre
-    for thread in touches(task).values() if told else ():
+    for thread in touches(task).values() if explained else ():
         for known, side in thread.ways:
             if known.is_rest and side.lever and side.body == body:
                 yield side.centre, place_of(task, side)
@@ -134,7 +134,7 @@ def _by_rate(book: Book, body: str, point: str, rate: Rate) -> Centre:
 # Way (c).
 
 
-def is_divided(book: Book, group: Spanned) -> bool:
+def is_divided(book: Book, group: TwoPointBody) -> bool:
     """Whether both known velocities are across the line of their points, so that the centre divides it."""
     arm = book.geometry.vector(group.pole, group.point)
     speeds = [book.task.now.v[point] for point in (group.pole, group.point)]
@@ -142,7 +142,7 @@ def is_divided(book: Book, group: Spanned) -> bool:
     return all(abs((arm.conjugate() * v).real) <= limit for v in speeds)
 
 
-def solve_divided(book: Book, group: Spanned) -> None:
+def solve_divided(book: Book, group: TwoPointBody) -> None:
     """The rate of a body from two known velocities across the line of their points."""
     for point in (group.pole, group.point):
         vector(book, point)

@@ -121,12 +121,12 @@ def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tup
     angles = (at_a, at_b, at_p)
     shape, needed, arms = next(case for case in _shapes(side, *angles) if case[0])
     facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
-    told: dict[Segment, Value] = {}
+    said: dict[Segment, Value] = {}
     for angle, way, ray, (start, end) in zip((at_a, at_b), ways, rays, (ends, ends[::-1]), strict=True):
         if angle in needed:
-            told |= {Segment(start, end): way, centre.segment(start): ray}
-    if told:
-        say_rays(book, told)
+            said |= {Segment(start, end): way, centre.segment(start): ray}
+    if said:
+        say_rays(book, said)
     book.say(f"perpendiculars.{shape}", True, **facts)
     for angle in needed:
         note_angle(book, angle, symbolic=angle is at_p)

@@ -6,7 +6,7 @@ from variantgen.methods.algebra.expression import Total, Value
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.centres.known_centre import contact_fact
 from variantgen.methods.geometry.geometry import Geometry, degrees
-from variantgen.methods.groups.group import Composed, Rested, Rolled, Turned
+from variantgen.methods.groups.group import Composed, PivotedLink, Rolled, RollingContactPole
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.given import amount
@@ -14,7 +14,7 @@ from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, v
 from variantgen.methods.vectors.vector_equation import shares
 
 
-def solve_turned(book: Book, group: Turned) -> None:
+def solve_turned(book: Book, group: PivotedLink) -> None:
     """``omega = v_B / r``; ``epsilon = a^tau_B / r``, with the sense in which the vector turns about the pivot."""
     body, point, pivot = group.body, group.point, group.pivot
     terms = vector(book, point)
@@ -81,7 +81,7 @@ def solve_rolled(book: Book, group: Rolled) -> None:
             sum_up(book, centre)
 
 
-def solve_rested(book: Book, group: Rested) -> None:
+def solve_rested(book: Book, group: RollingContactPole) -> None:
     """The contact of a rolling wheel as its pole: at rest now, with the acceleration ``omega^2 r`` to the centre."""
     contact, centre = group.contact, group.centre
     name = Name(book.letter, contact)

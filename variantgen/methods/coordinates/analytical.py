@@ -155,17 +155,17 @@ def _differentiate(
     """The derivatives by time with their numbers; those of coordinates that are not written are entered silently."""
     rates: dict[Value, Maybe] = {}
     for own in model.coordinates.values():
-        rates[own.place] = None if own.given and own.speed.exact == own.gain.exact == 0 else own.speed
+        rates[own.place] = None if own.given and own.speed.exact == own.acceleration.exact == 0 else own.speed
         if order == 2:
-            rates[own.speed] = None if own.given and own.gain.exact == 0 else own.gain
+            rates[own.speed] = None if own.given and own.acceleration.exact == 0 else own.acceleration
     items = model.book.items
     for own in functions.given:
-        items.append(Derived(own.speed if order == 1 else own.gain))
+        items.append(Derived(own.speed if order == 1 else own.acceleration))
     found: dict[Value, Maybe] = {}
     for value, function in written.items():
         found[value] = None if function is None else derivative(function, rates)
         own = model.coordinates[value]
-        rate = own.speed if order == 1 else own.gain
+        rate = own.speed if order == 1 else own.acceleration
         expression = pruned(found[value]) or ZERO
         enter(rate, expression, expression.number(True))
         if value in shown:

@@ -15,7 +15,7 @@ class Coordinate:
 
     place: Value
     speed: Value
-    gain: Value
+    acceleration: Value
     given: bool = False
 
 

@@ -51,7 +51,7 @@ def solve(book: Book) -> None:
         with book.step(f"coordinates.{book.measure}", "velocities" if order == 1 else "accelerations"):
             book.say(f"coordinates.differentiate_{order}", False)
             for own in given_coordinates(model, blocks, targets):
-                book.items.append(Derived(own.speed if order == 1 else own.gain))
+                book.items.append(Derived(own.speed if order == 1 else own.acceleration))
             written = _differentiated(model, written, order)
             for block in blocks:
                 _solve_block(model, block, written, order)
@@ -89,9 +89,9 @@ def _differentiated(model: Model, written: Written, order: int) -> Written:
     """The derivatives by time of equations; for the second one those of the first derivatives."""
     rates: dict[Value, Maybe] = {}
     for own in model.coordinates.values():
-        rates[own.place] = None if own.given and own.speed.exact == own.gain.exact == 0 else own.speed
+        rates[own.place] = None if own.given and own.speed.exact == own.acceleration.exact == 0 else own.speed
         if order == 2:
-            rates[own.speed] = None if own.given and own.gain.exact == 0 else own.gain
+            rates[own.speed] = None if own.given and own.acceleration.exact == 0 else own.acceleration
     found: Written = {}
     for key, (left, right) in written.items():
         sides = (None if side is None else derivative(side, rates) for side in (left, right))
@@ -102,7 +102,7 @@ def _differentiated(model: Model, written: Written, order: int) -> Written:
 def _solve_block(model: Model, block: Block, written: Written, order: int) -> None:
     """Show the equations of a block and find its unknown derivatives."""
     book = model.book
-    unknowns = [own.speed if order == 1 else own.gain for own in block.unknowns]
+    unknowns = [own.speed if order == 1 else own.acceleration for own in block.unknowns]
     sides = [tuple(pruned(side, unknowns) for side in written[id(e)]) for e in block.equations]
     if len(unknowns) == 1:
         _solve_one(book, unknowns[0], *sides[0])

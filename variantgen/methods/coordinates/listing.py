@@ -106,7 +106,7 @@ class _Program:
     def _given(self, own: Coordinate) -> str:
         """``phi - (phi_0 + omega t + epsilon t^2/2)``."""
         function = [(1, number(own.place.exact, own.place.measure))] if own.place.exact else []
-        for rate, power in ((own.speed, "t"), (own.gain, "t**2/2")):
+        for rate, power in ((own.speed, "t"), (own.acceleration, "t**2/2")):
             assert rate.expression is not None
             if rate.exact:
                 sign, size = signed(rate.expression)
@@ -125,7 +125,7 @@ class _Program:
     def _data(self) -> Iterator[str]:
         """The given data and constant coordinates that the equations use, as variables; numbers several in a line."""
         sides = [side for e in self.equations for side in (e.left, e.right) if side is not None]
-        sides += [s.expression for own in self.given for s in (own.speed, own.gain) if s.expression is not None]
+        sides += [s.expression for own in self.given for s in (own.speed, own.acceleration) if s.expression is not None]
         plain: dict[str, str] = {}
         derived: list[str] = []
         for value in self._constants(value for side in sides for value in parts(side)):

@@ -88,18 +88,18 @@ class Model:
         """Something new that changes; unknown unless it is prescribed later."""
         size = self.task.size if measure == "length" else 1.0
         value = Value(name, measure, exact, None, size)
-        speed, gain = (
+        speed, acceleration = (
             Value(name._replace(dots=dots), kind, 0.0, None, self.book.size_of(kind))
             for dots, kind in enumerate(_RATES[measure], 1)
         )
-        self.coordinates[value] = Coordinate(value, speed, gain)
+        self.coordinates[value] = Coordinate(value, speed, acceleration)
         return value
 
-    def prescribe(self, value: Value, speed: Expression, gain: Expression) -> None:
+    def prescribe(self, value: Value, speed: Expression, acceleration: Expression) -> None:
         """Make a coordinate known as a function of time, by its derivatives now."""
         own = self.coordinates[value]
         own.given = True
-        for rate, source in ((own.speed, speed), (own.gain, gain)):
+        for rate, source in ((own.speed, speed), (own.acceleration, acceleration)):
             rate.exact = source.number(True)
             rate.expression = source if rate.exact else Constant(0.0)
 

@@ -81,7 +81,7 @@ def enter(model: Model, blocks: list[Block]) -> None:
 def rate_of(model: Model, place: Value) -> Value:
     """The first or second derivative of a coordinate, by the order of the book."""
     own = model.coordinates[place]
-    return own.speed if model.book.order == 1 else own.gain
+    return own.speed if model.book.order == 1 else own.acceleration
 
 
 def _vector(model: Model, point: str) -> Known:

@@ -7,7 +7,7 @@ from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.graphical.plan_scale import per_millimetre
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.steps.step import Sentence, Shown
+from variantgen.methods.steps.step import NumberOf, Sentence
 
 _SHEET = (150.0, 150.0)  # room for the mechanism on millimetre paper, mm
 
@@ -19,7 +19,7 @@ class DrawnGeometry(Geometry):
         super().__init__(task)
         scale = float(per_millimetre(list(task.now.z.values()), _SHEET))
         self.scale = Value(Name("scale", "l"), "length", scale)
-        self.items.append(Sentence("graphical.mechanism", {"scale": self.scale, "value": Shown(self.scale)}))
+        self.items.append(Sentence("graphical.mechanism", {"scale": self.scale, "value": NumberOf(self.scale)}))
 
     def _worked_length(self, start: str, end: str) -> Expression:
         """A length that is not given: measured in the drawing."""

@@ -16,12 +16,12 @@ from variantgen.methods.by_groups import walk
 from variantgen.methods.graphical.drawn_geometry import DrawnGeometry
 from variantgen.methods.graphical.plan_drawing import PlanDrawing
 from variantgen.methods.graphical.plan_scale import per_millimetre, places_of, pole_letter
-from variantgen.methods.graphical.vector_chain import Chain, chain_of
-from variantgen.methods.groups.group import Coupled, Group
+from variantgen.methods.graphical.vector_chain import VectorChain, chain_of
+from variantgen.methods.groups.group import Group, ThirdClassGroup
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book, Known
-from variantgen.methods.steps.step import Sentence, Shown, Step, Term
+from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.methods.steps.style import Style
 from variantgen.variants.needed import shown_points
 
@@ -36,7 +36,7 @@ def applies(task: Task) -> bool:
     book = Book(task)
     plans = prepare(book)
     groups = _walk(book)
-    return bool(plans.made) and not any(isinstance(group, Coupled) for group in groups)
+    return bool(plans.made) and not any(isinstance(group, ThirdClassGroup) for group in groups)
 
 
 def solve(book: Book) -> None:
@@ -100,7 +100,7 @@ class Plans:
             self._step.views += (_VIEWS[letter],)
             start = Sentence(
                 f"graphical.plan_{letter}",
-                {"scale": plan.scale, "value": Shown(plan.scale), "pole": plan.pole.name},
+                {"scale": plan.scale, "value": NumberOf(plan.scale), "pole": plan.pole.name},
                 detail=False,
             )
             book.items.insert(0, start)
@@ -121,7 +121,7 @@ def begun(task: Task, letter: str) -> PlanDrawing:
     return PlanDrawing(letter, scale, pole_letter(_moving(chain, now)) if order == 1 else "pi")
 
 
-def _moving(chain: Chain, now: Instant) -> list[str]:
+def _moving(chain: VectorChain, now: Instant) -> list[str]:
     largest = max(abs(now.v[point]) for point in chain.points)
     return [point for point in chain.points if abs(now.v[point]) > _AT_REST * largest]
 

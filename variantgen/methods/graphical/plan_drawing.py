@@ -15,7 +15,7 @@ from variantgen.methods.algebra.expression import DRAWING_LENGTH, Constant, Expr
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book, Known, resultant
-from variantgen.methods.steps.step import Derived, Fact, Sentence, Shown, Term, VectorLine, VectorOf
+from variantgen.methods.steps.step import Derived, Fact, NumberOf, Sentence, Term, VectorLine, VectorOf
 
 _SAME = 1e-9  # of the largest vector: two places of a plan that are one
 
@@ -208,7 +208,7 @@ class PlanDrawing:
         return book.derive(name, self.measure, reading * self.scale)
 
     def _say_reading(self, book: Book, reading: Value) -> None:
-        book.say("graphical.measured", False, reading=reading, value=Shown(reading))
+        book.say("graphical.measured", False, reading=reading, value=NumberOf(reading))
 
     def _drawn(self, name: Name, length: float) -> Value:
         return Value(self._drawn_name(name), DRAWING_LENGTH, length, Constant(length))

@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from decimal import Decimal
 from itertools import accumulate
 
-from variantgen.methods.graphical.vector_chain import Chain, taken_apart
+from variantgen.methods.graphical.vector_chain import VectorChain, taken_apart
 from variantgen.methods.linkage.instant import Instant
 
 MILLIMETRES = 0.8  # on paper, of one figure unit, where the paper does not ask for less
@@ -28,19 +28,19 @@ def per_millimetre(places: Sequence[complex], room: tuple[float, float] = ROOM) 
     return next(step * power for step in _STEPS if float(step * power) >= least).normalize()
 
 
-def places_of(chain: Chain, now: Instant, order: int) -> list[complex]:
+def places_of(chain: VectorChain, now: Instant, order: int) -> list[complex]:
     """All ends of vectors of the plan of velocities (``order`` 1) or accelerations (2), and its pole."""
     return [0j, *(_velocities(chain, now) if order == 1 else _accelerations(chain, now))]
 
 
-def _velocities(chain: Chain, now: Instant) -> list[complex]:
+def _velocities(chain: VectorChain, now: Instant) -> list[complex]:
     poles = [turn.pole for turn in chain.turns] + [slip.pole for slip in chain.slips if slip.pole is not None]
     ends = [now.v[point] for point in (*chain.points, *poles)]
     ends += [now.v[reach.base] + now.growth(reach.point, reach.base)[0] for reach in chain.reaches]
     return ends + [now.transport_velocity(slip.point, slip.body) for slip in chain.slips]
 
 
-def _accelerations(chain: Chain, now: Instant) -> list[complex]:
+def _accelerations(chain: VectorChain, now: Instant) -> list[complex]:
     """Ends of accelerations and of their components, one after the other as in the chains of the plan."""
     poles = [turn.pole for turn in chain.turns] + [slip.pole for slip in chain.slips if slip.pole is not None]
     ends = [now.a[point] for point in (*chain.points, *poles)]

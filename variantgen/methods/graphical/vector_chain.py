@@ -17,7 +17,7 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Placement, Sliding
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.structure import Carry, Closure, Loose, Plan, Slide
+from variantgen.mechanism.structure import Closure, FreePoint, GuidedPoint, Plan, RigidPoint
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.needed import needed_for
 
@@ -38,7 +38,7 @@ class Turn:
 
 
 @dataclass(frozen=True)
-class Slip:
+class SlidingPoint:
     """A point slides on a body; ``pole`` is the shown point of the body from which the point below it is reached.
 
     ``carried`` says that the motion of the body is known before that of the point.
@@ -52,7 +52,7 @@ class Slip:
 
 
 @dataclass(frozen=True)
-class Reach:
+class Cylinder:
     """The distance of ``point`` from ``base`` grows as given: the rod of a cylinder."""
 
     point: str
@@ -60,7 +60,7 @@ class Reach:
 
 
 @dataclass(frozen=True)
-class Chain:
+class VectorChain:
     """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides.
 
     ``reaches`` are the pairs of points whose distance is driven.
@@ -68,10 +68,10 @@ class Chain:
 
     points: tuple[str, ...]
     turns: tuple[Turn, ...]
-    slips: tuple[Slip, ...]
+    slips: tuple[SlidingPoint, ...]
     resting: frozenset[str]
     guides: dict[str, complex]
-    reaches: tuple[Reach, ...] = ()
+    reaches: tuple[Cylinder, ...] = ()
 
     def members(self, body: str) -> tuple[str, ...]:
         """The points of the chain that belong to a body by its turns, its pole first."""
@@ -84,7 +84,7 @@ class Chain:
         return ways + sum(slip.point == point and slip.carried for slip in self.slips) > 1
 
 
-def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> Chain:
+def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> VectorChain:
     """The chain that leads to the asked quantities, through the points that the figure shows.
 
     A wheel that is held by its rim only has the point of contact as its pole, shown or not.
@@ -105,7 +105,7 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     # The centre follows from the rate of such a wheel, by the condition of rolling.
     turns = [turn for turn in turns if turn.body not in rested or turn.point != rested[turn.body].centre]
     slips = [
-        Slip(path.point, path.body, poles[path.body], needed.known_before(path), path)
+        SlidingPoint(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for path in linkage.slides
         if path.point in visible and path.body in needed.bodies
     ]
@@ -116,13 +116,13 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     first: dict[str, Turn] = {}
     turns = [turn for turn in dict.fromkeys(turns) if turn.point in points]
     found = [Turn(t.point, t.pole, t.body, first.setdefault(t.point, t) is not t) for t in turns]
-    reaches = (Reach(driver.end, driver.start) for driver in now.scene.drivers if isinstance(driver, Extension))
+    reaches = (Cylinder(driver.end, driver.start) for driver in now.scene.drivers if isinstance(driver, Extension))
     seen = tuple(reach for reach in reaches if reach.point in points and reach.base in visible)
-    return Chain(tuple(points), tuple(found), tuple(slips), resting, guides, seen)
+    return VectorChain(tuple(points), tuple(found), tuple(slips), resting, guides, seen)
 
 
 def _useful(
-    form: Form, points: Sequence[str], turns: Sequence[Turn], slips: Sequence[Slip], keep: set[str]
+    form: Form, points: Sequence[str], turns: Sequence[Turn], slips: Sequence[SlidingPoint], keep: set[str]
 ) -> list[str]:
     """Points without those that only describe a line of their body: no hinge, not asked, the pole of no other."""
     count = {name: sum(name in members for members in form.bodies.values()) for name in points}
@@ -166,17 +166,17 @@ def _pole(form: Form, body: str, visible: set[str], guides: AbstractSet[str]) ->
 
     A body of which two points are led is held at three, none of which is known: its pole is one whose path is known.
     """
-    steps: list[Carry] = [s for s in form.plan.steps if isinstance(s, Carry) and s.body == body]
+    steps: list[RigidPoint] = [s for s in form.plan.steps if isinstance(s, RigidPoint) and s.body == body]
     steps += [
         e.step
         for e in form.plan.equations
-        if isinstance(e, Closure) and isinstance(e.step, Carry) and e.step.body == body
+        if isinstance(e, Closure) and isinstance(e.step, RigidPoint) and e.step.body == body
     ]
     members = [name for name in form.bodies[body] if name in visible]
     planned = steps[0].pole if steps else None
     reached = {step.point: step for step in form.plan.steps}
     driven = _driven(form)
-    uncertain = isinstance(reached.get(planned or ""), Loose | Slide) and planned not in driven
+    uncertain = isinstance(reached.get(planned or ""), FreePoint | GuidedPoint) and planned not in driven
     given = [name for name in members if name in driven]
     if uncertain and given:
         return given[0]
@@ -197,8 +197,8 @@ def _is_led(form: Form, point: str, body: str, guides: AbstractSet[str]) -> bool
 
 def _carried(form: Form, poles: dict[str, str | None]) -> list[Turn]:
     """Turns of points about the poles of their bodies, first those by which a point is reached."""
-    steps = [step for step in form.plan.steps if isinstance(step, Carry)]
-    closing = [e.step for e in form.plan.equations if isinstance(e, Closure) and isinstance(e.step, Carry)]
+    steps = [step for step in form.plan.steps if isinstance(step, RigidPoint)]
+    closing = [e.step for e in form.plan.equations if isinstance(e, Closure) and isinstance(e.step, RigidPoint)]
     found = []
     for step in (*steps, *closing):
         pole = poles[step.body]
@@ -234,7 +234,7 @@ def _keeps(now: Instant, point: str, centre: str) -> bool:
     return abs(gap) <= 1e-6 * (abs(arm) * abs(now.a[point]) + abs(swing) ** 2)
 
 
-def taken_apart(chain: Chain) -> set[tuple[str, str]]:
+def taken_apart(chain: VectorChain) -> set[tuple[str, str]]:
     """Body and point of the accelerations that are shown with their components.
 
     Of the points of a body on a fixed axis one is enough: the plan of the others is similar to the body. It is the one

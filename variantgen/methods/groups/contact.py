@@ -13,7 +13,7 @@ from string import ascii_uppercase
 from variantgen.mechanism.rows import Placement
 from variantgen.methods.algebra.expression import Value
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
-from variantgen.methods.groups.group import Track
+from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
 from variantgen.variants.needed import shown_points
@@ -57,7 +57,7 @@ class Side:
 
 
 @dataclass(frozen=True, slots=True)
-class Touch:
+class NoSlipContact:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
     ``track`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place`` is the
@@ -68,7 +68,7 @@ class Touch:
     kind: str
     first: Side
     second: Side
-    track: Track | None = None
+    track: PointPath | None = None
     place: str = ""
     reason: str = ""
 

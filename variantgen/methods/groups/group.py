@@ -13,7 +13,7 @@ from variantgen.mechanism.rows import Sliding
 
 
 @dataclass(frozen=True, slots=True)
-class Track:
+class PointPath:
     """The fixed path of a point: a straight line in the direction ``line`` (unit vector on paper) or a circle.
 
     The circle is about the point ``centre``; ``body`` is the one that leads the point round it, if a body does.
@@ -31,7 +31,7 @@ class Track:
 
 
 @dataclass(frozen=True, slots=True)
-class Turned:
+class PivotedLink:
     """``body`` turns about the fixed point ``pivot``; its rate is found from its point ``point``, which is known."""
 
     body: str
@@ -59,11 +59,11 @@ class Dyad:
 
     body: str
     pole: str
-    track: Track
+    track: PointPath
 
 
 @dataclass(frozen=True, slots=True)
-class Crossed:
+class FloatingDyad:
     """Two bodies share the hinge ``point``; of each another point, its pole, is known."""
 
     point: str
@@ -72,7 +72,7 @@ class Crossed:
 
 
 @dataclass(frozen=True, slots=True)
-class Slid:
+class SlidingPair:
     """A point slides on a body: the relative motion gives what is unknown of the two.
 
     ``carrier`` is the body it slides on, ``pole`` a known point of it (empty where it only translates), ``turning``
@@ -88,8 +88,8 @@ class Slid:
     turning: bool
     body: str = ""
     own_pole: str = ""
-    track: Track | None = None
-    carried: Track | None = None
+    track: PointPath | None = None
+    carried: PointPath | None = None
     driven: bool = False
 
 
@@ -114,7 +114,7 @@ class Joined:
     body: str = ""
     point: str = ""
     second: int = -1
-    track: Track | None = None
+    track: PointPath | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,7 @@ class Extended:
 
 
 @dataclass(frozen=True, slots=True)
-class Rested:
+class RollingContactPole:
     """The contact of a wheel with something at rest, taken as its pole: ``v_P = 0``, ``a_P`` towards the centre."""
 
     body: str
@@ -141,7 +141,7 @@ class Rested:
 
 
 @dataclass(frozen=True, slots=True)
-class Spanned:
+class TwoPointBody:
     """Two points of ``body`` are known; its rate follows from their relative motion."""
 
     body: str
@@ -154,21 +154,33 @@ class Support:
     """What holds a point of a body: its ``track``, or the body ``rod`` with the known point ``far``."""
 
     point: str
-    track: Track | None = None
+    track: PointPath | None = None
     rod: str = ""
     far: str = ""
 
 
 @dataclass(frozen=True, slots=True)
-class Coupled:
+class ThirdClassGroup:
     """``body`` has no known point but three supports, so that they can only be treated together.
 
     ``track`` is the path of one of its points, which is the pole; ``supports`` are the two others.
     """
 
     body: str
-    track: Track
+    track: PointPath
     supports: tuple[Support, Support]
 
 
-Group = Turned | Rolled | Dyad | Crossed | Slid | Composed | Joined | Extended | Rested | Spanned | Coupled
+Group = (
+    PivotedLink
+    | Rolled
+    | Dyad
+    | FloatingDyad
+    | SlidingPair
+    | Composed
+    | Joined
+    | Extended
+    | RollingContactPole
+    | TwoPointBody
+    | ThirdClassGroup
+)

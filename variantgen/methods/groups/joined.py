@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from variantgen.methods.groups.contact import Side, Touch
-from variantgen.methods.groups.group import Joined, Track
+from variantgen.methods.groups.contact import NoSlipContact, Side
+from variantgen.methods.groups.group import Joined, PointPath
 from variantgen.methods.groups.reached import Reached
 
 _PARALLEL = 1e-9
@@ -33,7 +33,7 @@ def _is_rate_known(so_far: Reached, side: Side) -> bool:
     return not side.lever or side.body in so_far.book.omega or side.body in so_far.translating
 
 
-def _group(so_far: Reached, number: int, side: Side, every: Mapping[int, Touch]) -> Joined | None:
+def _group(so_far: Reached, number: int, side: Side, every: Mapping[int, NoSlipContact]) -> Joined | None:
     """What the known velocity of a side tells of its body or centre."""
     centre, rate = so_far.is_known(side.centre), _is_rate_known(so_far, side)
     if centre and rate:
@@ -51,7 +51,7 @@ def _group(so_far: Reached, number: int, side: Side, every: Mapping[int, Touch])
     return Joined(number, side.body, side.centre, second, track or every[second].track or _line(so_far, side))
 
 
-def _second(so_far: Reached, number: int, side: Side, every: Mapping[int, Touch]) -> int | None:
+def _second(so_far: Reached, number: int, side: Side, every: Mapping[int, NoSlipContact]) -> int | None:
     """Another contact of the same body about the same centre, with a known other side and a parallel tangent."""
     for other, touch in every.items():
         for known, own in touch.ways:
@@ -61,12 +61,12 @@ def _second(so_far: Reached, number: int, side: Side, every: Mapping[int, Touch]
     return None
 
 
-def _line(so_far: Reached, side: Side) -> Track | None:
+def _line(so_far: Reached, side: Side) -> PointPath | None:
     """The straight path along the tangent, if the centre moves on it."""
     now = so_far.task.now
     vectors = [now.v[side.centre], *([now.a[side.centre]] if now.accelerated else [])]
     along = all(is_parallel(vector, side.line) for vector in vectors)
-    return Track(side.centre, line=side.line) if along else None
+    return PointPath(side.centre, line=side.line) if along else None
 
 
 def is_parallel(first: complex, second: complex) -> bool:

@@ -9,29 +9,29 @@ import importlib.util
 from collections.abc import Callable
 from functools import cache
 
-from variantgen.methods.groups.contact import Touch
+from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.linkage.problem import Task
 
 _HOME = "variantgen.methods.groups.laws"
 
 
 @cache
-def _law(stem: str) -> Callable[[Task, int], Touch | None] | None:
+def _law(stem: str) -> Callable[[Task, int], NoSlipContact | None] | None:
     """The function ``touch(task, number)`` of a kind of joint."""
     if importlib.util.find_spec(f"{_HOME}.{stem}") is None:
         return None
-    found: Callable[[Task, int], Touch | None] = importlib.import_module(f"{_HOME}.{stem}").touch
+    found: Callable[[Task, int], NoSlipContact | None] = importlib.import_module(f"{_HOME}.{stem}").touch
     return found
 
 
-def touch_of(task: Task, number: int) -> Touch | None:
+def touch_of(task: Task, number: int) -> NoSlipContact | None:
     """The contact or thread of a joint of the scene (its number), if the joint is one that its law can treat."""
     joint = task.scene.joints[number]
     law = _law(type(joint).__module__.rpartition(".")[2])
     return None if law is None else law(task, number)
 
 
-def touches(task: Task) -> dict[int, Touch]:
+def touches(task: Task) -> dict[int, NoSlipContact]:
     """All contacts and threads of a scene, by the number of the joint."""
     found = {number: touch_of(task, number) for number in range(len(task.scene.joints))}
     return {number: touch for number, touch in found.items() if touch is not None}

@@ -6,8 +6,8 @@ from typing import Protocol
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.groups.contact import Side, Touch, letter_at, metres, resting_letter
-from variantgen.methods.groups.group import Track
+from variantgen.methods.groups.contact import NoSlipContact, Side, letter_at, metres, resting_letter
+from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 
 
@@ -29,7 +29,7 @@ class Circle(Protocol):
         ...
 
 
-def circles(task: Task, number: int, joint: Circle, around: str, other: str, kind: str) -> Touch:
+def circles(task: Task, number: int, joint: Circle, around: str, other: str, kind: str) -> NoSlipContact:
     """The contact of a circle with that about ``around`` of the body ``other`` (empty: at rest)."""
     d, k = joint.ratio(metres(task))
     step, part = complex(d) / task.length_unit, float(k)
@@ -39,8 +39,8 @@ def circles(task: Task, number: int, joint: Circle, around: str, other: str, kin
     radial = (around, joint.centre)
     first = _side(name, joint.centre, joint.body, -part * step, line, radial)
     second = _side(name, around if other else "", other, (1.0 - part) * step, line, radial)
-    track = Track(joint.centre, centre=around) if around in task.fixed else None
-    return Touch(kind, first, second, track)
+    track = PointPath(joint.centre, centre=around) if around in task.fixed else None
+    return NoSlipContact(kind, first, second, track)
 
 
 def _side(name: str, centre: str, body: str, arm: complex, line: complex, radial: tuple[str, str]) -> Side:

@@ -7,9 +7,9 @@ from functools import cached_property
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow
-from variantgen.methods.groups.contact import Touch
+from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.groups.group import (
-    Track,
+    PointPath,
 )
 from variantgen.methods.groups.law import touches
 from variantgen.methods.solution.book import Book
@@ -24,7 +24,7 @@ class Reached:
         self.scene = book.task.scene
 
     @cached_property
-    def touches(self) -> dict[int, Touch]:
+    def touches(self) -> dict[int, NoSlipContact]:
         """The contacts and threads of the scene."""
         return touches(self.task)
 
@@ -62,7 +62,7 @@ class Reached:
             if body in needed and body not in self.book.omega and body not in self.translating
         ]
 
-    def track(self, point: str, but: str = "") -> Track | None:
+    def track(self, point: str, but: str = "") -> PointPath | None:
         """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
         for joint in self.scene.joints:
             shapes = joint.shapes()
@@ -70,24 +70,24 @@ class Reached:
                 if shape.points != (point,) or shape.bodies or shape.lead is not None:
                     continue
                 if joint.landmarks():
-                    return Track(point, centre=joint.landmarks()[0])
+                    return PointPath(point, centre=joint.landmarks()[0])
                 assert isinstance(row, ScalarRow)
                 normal = complex(row.points[point])
-                return Track(point, line=-1j * normal / abs(normal))
+                return PointPath(point, line=-1j * normal / abs(normal))
             if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
                 arm = self.task.now.z[point] - self.task.now.z[joint.contact]
-                return Track(point, line=1j * arm / abs(arm))
+                return PointPath(point, line=1j * arm / abs(arm))
             if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
-                return Track(point, centre=joint.around)
+                return PointPath(point, centre=joint.around)
         for body in self.owners(point):
             members = self.scene.bodies[body]
             pivot = self.task.linkage.pivot(body)
             if body != but and pivot is not None:
-                return Track(point, centre=pivot, body=body)
+                return PointPath(point, centre=pivot, body=body)
             if body != but and body in self.translating:
                 guided = next((t for p in members if p != point and (t := self.guided(p))), None)
                 if guided is not None:
-                    return Track(point, line=guided)
+                    return PointPath(point, line=guided)
         return None
 
     def guided(self, point: str) -> complex:

@@ -14,18 +14,18 @@ from variantgen.mechanism.rows import Sliding
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.group import (
     Composed,
-    Coupled,
-    Crossed,
     Dyad,
     Extended,
+    FloatingDyad,
     Group,
-    Rested,
+    PivotedLink,
+    PointPath,
     Rolled,
-    Slid,
-    Spanned,
+    RollingContactPole,
+    SlidingPair,
     Support,
-    Track,
-    Turned,
+    ThirdClassGroup,
+    TwoPointBody,
 )
 from variantgen.methods.groups.joined import joined
 from variantgen.methods.groups.reached import Reached
@@ -75,7 +75,7 @@ class Route(Reached):
             pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and p in self.book.velocity]
             if pivot is not None and known:
-                yield Turned(body, pivot, known[0])
+                yield PivotedLink(body, pivot, known[0])
 
     def _rolled(self) -> Iterator[Group]:
         for number, joint in enumerate(self.scene.joints):
@@ -104,7 +104,7 @@ class Route(Reached):
                 shared = [p for p in members if p in self.scene.bodies[second] and not self.is_known(p)]
                 poles = self.known_point(first), self.known_point(second)
                 if first < second and shared and poles[0] and poles[1]:
-                    yield Crossed(shared[0], (first, second), (poles[0], poles[1]))
+                    yield FloatingDyad(shared[0], (first, second), (poles[0], poles[1]))
 
     def _slid(self) -> Iterator[Group]:
         for path in self.task.linkage.slides:
@@ -121,23 +121,23 @@ class Route(Reached):
         if moved:
             pole = self.known_point(carrier) or ""
             if self._is_driven(path):
-                return Slid(path, carrier, pole, False, driven=True)
+                return SlidingPair(path, carrier, pole, False, driven=True)
             if self.is_known(point):
-                return Slid(path, carrier, pole, False)
+                return SlidingPair(path, carrier, pole, False)
             if track := self.track(point, carrier):
-                return Slid(path, carrier, pole, False, track=track)
+                return SlidingPair(path, carrier, pole, False, track=track)
             for body in self.owners(point):
                 if body in self.open_bodies and (own := self.known_point(body)):
-                    return Slid(path, carrier, pole, False, body, own)
+                    return SlidingPair(path, carrier, pole, False, body, own)
             return None
         if not self.is_known(point):
             return None
         if carrier in self.translating:
             ends = ((p, self.guided(p)) for p in self.scene.bodies[carrier])
-            track = next((Track(p, line=way) for p, way in ends if way), None)
-            return None if track is None else Slid(path, carrier, "", False, carried=track)
+            track = next((PointPath(p, line=way) for p, way in ends if way), None)
+            return None if track is None else SlidingPair(path, carrier, "", False, carried=track)
         known = self.known_point(carrier)
-        return None if known is None else Slid(path, carrier, known, True)
+        return None if known is None else SlidingPair(path, carrier, known, True)
 
     def _is_driven(self, path: Sliding) -> bool:
         """Whether the relative motion of a point is given."""
@@ -166,13 +166,13 @@ class Route(Reached):
             pivot = self.task.linkage.pivot(body)
             known = [p for p in members if p != pivot and is_within_reach(self.book, p)]
             if pivot is not None and known:
-                yield Turned(body, pivot, known[0])
+                yield PivotedLink(body, pivot, known[0])
 
     def _spanned(self) -> Iterator[Group]:
         for body in self.open_bodies:
             known = [p for p in self.scene.bodies[body] if self.is_known(p)]
             if len(known) > 1:
-                yield Spanned(body, known[0], known[1])
+                yield TwoPointBody(body, known[0], known[1])
 
     def _coupled(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -180,7 +180,7 @@ class Route(Reached):
             first = next((support for support in held if support.track is not None), None)
             if first is not None and first.track is not None and len(held) > 2:
                 others = [support for support in held if support is not first]
-                yield Coupled(body, first.track, (others[0], others[1]))
+                yield ThirdClassGroup(body, first.track, (others[0], others[1]))
 
     def _support(self, point: str, body: str) -> Support | None:
         """What holds a point of a body that has no known point."""
@@ -196,4 +196,4 @@ class Route(Reached):
             if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
                 continue
             if joint.contact in self.scene.bodies[joint.body] and joint.contact not in self.book.velocity:
-                yield Rested(joint.body, joint.centre, joint.contact)
+                yield RollingContactPole(joint.body, joint.centre, joint.contact)

@@ -15,7 +15,7 @@ from variantgen.mechanism.arithmetic import across, along
 from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Field, Motion
-from variantgen.methods.groups.group import Crossed, Dyad, Group, Slid
+from variantgen.methods.groups.group import Dyad, FloatingDyad, Group, SlidingPair
 
 AGREES = 1e-9
 
@@ -108,11 +108,11 @@ def _velocity_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
         )
         yield np.where(fit, defect * np.minimum(1.0, np.abs(sine)) / speed, 0.0)
     for crossed in groups:
-        if isinstance(crossed, Crossed):
+        if isinstance(crossed, FloatingDyad):
             yield from (x / speed for x in _crossing(motion, crossed, 1))
 
 
-def _crossing(motion: Motion, group: Crossed, order: int) -> Iterator[Field]:
+def _crossing(motion: Motion, group: FloatingDyad, order: int) -> Iterator[Field]:
     """The rates of two bodies with a common hinge, from their poles' vectors: the deviation at the hinge."""
     vectors, rates = (motion.v, motion.omega) if order == 1 else (motion.a, motion.epsilon)
     arms = [motion.z[group.point] - motion.z[pole] for pole in group.poles]
@@ -147,7 +147,7 @@ def _acceleration_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Fiel
         )
         yield np.where(fit, defect * np.minimum(1.0, np.abs(sine)) / gain, 0.0)
     for crossed in groups:
-        if isinstance(crossed, Crossed):
+        if isinstance(crossed, FloatingDyad):
             yield from (x / gain for x in _crossing(motion, crossed, 2))
 
 
@@ -177,7 +177,7 @@ def _relative_motion(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
     """``v_rel`` lies along the path, ``a = a_tr + a_cor + a_rel`` with ``a_rel`` along it but for its normal part."""
     speed = _speed(motion)
     for group in groups:
-        if not isinstance(group, Slid):
+        if not isinstance(group, SlidingPair):
             continue
         pole = motion.scene.bodies[group.carrier][0]
         arm = motion.z[group.path.point] - motion.z[pole]

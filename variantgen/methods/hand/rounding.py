@@ -28,7 +28,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.algebra.expression import Total, Value
 from variantgen.methods.algebra.values import in_order
-from variantgen.methods.algebra.vectorised import Operations, taken
+from variantgen.methods.algebra.vectorised import Operations, rounded_at
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of
@@ -67,11 +67,11 @@ class Worked:
             else:
                 place = self.operations.of(value.expression, places)
                 if not _is_copy(value):
-                    place = self.operations.taken(place)
+                    place = self.operations.rounded_at(place)
                     measures.append(value.measure)
             places[id(value)] = place
         self.answers = [places[id(answer)] for answer in answers]
-        self.rounded = [place for place, (function, _) in self.operations.listed.items() if function is taken]
+        self.rounded = [place for place, (function, _) in self.operations.listed.items() if function is rounded_at]
         self._angles = [row for row, measure in enumerate(measures) if measure == "angle"]
 
     @staticmethod
@@ -104,7 +104,7 @@ class Worked:
         # In row k of a table the k-th rounded value is off.
         numbers, row = self.operations.begin(data), 0
         for place, (function, operands) in self.operations.listed.items():
-            if function is taken:
+            if function is rounded_at:
                 number = np.empty(off.shape)
                 number[:] = numbers[operands[0]]
                 number[row] += off[row]
@@ -196,7 +196,7 @@ class HandCalculation:
         with np.errstate(all="ignore"):
             for model in self._models():
                 numbers += self._common.start[len(numbers) :]
-                fits = self._led(model, numbers, exact, left)
+                fits = self._matches_solver(model, numbers, exact, left)
                 if fits.any():
                     found[:, fits] = model.worked.errors(_cut(data, fits), model.exact(numbers, fits))
                     left &= ~fits
@@ -213,7 +213,7 @@ class HandCalculation:
         except NO_WAY:
             return np.full(len(self._asked), np.inf)
         pairs = zip(self._asked, worked.repeat(data)[:, 0], exact, strict=True)
-        right = [bool(_leads(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
+        right = [bool(_equals_solver(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
         return np.where(right, worked.errors(data)[:, 0], np.inf)
 
     def _models(self) -> Iterator[_Model]:
@@ -260,7 +260,7 @@ class HandCalculation:
             found[name] = np.abs(column) if self._form.parameters[name].is_rate else column
         return found
 
-    def _led(self, model: _Model, numbers: list[Any], exact: Table, left: Flags) -> Flags:
+    def _matches_solver(self, model: _Model, numbers: list[Any], exact: Table, left: Flags) -> Flags:
         """Which of the variants that are ``left`` the steps of a model lead to the answers of the solver, but for their
         signs.
 
@@ -269,13 +269,13 @@ class HandCalculation:
         good = left
         for quantity, place, steps, number in zip(self._asked, model.answers, model.steps, exact, strict=True):
             self._common.run(numbers, steps)
-            good = good & _leads(quantity, numbers[place], number)
+            good = good & _equals_solver(quantity, numbers[place], number)
             if not good.any():
                 break
         return good
 
 
-def _leads(quantity: Quantity, found: Any, exact: Any) -> Any:
+def _equals_solver(quantity: Quantity, found: Any, exact: Any) -> Any:
     """Whether numbers are those of the solver, but for their signs."""
     if quantity.component == "sense":
         return np.True_

@@ -8,7 +8,7 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Sliding
-from variantgen.mechanism.structure import Carry, Closure, Lead, Loose, RowEquation, Slide, Step
+from variantgen.mechanism.structure import Closure, FreePoint, GivenPoint, GuidedPoint, RigidPoint, RowEquation, Step
 
 
 @lru_cache(maxsize=1000)
@@ -70,14 +70,14 @@ class Needed:
 
     def _step(self, step: Step) -> None:
         match step:
-            case Lead(_, constraint, row, _):
+            case GivenPoint(_, constraint, row, _):
                 self._row(constraint, row)
-            case Slide(_, _, _, unknown, _):
+            case GuidedPoint(_, _, _, unknown, _):
                 self._unknown(unknown)
-            case Loose(_, x, y, _):
+            case FreePoint(_, x, y, _):
                 self._unknown(x)
                 self._unknown(y)
-            case Carry(_, body, pole):
+            case RigidPoint(_, body, pole):
                 self._point(pole)
                 self._unknown(self._plan.omega[body])
 

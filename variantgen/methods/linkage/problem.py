@@ -99,12 +99,12 @@ class Task:
         return max(abs(p - q) for p in places for q in places)
 
     @cached_property
-    def speed(self) -> float:
+    def largest_speed(self) -> float:
         """The largest velocity of the mechanism, in printed units."""
         return max((abs(v) for v in self.now.v.values()), default=0.0)
 
     @cached_property
-    def gain(self) -> float:
+    def largest_acceleration(self) -> float:
         """The largest acceleration of the mechanism, in printed units."""
         return max((abs(a) for a in self.now.a.values()), default=0.0)
 

@@ -122,7 +122,7 @@ class Book:
     @property
     def scale(self) -> float:
         """Natural scale of the vectors: the largest of the mechanism."""
-        return self.task.speed if self.order == 1 else self.task.gain
+        return self.task.largest_speed if self.order == 1 else self.task.largest_acceleration
 
     def exact(self, point: str) -> complex:
         """The solver's vector of a point."""
@@ -171,7 +171,7 @@ class Book:
 
     def size_of(self, measure: str) -> float:
         """The natural scale of a measure, below which numbers are rounding."""
-        size, speed, gain = self.task.size, self.task.speed, self.task.gain
+        size, speed, gain = self.task.size, self.task.largest_speed, self.task.largest_acceleration
         scales = {"length": size, "velocity": speed, "acceleration": gain}
         return scales.get(measure) or {"angular velocity": speed / size, "angular acceleration": gain / size}.get(
             measure, 0.0

@@ -22,15 +22,15 @@ def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], resu
 
     Where an angle with the x axis or a component is met first, the axes are named.
     """
-    told = [step for step in steps if step.items]
-    kept = _used(items, [*(item for step in told for item in step.items)], results)
-    kept = _put_off(task, kept, told)
+    written = [step for step in steps if step.items]
+    kept = _used(items, [*(item for step in written for item in step.items)], results)
+    kept = _put_off(task, kept, written)
     if kept:
-        told.insert(0, Step(Sentence("position.heading"), kept))
-    first = next((step for step in told if any(map(_needs_axes, step.items))), None)
+        written.insert(0, Step(Sentence("position.heading"), kept))
+    first = next((step for step in written if any(map(_needs_axes, step.items))), None)
     if first is not None:
-        first.items[:0] = [_axes(first.items), *_origin(task, [item for step in told for item in step.items])]
-    return told
+        first.items[:0] = [_axes(first.items), *_origin(task, [item for step in written for item in step.items])]
+    return written
 
 
 def _axes(items: Sequence[Item]) -> Sentence:

@@ -14,9 +14,9 @@ from variantgen.methods.steps.step import (
     Item,
     LinearSystem,
     Listing,
+    NumberOf,
     Projection,
     Sentence,
-    Shown,
     Statement,
     TermTable,
     VectorLine,
@@ -27,7 +27,7 @@ DIGITS = range(FEWEST, MOST + 1)
 ANSWER_DIGITS = 4  # significant digits of an answer
 
 
-def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
+def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
     """Give every value its printed number; returns the digits of intermediate results.
 
     All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
@@ -36,7 +36,7 @@ def settle(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int]
     values = in_order([*items_values(items), *answers])
     for digits in tried:
         for value in values:
-            value.settle(digits)
+            value.round_to(digits)
         if all(_agrees(answer) for answer in answers):
             return digits
     return tried[-1]
@@ -82,7 +82,7 @@ def facts_values(sentence: Sentence) -> list[Value]:
         fact = waiting.pop()
         if isinstance(fact, Value):
             found.append(fact)
-        elif isinstance(fact, Shown):
+        elif isinstance(fact, NumberOf):
             found.append(fact.value)
         elif isinstance(fact, Sentence):
             waiting += fact.facts.values()

@@ -59,7 +59,7 @@ class CentreOf:
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class NumberOf:
     """A value in a sentence as its number with its unit only."""
 
     value: Value
@@ -67,7 +67,7 @@ class Shown:
 
 # A Name or a Value in a sentence is written as its symbol; a tuple as a list.
 Fact: TypeAlias = (
-    "Body | Point | Segment | Word | VectorOf | CentreOf | Shown | Name | Value | Sentence | tuple[Fact, ...]"
+    "Body | Point | Segment | Word | VectorOf | CentreOf | NumberOf | Name | Value | Sentence | tuple[Fact, ...]"
 )
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from variantgen.methods.algebra.expression import Expression, Total, Value, cos
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.groups.contact import Side, Touch
+from variantgen.methods.groups.contact import NoSlipContact, Side
 from variantgen.methods.groups.group import Joined
 from variantgen.methods.groups.law import touch_of
 from variantgen.methods.solution.book import Book, Rate
@@ -45,7 +45,7 @@ def way_of(book: Book, number: int, group: Joined) -> tuple[Side, Side]:
     raise LookupError("the contact has no side that is sought")
 
 
-def _touch(book: Book, number: int) -> Touch:
+def _touch(book: Book, number: int) -> NoSlipContact:
     found = touch_of(book.task, number)
     assert found is not None, "a group without a law"
     return found

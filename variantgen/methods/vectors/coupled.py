@@ -14,17 +14,17 @@ from typing import NamedTuple
 from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.groups.group import Coupled, Support
+from variantgen.methods.groups.group import Support, ThirdClassGroup
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
 from variantgen.methods.steps.step import (
     Body,
     Derived,
     Fact,
     LinearSystem,
+    NumberOf,
     Point,
     Projection,
     Sentence,
-    Shown,
     Statement,
     Term,
     VectorOf,
@@ -43,7 +43,7 @@ class Row(NamedTuple):
     right: Value
 
 
-def solve_coupled(book: Book, group: Coupled) -> None:
+def solve_coupled(book: Book, group: ThirdClassGroup) -> None:
     """Find the vector of the pole and the rate of the body."""
     pole, body = group.track.point, group.body
     for support in group.supports:
@@ -72,7 +72,7 @@ def solve_coupled(book: Book, group: Coupled) -> None:
     _keep_tracked(book, group)
 
 
-def _turning(book: Book, group: Coupled, support: Support, rate: Value) -> Value:
+def _turning(book: Book, group: ThirdClassGroup, support: Support, rate: Value) -> Value:
     """``v_QP = omega QP``, the vector of the rotation by the rate that is common to all points."""
     pole = group.track.point
     name = Name(book.letter, support.point, pole, "tau" if book.order == 2 else "")
@@ -87,7 +87,7 @@ def _ahead(term: Term, way: complex) -> Term:
     return Term(term.name, None, Geometry.turned(term.angle, 180.0), term.way)
 
 
-def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term) -> Row:
+def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, path: Term) -> Row:
     """The equation of one support: ``v_Q = v_P + v_QP`` on the axis across its private unknown vector."""
     pole, body = group.track.point, group.body
     start = len(book.items)
@@ -95,7 +95,7 @@ def _row(book: Book, group: Coupled, support: Support, known: Known, path: Term)
     turning, turn = about_pole(book, support.point, pole, body)
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
-    words = Sentence("axes.across", {"vector": VectorOf(private.name), "angle": Shown(axis)})
+    words = Sentence("axes.across", {"vector": VectorOf(private.name), "angle": NumberOf(axis)})
     sides = shares((*own, private), axis), shares((*known, path, *turning, turn), axis)
     book.items.append(Projection(words, *sides))
     right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]
@@ -168,7 +168,7 @@ def _enter(book: Book, body: str, found: Value) -> None:
     book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body))
 
 
-def _keep_tracked(book: Book, group: Coupled) -> None:
+def _keep_tracked(book: Book, group: ThirdClassGroup) -> None:
     """Velocities of points on fixed circles that no body leads, for their normal accelerations."""
     for support in group.supports:
         circled = support.track is not None and support.track.centre and not support.track.body

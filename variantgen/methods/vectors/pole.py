@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from variantgen.methods.algebra.expression import Value
 from variantgen.methods.algebra.name import Name
-from variantgen.methods.groups.group import Crossed, Dyad, Spanned
+from variantgen.methods.groups.group import Dyad, FloatingDyad, TwoPointBody
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
@@ -40,7 +40,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
             modulus(book, Name(book.letter, point), book.vectors[point])
 
 
-def solve_crossing(book: Book, group: Crossed) -> None:
+def solve_crossing(book: Book, group: FloatingDyad) -> None:
     """Find the rates of two bodies with a common hinge, each with a known pole: the hinge has one vector."""
     point = group.point
     knowns = [vector(book, pole) for pole in group.poles]
@@ -63,7 +63,7 @@ def solve_crossing(book: Book, group: Crossed) -> None:
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
 
 
-def solve_spanned(book: Book, group: Spanned) -> None:
+def solve_spanned(book: Book, group: TwoPointBody) -> None:
     """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
     point, pole, body = group.point, group.pole, group.body
     wanted = is_rate_wanted(book.task, book.order, body, {point, pole})

@@ -15,7 +15,7 @@ from variantgen.methods.algebra.expression import Constant, Value
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
-from variantgen.methods.groups.group import Slid
+from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
@@ -40,7 +40,7 @@ class _Sides:
     slip: Known = ()  # what is known of the relative vector
 
 
-def solve_slid(book: Book, group: Slid) -> None:
+def solve_slid(book: Book, group: SlidingPair) -> None:
     """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
     group = _seen(book, group)
     point, carrier = group.path.point, group.carrier
@@ -58,7 +58,7 @@ def solve_slid(book: Book, group: Slid) -> None:
         _solve(book, group, sides)
 
 
-def _seen(book: Book, group: Slid) -> Slid:
+def _seen(book: Book, group: SlidingPair) -> SlidingPair:
     """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
     track, hidden = group.carried, book.task.form.figure.hidden
     if track is None or track.point not in hidden or not track.straight or not is_translating(book, group.carrier):
@@ -67,7 +67,7 @@ def _seen(book: Book, group: Slid) -> Slid:
     return replace(group, carried=replace(track, point=next(shown, track.point)))
 
 
-def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
+def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
     # Where no velocity is asked, the step of the velocities may not be told.
     anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
@@ -83,7 +83,7 @@ def _say_law(book: Book, group: Slid, facts: dict[str, Fact]) -> None:
         book.say(f"relative.translation_{book.letter}", **facts)
 
 
-def _say_parts(book: Book, group: Slid) -> None:
+def _say_parts(book: Book, group: SlidingPair) -> None:
     """That the point is at rest, and what the transport vector consists of, where that is not a rotation alone."""
     point = group.path.point
     if point in book.task.fixed:
@@ -101,7 +101,7 @@ def _named_as_given(book: Book, point: str) -> Name:
     return terms[0].name if len(terms) == 1 else Name(book.letter, point)
 
 
-def _sides(book: Book, group: Slid) -> _Sides:
+def _sides(book: Book, group: SlidingPair) -> _Sides:
     """The absolute vector on the left, transport, Coriolis and relative vectors on the right."""
     point = group.path.point
     sides = _Sides([], [])
@@ -127,7 +127,7 @@ def _sides(book: Book, group: Slid) -> _Sides:
     return sides
 
 
-def _add_transport(book: Book, group: Slid, sides: _Sides) -> None:
+def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
     """The vector of the carrier's point: of its pole and of the rotation about it."""
     point, carrier, pole = group.path.point, group.carrier, group.pole
     if group.carried is not None:
@@ -157,7 +157,7 @@ def _transport(term: Term) -> Term:
     return Term(name, term.size, term.angle, term.way)
 
 
-def _coriolis(book: Book, group: Slid) -> Known:
+def _coriolis(book: Book, group: SlidingPair) -> Known:
     """The Coriolis acceleration, known once the velocities are."""
     point, carrier = group.path.point, group.carrier
     if book.order == 1:
@@ -174,7 +174,7 @@ def _coriolis(book: Book, group: Slid) -> Known:
     return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(slip[0].name)),)
 
 
-def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
+def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
     """The relative vector: what is known of it and the rest along the path, assumed towards its second point."""
     path, point = group.path, group.path.point
     name = Name(book.letter, point, part="rel")
@@ -199,7 +199,7 @@ def _relative(book: Book, group: Slid) -> tuple[Known, Term | None]:
     return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
 
 
-def _given(book: Book, group: Slid, name: Name) -> Known:
+def _given(book: Book, group: SlidingPair, name: Name) -> Known:
     """The given relative vector along the path."""
     path, point = group.path, group.path.point
     for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
@@ -219,7 +219,7 @@ def _given(book: Book, group: Slid, name: Name) -> Known:
     return ()
 
 
-def _solve(book: Book, group: Slid, sides: _Sides) -> None:
+def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
     """Solve the equation for what is unknown and enter it."""
     point, carrier = group.path.point, group.carrier
     if group.driven:
@@ -235,7 +235,7 @@ def _solve(book: Book, group: Slid, sides: _Sides) -> None:
     _enter(book, group, sides, sizes)
 
 
-def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
+def _wanted(book: Book, group: SlidingPair, sides: _Sides) -> list[Term | None]:
     """The unknown vectors that are needed: the relative velocity also for the accelerations that follow from it."""
     point, task = group.path.point, book.task
     kinds = ("v_rel",) if book.order == 1 else ("a_rel",)
@@ -251,7 +251,7 @@ def _wanted(book: Book, group: Slid, sides: _Sides) -> list[Term | None]:
     return [sides.carried, sides.path, turn, own, relative]
 
 
-def _enter(book: Book, group: Slid, sides: _Sides, sizes: dict[Name, Value]) -> None:
+def _enter(book: Book, group: SlidingPair, sides: _Sides, sizes: dict[Name, Value]) -> None:
     """Note what was found, and the rates that follow."""
     point, carrier = group.path.point, group.carrier
     slips = book.relative if book.order == 1 else book.relative_acceleration

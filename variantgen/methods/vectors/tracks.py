@@ -6,7 +6,7 @@ from variantgen.mechanism.joints.guide import Guide
 from variantgen.methods.algebra.expression import Constant, Value
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, degrees
-from variantgen.methods.groups.group import Track
+from variantgen.methods.groups.group import PointPath
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Fact, Point, Segment, Term
 from variantgen.methods.vectors.points import across, modulus, positive
@@ -15,7 +15,7 @@ _DATA_DIGITS = 3  # decimals of an angle that the statement gives (degrees)
 _ROUNDING = 1e-9
 
 
-def on_track(book: Book, track: Track) -> tuple[Known, Term]:
+def on_track(book: Book, track: PointPath) -> tuple[Known, Term]:
     """What is known of the vector of a point on its path, and the rest, of unknown magnitude in an assumed direction.
 
     On a line the assumed direction is to the right (or up), on a circle counter-clockwise.
@@ -30,7 +30,7 @@ def on_track(book: Book, track: Track) -> tuple[Known, Term]:
     return normal, across(book, name.component("tau"), None, (track.point, track.centre), 1)
 
 
-def line_angle(book: Book, track: Track) -> Value:
+def line_angle(book: Book, track: PointPath) -> Value:
     """The angle of a straight path with the x axis: one of the data, or that of a side of a body along the path."""
     way = forward(track.line)
     exact = degrees(way)
@@ -43,7 +43,7 @@ def line_angle(book: Book, track: Track) -> Value:
     return Value(None, "angle", exact, Constant(exact))
 
 
-def _side_along(book: Book, track: Track) -> str | None:
+def _side_along(book: Book, track: PointPath) -> str | None:
     """A point of the same body in the direction of a straight path."""
     for members in book.task.scene.bodies.values():
         for other in members if track.point in members else ():
@@ -53,7 +53,7 @@ def _side_along(book: Book, track: Track) -> str | None:
     return None
 
 
-def _way_along(book: Book, track: Track) -> tuple[str, dict[str, Fact]]:
+def _way_along(book: Book, track: PointPath) -> tuple[str, dict[str, Fact]]:
     """How the direction of a straight path is told: by a guide that the figure shows, by a line of the body."""
     task, point = book.task, track.point
     figure, joints = task.form.figure, task.scene.joints
@@ -73,7 +73,7 @@ def forward(line: complex) -> complex:
     return line if right > 0 else -line
 
 
-def _normal(book: Book, track: Track, name: Name) -> Known:
+def _normal(book: Book, track: PointPath, name: Name) -> Known:
     """``a^n = v^2 / r`` or, where the rate of the body that leads the point is known, ``omega^2 r``, to the centre."""
     arm = book.geometry.length(track.point, track.centre)
     angle = book.geometry.direction(track.point, track.centre)

@@ -42,8 +42,8 @@ def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper:
     letters = [_letter(glyph, at, height) for label in drawing.labels for glyph, at in letters_of(label)]
     wide, tall = (_number(unit(drawing, width_mm) * side) for side in (drawing.width, height))
     sheet = f'<rect width="100%" height="100%"{_FILLS["paper"]}/>' if paper else ""
-    told = name or hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
-    labelled, words = _words(title, drawing.alt, told)
+    ident = name or hashlib.sha256("".join((title, drawing.alt, *body, *letters)).encode()).hexdigest()[:10]
+    labelled, words = _words(title, drawing.alt, ident)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}mm" height="{tall}mm" '
         f'viewBox="0 0 {_number(drawing.width)} {_number(height)}" role="img"{labelled}>{words}{sheet}'
@@ -52,13 +52,13 @@ def svg(drawing: Drawing, title: str = "", width_mm: float | None = None, paper:
     )
 
 
-def _words(title: str, alt: str, told: str) -> tuple[str, str]:
+def _words(title: str, alt: str, ident: str) -> tuple[str, str]:
     """Title and description for readers who do not see, and the attribute that points to them."""
     parts = [(kind, text) for kind, text in (("title", title), ("desc", alt)) if text]
     if not parts:
         return "", ""
-    names = " ".join(f"{kind[0]}{told}" for kind, _ in parts)
-    inner = "".join(f'<{kind} id="{kind[0]}{told}">{escape(text)}</{kind}>' for kind, text in parts)
+    names = " ".join(f"{kind[0]}{ident}" for kind, _ in parts)
+    inner = "".join(f'<{kind} id="{kind[0]}{ident}">{escape(text)}</{kind}>' for kind, text in parts)
     return f" aria-labelledby={quoteattr(names)}", inner
 
 

@@ -47,7 +47,7 @@ STUDENTS_PER_OVERVIEW = STUDENTS_PER_PART * PARTS_PER_OVERVIEW
 
 
 @dataclass(frozen=True)
-class Piece:
+class Fragment:
     """Content made of a part of the students, the output that it belongs to, and the ending of its file's name."""
 
     target: str
@@ -56,7 +56,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Part:
+class Chunk:
     """A few students of an exam; ``first`` says whether it is the first part.
 
     ``beginning`` are the groups whose first student is in it.
@@ -102,7 +102,7 @@ class Format(Protocol):
     HELP: str
     FILES: tuple[str, ...]
     TARGETS: str
-    SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...]
+    SUMMARIES: tuple[tuple[int, Callable[[Chunk], Iterable[Fragment]]], ...]
     write_key: Callable[[Whole], None] | None
 
     def read_options(self, table: Table) -> Any:
@@ -111,7 +111,7 @@ class Format(Protocol):
     def check(self, exam: Exam, students: Sequence[Student]) -> None:
         """Raise ToolMissingError or InputError if the exam cannot be made for these students in this format."""
 
-    def make(self, part: Part) -> Iterable[Piece]:
+    def make(self, part: Chunk) -> Iterable[Fragment]:
         """Pieces of the documents of a few students."""
 
     def finish(self, whole: Whole) -> None:

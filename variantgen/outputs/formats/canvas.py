@@ -22,7 +22,7 @@ from collections.abc import Iterator, Sequence
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.qti import canvas
 from variantgen.tables import Table
 
@@ -43,7 +43,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     canvas.check(exam)
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students."""
     return canvas.make(part)
 

@@ -11,7 +11,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs import formats
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Part, Piece, Whole
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, Whole
 from variantgen.outputs.groups import GROUPS, GroupFiles, by_group, parts_of
 from variantgen.outputs.key_content import Group, Place, groups, place, remarks
 from variantgen.outputs.solution_data import solution_words
@@ -53,21 +53,21 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that the program has not."""
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """An article for each student and document."""
     for number in range(len(part.sheets)):
-        yield Piece("sheets", sheet_article(part.content, number), ".html")
+        yield Fragment("sheets", sheet_article(part.content, number), ".html")
         if part.exam.solutions.wanted:
-            yield Piece("solutions", solution_article(part.content, number), ".html")
+            yield Fragment("solutions", solution_article(part.content, number), ".html")
 
 
-def _student_key(part: Part) -> Iterator[Piece]:
+def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     for sheets in _key_parts(part):
-        yield Piece("key", student_key(part.exam, sheets), ".html")
+        yield Fragment("key", student_key(part.exam, sheets), ".html")
 
 
-def _problem_key(part: Part) -> Iterator[Piece]:
+def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem: rows of each table."""
     for sheets in _key_parts(part):
         owners: dict[Place, list[tuple[Sheet, Item]]] = {}
@@ -75,10 +75,10 @@ def _problem_key(part: Part) -> Iterator[Piece]:
             for item in sheet.items:
                 owners.setdefault(place(item), []).append((sheet, item))
         for where, own in owners.items():
-            yield Piece(_rows(where), problem_key(part.exam, own), ".html")
+            yield Fragment(_rows(where), problem_key(part.exam, own), ".html")
 
 
-def _key_parts(part: Part) -> list[Sequence[Sheet]]:
+def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
     """The students of a part, or those of each of its groups."""
     return list(by_group(part.sheets).values()) if _files(part.exam) == GROUPS else [part.sheets]
 
@@ -239,7 +239,7 @@ def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
 
 def _common(exam: Exam, language: Language, heading: str) -> dict[str, Any]:
     """What every page says of itself."""
-    return {"lang": language.name, "heading": heading, "course": exam.course, "words": language.words("html")}
+    return {"lang": language.name, "heading": heading, "course": exam.driver_sweep, "words": language.words("html")}
 
 
 def _listed(sheet: Sheet) -> dict[str, str]:

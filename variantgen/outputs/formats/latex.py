@@ -16,8 +16,8 @@ from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
     STUDENTS_PER_PART,
-    Part,
-    Piece,
+    Chunk,
+    Fragment,
     Whole,
     options,
 )
@@ -94,38 +94,38 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
         raise InputError(problem.located(str(exam.path)) for problem in problems)
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     exam = part.exam
     writing = _writing(exam, exam.language)
     data = sheets_data(part.content, built=True, writing=writing)
     for own in documents(data, part.sheets) if _options(exam).files == GROUPS else [data]:
-        yield Piece("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
+        yield Fragment("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:
         return
     writing = _writing(exam, exam.solutions.language)
     for number in range(len(part.sheets)):
         solved = solutions_data(part.content, number, writing=writing)
-        yield Piece("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
+        yield Fragment("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
 
 
-def _student_key(part: Part) -> Iterator[Piece]:
+def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     writing = _writing(part.exam, part.exam.language)
     for sheets, first in _key_parts(part):
         data = key_by_student(part.exam, sheets, first, writing)
-        yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+        yield Fragment("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
-def _problem_key(part: Part) -> Iterator[Piece]:
+def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
     writing = _writing(part.exam, part.exam.language)
     for sheets, first in _key_parts(part):
         data = key_by_problem(part.exam, sheets, first, writing)
-        yield Piece("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
+        yield Fragment("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
 
-def _key_parts(part: Part) -> list[tuple[Sequence[Sheet], bool]]:
+def _key_parts(part: Chunk) -> list[tuple[Sequence[Sheet], bool]]:
     """The students of a part, or of each of its groups, and whether their document begins with them."""
     if _options(part.exam).files == GROUPS:
         return [(own, group in part.beginning) for group, own in by_group(part.sheets).items()]
@@ -209,7 +209,7 @@ def _compile(whole: Whole, source: _Source) -> None:
 def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]:
     """What comes from outside, with where it stands."""
     yield "title", exam.title
-    yield "course", exam.course
+    yield "course", exam.driver_sweep
     yield from exam.notices.words
     for student in students:
         yield f"student {student.id}", student.name or student.id

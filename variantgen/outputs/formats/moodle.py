@@ -25,7 +25,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.web.characters import one_line, storable
 from variantgen.outputs.web.cloze import inert, part, weights
 from variantgen.outputs.web.figure_files import FORMS, FigureFile, FigureFiles
@@ -73,7 +73,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that is not always there."""
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students, in a piece for each category."""
     chosen: Options = formats.options(part.exam, "moodle")
     files = FigureFiles(chosen.figures, part.engine)
@@ -81,7 +81,7 @@ def make(part: Part) -> Iterator[Piece]:
     for question in questions(part):
         found.setdefault(_target(question, chosen), []).append(_written(_question(question, part.exam, files)))
     for target, written in found.items():
-        yield Piece(target, b"".join(written), ".xml")
+        yield Fragment(target, b"".join(written), ".xml")
 
 
 def finish(whole: Whole) -> None:
@@ -162,9 +162,9 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
     if question.solved is None:
         _rich(feedback, "", [])
     else:
-        told = _Figures(files)
-        html = solution_html(question.solved, exam.explained, Style(to_mathjax, told.image))
-        _rich(feedback, f'<div lang="{exam.solutions.language}">{html}</div>', told.used)
+        figures = _Figures(files)
+        html = solution_html(question.solved, exam.explained, Style(to_mathjax, figures.image))
+        _rich(feedback, f'<div lang="{exam.solutions.language}">{html}</div>', figures.used)
     ET.SubElement(found, "penalty").text = "0.3333333"
     ET.SubElement(found, "hidden").text = "0"
     ET.SubElement(found, "idnumber").text = question.identifier
@@ -174,10 +174,10 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
 
 def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, list[FigureFile]]:
     """The text of a question with its parts, and the files that it shows."""
-    told = _Figures(files)
-    style = Style(lambda formula, display: to_html(formula), told.image)
+    figures = _Figures(files)
+    style = Style(lambda formula, display: to_html(formula), figures.image)
     posed = question.posed
-    shown = f"<p>{told.image(posed.figure)}</p>"
+    shown = f"<p>{figures.image(posed.figure)}</p>"
     text = inert(statement_html(posed.said, exam.spoken, style) + shown)
     shares = weights(posed.item.task.points, len(question.parts))
     lines = (
@@ -186,7 +186,7 @@ def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, lis
         for asked, share in zip(question.parts, shares, strict=True)
     )
     notes = inert(notes_html((*question.notes, exam.spoken.words("platform")["numbers"])))
-    return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', told.used
+    return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', figures.used
 
 
 class _Figures:

@@ -17,8 +17,8 @@ from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
     STUDENTS_PER_PART,
-    Part,
-    Piece,
+    Chunk,
+    Fragment,
     Whole,
     options,
 )
@@ -42,7 +42,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     check_letters(exam, students)
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
@@ -64,16 +64,16 @@ def make(part: Part) -> Iterator[Piece]:
         yield _piece(part, "solutions", solutions_data(part.content, number, figures), _are_handed_out(part.exam))
 
 
-def _piece(part: Part, target: str, data: Mapping[str, Any], handed_out: bool = False) -> Piece:
+def _piece(part: Chunk, target: str, data: Mapping[str, Any], handed_out: bool = False) -> Fragment:
     """A document of a part. It has tags if a standard wants them, or if it is handed out as it is."""
     chosen = _options(part.exam)
     tagged = chosen.tagged or handed_out
     template = "key.typ" if target == "key" else f"{target}.typ"
     made = part.engine.compile(template, data, tagged=tagged, standards=chosen.standards)
-    return Piece(target, made[0], ".pdf")
+    return Fragment(target, made[0], ".pdf")
 
 
-def _student_key(part: Part) -> Iterator[Piece]:
+def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():
@@ -82,7 +82,7 @@ def _student_key(part: Part) -> Iterator[Piece]:
         yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
 
 
-def _problem_key(part: Part) -> Iterator[Piece]:
+def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():

@@ -25,7 +25,7 @@ from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.web.characters import one_line, storable
 from variantgen.outputs.web.figure_files import FORMS, FigureFiles
 from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
@@ -65,19 +65,19 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed that is not always there."""
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """Variants of a few students, in a piece for each question, and the figures that they show."""
     files = FigureFiles(formats.options(part.exam, "prairielearn").figures, part.engine)
     found: dict[str, list[str]] = {}
     for question in questions(part):
-        told = _Figures(files)
-        variant = json.dumps(_variant(question, part.exam, told), ensure_ascii=False)
+        figures = _Figures(files)
+        variant = json.dumps(_variant(question, part.exam, figures), ensure_ascii=False)
         qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id)
         found.setdefault(qid, []).append(variant)
-        for name, content in told.used.items():
-            yield Piece(f"{qid}/{_CLIENT}/{name}", content)
+        for name, content in figures.used.items():
+            yield Fragment(f"{qid}/{_CLIENT}/{name}", content)
     for qid, variants in found.items():
-        yield Piece(qid, ",\n".join(variants).encode(), ".json")
+        yield Fragment(qid, ",\n".join(variants).encode(), ".json")
 
 
 def finish(whole: Whole) -> None:
@@ -112,7 +112,7 @@ def _qid(task: Task, family: Family, build: str) -> str:
 
 def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     title = one_line(family.title(exam.language), _LONGEST) or family.name
-    topic = one_line(exam.course, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
+    topic = one_line(exam.driver_sweep, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
     return {
         "uuid": str(uuid.uuid5(_NAMESPACE, qid)),
         "title": title,
@@ -122,10 +122,10 @@ def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     }
 
 
-def _variant(question: Question, exam: Exam, told: _Figures) -> dict[str, Any]:
+def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any]:
     """What ``server.py`` and ``question.html`` know of a variant."""
     posed = question.posed
-    style = Style(to_mathjax, told.element)
+    style = Style(to_mathjax, figures.element)
     solved = question.solved and {
         "lang": exam.solutions.language,
         "html": storable(solution_html(question.solved, exam.explained, style)),
@@ -134,7 +134,7 @@ def _variant(question: Question, exam: Exam, told: _Figures) -> dict[str, Any]:
         "code": question.sheet.code,
         "lang": exam.language,
         "statement": storable(statement_html(posed.said, exam.spoken, style)),
-        "figure": told.shown(posed.figure),
+        "figure": figures.shown(posed.figure),
         "parts": [_part(asked) for asked in question.parts],
         "notes": notes_html(question.notes),
         "solution": solved,
@@ -154,7 +154,7 @@ def _part(asked: Asked) -> dict[str, Any]:
         "label": f"{to_mathjax(asked.symbol)} =",
         "suffix": to_mathjax(asked.unit) if asked.unit.parts else "",
         "tolerance": plain(tolerance + max(abs(value), tolerance).scaleb(-9)),
-        "also": [list(window) for window in asked.answer.windows[1:]],
+        "also": [list(window) for window in asked.answer.accepted_intervals[1:]],
     }
 
 

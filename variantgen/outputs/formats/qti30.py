@@ -18,7 +18,7 @@ from collections.abc import Iterator, Sequence
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.qti import exam as qti
 from variantgen.outputs.qti.dialect import QTI30
 from variantgen.outputs.qti.options import Options
@@ -40,7 +40,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed but the engine, which every build has."""
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The items of a few students."""
     return qti.make(part, QTI30)
 

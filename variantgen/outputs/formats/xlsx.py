@@ -12,14 +12,14 @@ from variantgen.errors import missing_package
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.formats import Part, Piece, Whole, options
+from variantgen.outputs.formats import Chunk, Fragment, Whole, options
 from variantgen.outputs.groups import GROUPS, GroupFiles
 from variantgen.tables import Table
 
 HELP = "key.xlsx and grading.xlsx, a form for marking by hand"
 FILES = ("key.xlsx", "grading.xlsx", "key/*.xlsx", "grading/*.xlsx")
 TARGETS = "(?!)"  # there are no pieces
-SUMMARIES: tuple[tuple[int, Callable[[Part], Iterable[Piece]]], ...] = ()
+SUMMARIES: tuple[tuple[int, Callable[[Chunk], Iterable[Fragment]]], ...] = ()
 write_key = None
 
 
@@ -48,7 +48,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
         raise missing_package("xlsx output needs", "XlsxWriter", "xlsx")
 
 
-def make(part: Part) -> Iterable[Piece]:
+def make(part: Chunk) -> Iterable[Fragment]:
     """Nothing: the workbooks are made of the answers alone."""
     return ()
 

@@ -105,5 +105,5 @@ def is_right_to_left(letter: str) -> bool:
 def named(letters: Iterable[str]) -> str:
     """Characters with their code points, for a message."""
     found = list(letters)
-    told = [f"{letter} (U+{ord(letter):04X})" if letter.isprintable() else f"U+{ord(letter):04X}" for letter in found]
-    return ", ".join(told[:8]) + (f" and {len(told) - 8} more" if len(told) > 8 else "")
+    named = [f"{letter} (U+{ord(letter):04X})" if letter.isprintable() else f"U+{ord(letter):04X}" for letter in found]
+    return ", ".join(named[:8]) + (f" and {len(named) - 8} more" if len(named) > 8 else "")

@@ -149,10 +149,10 @@ def _first_error(log: str) -> str:
 
 def _check_glyphs(log: str, name: str) -> None:
     """Raise an error if letters are missing in the PDF."""
-    told = [match["what"] for match in _MISSING.finditer(log)]
-    if not told:
+    missing = [match["what"] for match in _MISSING.finditer(log)]
+    if not missing:
         return
-    codes = dict.fromkeys(int(code[1], 16) for what in told if (code := _CODE.search(what)))
+    codes = dict.fromkeys(int(code[1], 16) for what in missing if (code := _CODE.search(what)))
     if not codes:
-        raise LatexError(f"letters are missing in the PDF of {name}: {', '.join(dict.fromkeys(told))}")
+        raise LatexError(f"letters are missing in the PDF of {name}: {', '.join(dict.fromkeys(missing))}")
     raise MissingGlyphsError([chr(code) for code in codes])

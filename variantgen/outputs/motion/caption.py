@@ -18,11 +18,11 @@ SIZE = 8.5  # of the letters, points
 def caption_lines(subject: Subject, constants: Sequence[Curve], clipped: bool, width: float) -> list[str]:
     """The caption in lines of at most ``width`` inches, formulas in mathtext."""
     words, language = subject.language.words("motion"), subject.language
-    symbols, sweep = subject.variant.form.symbols, subject.course.sweep
+    symbols, sweep = subject.variant.form.symbols, subject.driver_sweep.sweep
     said = [words["curves"]]
-    if not subject.course.given:
-        key = "turned" if sweep.lead.angular else ("moved" if len(subject.course.target) == 1 else "extended")
-        points = to_mathtext(language.symbol("".join(subject.course.target), symbols))
+    if not subject.driver_sweep.given:
+        key = "turned" if sweep.lead.angular else ("moved" if len(subject.driver_sweep.target) == 1 else "extended")
+        points = to_mathtext(language.symbol("".join(subject.driver_sweep.target), symbols))
         said.append(words[key].format(symbol=subject.abscissa_symbol, point=points))
     name, _ = origin(subject.variant, sweep.motion, subject.asked, sweep.instant)
     where = "axes_moving" if name in subject.moving.paths else "axes"
@@ -59,10 +59,10 @@ def _wrapped(text: str, width: float) -> list[str]:
 def end_sentences(subject: Subject) -> list[str]:
     """What bounds the range of the abscissa, where it is not a turn or a choice of the plot."""
     words = subject.language.words("motion")
-    ends = subject.course.sweep.ends
-    left, right = ends if subject.course.values[-1] >= subject.course.values[0] else ends[::-1]
-    told = (End.DEAD_POINT, End.JOINT)
-    if left is right and left in told:
+    ends = subject.driver_sweep.sweep.ends
+    left, right = ends if subject.driver_sweep.values[-1] >= subject.driver_sweep.values[0] else ends[::-1]
+    worded = (End.DEAD_POINT, End.JOINT)
+    if left is right and left in worded:
         return [words["both"].format(end=words[left.value])]
     sides = (("left", left), ("right", right))
-    return [words[side].format(end=words[end.value]) for side, end in sides if end in told]
+    return [words[side].format(end=words[end.value]) for side, end in sides if end in worded]

@@ -14,7 +14,7 @@ from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.sweep import Sweep
 from variantgen.single import answers
-from variantgen.variants.course import Course
+from variantgen.variants.driver_sweep import DriverSweep
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Index, Symbol
@@ -49,15 +49,15 @@ class Panel:
 
 
 def panels(
-    variant: Variant, course: Course, asked: Sequence[Quantity], language: Language
+    variant: Variant, driver_sweep: DriverSweep, asked: Sequence[Quantity], language: Language
 ) -> tuple[list[Panel], list[Curve]]:
     """Panels of what varies (positions of the asked points first), and the curves that are constant."""
     length = variant.family.length_unit
-    positions = _positions(variant, course, asked, language)
+    positions = _positions(variant, driver_sweep, asked, language)
     found = [Panel(unit(length), tuple(positions), _letters(positions))] if positions else []
     printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.name for quantity in asked])}
     plain = [quantity for quantity in asked if quantity.component != "sense" and math.isfinite(printed[quantity])]
-    curves = [_curve(variant, course.sweep, quantity, printed[quantity], language) for quantity in plain]
+    curves = [_curve(variant, driver_sweep.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:
         alike = tuple(curve for curve in curves if curve.unit.measures == measure and not curve.constant)
         if alike:
@@ -79,9 +79,11 @@ def _letters(curves: Sequence[Curve]) -> tuple[str, ...]:
     return tuple(sorted(set(bases)))
 
 
-def _positions(variant: Variant, course: Course, asked: Sequence[Quantity], language: Language) -> list[Curve]:
+def _positions(
+    variant: Variant, driver_sweep: DriverSweep, asked: Sequence[Quantity], language: Language
+) -> list[Curve]:
     """Coordinates of the asked points that change."""
-    motion, at = course.sweep.motion, course.sweep.instant
+    motion, at = driver_sweep.sweep.motion, driver_sweep.sweep.instant
     _, zero = origin(variant, motion, asked, at)
     measured = unit(variant.family.length_unit)
     size = float(motion.length_scale()[at])

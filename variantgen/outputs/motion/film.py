@@ -45,7 +45,7 @@ def film(subject: Subject) -> bytes:
 
 def film_indices(subject: Subject) -> list[int]:
     """Positions in the order of the film: from the instant on, in the sense of the given motion, and back to it."""
-    sweep = subject.course.sweep
+    sweep = subject.driver_sweep.sweep
     low, high = float(sweep.way[0]), float(sweep.way[-1])
     if sweep.closed:
         ways = low + (np.linspace(0.0, high - low, _FRAMES, endpoint=False) - low) % (high - low)
@@ -72,7 +72,7 @@ class _Stage:
 
     def __init__(self, subject: Subject, figure: Any, indices: Sequence[int]) -> None:
         self.subject = subject
-        sweep, moving = subject.course.sweep, subject.moving
+        sweep, moving = subject.driver_sweep.sweep, subject.moving
         resting, frames, labels, paper = moving.film(indices, sweep.instant)
         self.frames = dict(zip(indices, frames, strict=True))
         self.axes = figure.add_axes((0.015, 0.03, 0.46, 0.94))
@@ -91,7 +91,7 @@ class _Stage:
         self.names = _names(subject, labels, paper)
         self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
         self.added: list[Any] = []
-        shown, _ = panels(subject.variant, subject.course, subject.asked, subject.language)
+        shown, _ = panels(subject.variant, subject.driver_sweep, subject.asked, subject.language)
         self.panel = next((panel for panel in shown if not panel.letters), shown[0] if shown else None)
         self.dots: list[Any] = []
         if self.panel is not None:
@@ -122,7 +122,7 @@ class _Stage:
 
 def _names(subject: Subject, labels: Sequence[Label], paper: Paper) -> list[tuple[str, ComplexField]]:
     """Names of the points in mathtext, and their places (u) in all positions; at rest beside points at rest."""
-    motion, language, moving = subject.course.sweep.motion, subject.language, subject.moving.paths
+    motion, language, moving = subject.driver_sweep.sweep.motion, subject.language, subject.moving.paths
     named = {language.symbol(name, subject.variant.form.symbols): name for name in motion.z}
     found = []
     for label in labels:
@@ -139,7 +139,7 @@ def _names(subject: Subject, labels: Sequence[Label], paper: Paper) -> list[tupl
 
 def _free_side(subject: Subject, name: str) -> ComplexField:
     """Unit vectors from a point to where its name does not lie on its links: away from them and somewhat aside."""
-    motion = subject.course.sweep.motion
+    motion = subject.driver_sweep.sweep.motion
     bodies = [members for members in motion.scene.bodies.values() if name in members]
     joined = sorted({p for members in bodies for p in members if p != name and p in subject.shown})
     rays = [motion.z[p] - motion.z[name] for p in joined]

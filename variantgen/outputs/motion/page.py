@@ -23,7 +23,7 @@ def page(subject: Subject, remark: str) -> Any:
     """
     from matplotlib.figure import Figure
 
-    shown, constants = panels(subject.variant, subject.course, subject.asked, subject.language)
+    shown, constants = panels(subject.variant, subject.driver_sweep, subject.asked, subject.language)
     clipped = any(subject.range_of(panel)[2] for panel in shown)
     caption = caption_lines(subject, constants, clipped, WIDTH - sum(_MARGINS))
     picture = MechanismPicture(subject)

@@ -33,7 +33,7 @@ _PAPER_EDGE = 2.0  # beside the picture of the mechanism, u
 
 def draw_panel(subject: Subject, axes: Any, panel: Panel, last: bool = True) -> None:
     """Curves of one unit, their values at the instant above the frame; the abscissa has a name where it is the last."""
-    language, at = subject.language, subject.course.sweep.instant
+    language, at = subject.language, subject.driver_sweep.sweep.instant
     ways = subject.ways
     low, high, _ = subject.range_of(panel)
     axes.axvline(ways[at], color="0.35", linewidth=0.6)
@@ -72,7 +72,7 @@ def _cycled(count: int) -> list[tuple[Any, str, float]]:
 def limit_ways(subject: Subject, axes: Any) -> None:
     """Limits and ticks of the abscissa."""
     ways = subject.ways
-    low, high, angular = float(ways.min()), float(ways.max()), subject.course.sweep.lead.angular
+    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.lead.angular
     axes.set_xlim(low, high)
     set_ticks(axes.xaxis, round_ticks(low, high, 8 if angular else 6, angular), subject.language)
 
@@ -88,7 +88,7 @@ class MechanismPicture:
     def __init__(self, subject: Subject) -> None:
         self.subject = subject
         moving = subject.moving
-        self.drawing, self.paper = moving.still(subject.course.sweep.instant)
+        self.drawing, self.paper = moving.still(subject.driver_sweep.sweep.instant)
         self.tracks = [self.paper.at(z) for z in moving.paths.values()]
         self.corners = [0.0, complex(self.drawing.width, self.drawing.height)]
         self.corners += [z for track in self.tracks for z in track]
@@ -151,7 +151,9 @@ def _draw_labels(axes: Any, drawing: Drawing) -> None:
 def _number_paper(subject: Subject, axes: Any, paper: Paper) -> None:
     """Ticks in the unit of lengths, counted from the origin."""
     measured = unit(subject.variant.family.length_unit)
-    _, zero = origin(subject.variant, subject.course.sweep.motion, subject.asked, subject.course.sweep.instant)
+    _, zero = origin(
+        subject.variant, subject.driver_sweep.sweep.motion, subject.asked, subject.driver_sweep.sweep.instant
+    )
     start = complex(paper.at(np.array(zero)))
     scale = paper.scale * float(measured.factor)
     for axis, limits, begin, most in (

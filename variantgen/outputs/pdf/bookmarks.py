@@ -9,7 +9,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.part import Part
+from variantgen.outputs.pdf.part import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 
@@ -30,7 +30,7 @@ class Bookmark:
     inside: list[Bookmark] = field(default_factory=list)
 
 
-def read_bookmarks(part: Part, within: Any = None) -> Iterator[Bookmark]:
+def read_bookmarks(part: PageCopier, within: Any = None) -> Iterator[Bookmark]:
     """The bookmarks of a part in order."""
     item = (part.source.Root.get("/Outlines") if within is None else within) or {}
     item = item.get("/First")

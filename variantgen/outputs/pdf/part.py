@@ -14,7 +14,7 @@ from variantgen.outputs.pdf.writer import PdfWriter
 _TOKEN = re.compile(rb"\((?:[^()\\]|\\.)*\)|<[0-9A-Fa-f]+>|(\d+) 0 R|(/StructParents? )(\d+)", re.DOTALL)
 
 
-class Part:
+class PageCopier:
     """Copies what is reachable from what is asked for.
 
     ``new`` are the numbers in the whole by those in the part; what is in it beforehand is not copied. ``first_key`` is

@@ -7,7 +7,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.part import Part
+from variantgen.outputs.pdf.part import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 _TABLES = ("/RoleMap", "/ClassMap")
@@ -28,7 +28,7 @@ class Structure:
         self._parts = 0
         self.next_key = 0
 
-    def add(self, part: Part) -> None:
+    def add(self, part: PageCopier) -> None:
         """Take the structure of a part; its pages have been taken before."""
         root = part.source.Root.StructTreeRoot
         (document,) = root.K if isinstance(root.K, pikepdf.Array) else (root.K,)
@@ -73,7 +73,7 @@ class Structure:
         self._writer.put(self._root, b"<<%s>>" % entries)
         return self._root
 
-    def _share_namespaces(self, part: Part, root: Any) -> None:
+    def _share_namespaces(self, part: PageCopier, root: Any) -> None:
         """Let all parts use one object for a namespace."""
         for space in root.get("/Namespaces", []):
             said = space.unparse(resolved=True)

@@ -15,7 +15,7 @@ from variantgen.exam.blueprint import Exam, Task
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.qti import canvas_quiz as quiz
 from variantgen.outputs.qti.canvas_item import Items
 from variantgen.outputs.qti.figures import FOLDER, Figures
@@ -74,7 +74,7 @@ def _numbers(task: Task) -> int:
     return max(len(read_ask(form, task.ask)) for family in task.families for form in family.forms.values())
 
 
-def make(part: Part) -> Iterator[Piece]:
+def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students with their figures."""
     options: CanvasOptions = formats.options(part.exam, NAME)
     figures = Figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
@@ -88,7 +88,7 @@ def make(part: Part) -> Iterator[Piece]:
         else:
             quizzes.append(_quiz_name(part.exam, sheet[0].sheet))
             files.update(_quiz(quizzes[-1], sheet, items, options))
-    yield Piece(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
+    yield Fragment(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
 
 
 def _quiz_name(exam: Exam, sheet: Sheet) -> str:

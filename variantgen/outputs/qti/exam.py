@@ -14,7 +14,7 @@ from xml.etree.ElementTree import Element
 
 from variantgen.exam.blueprint import Exam
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Part, Piece, Whole
+from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import Items, identifier
@@ -36,7 +36,7 @@ def read_table(table: Table) -> Options:
     return found
 
 
-def make(part: Part, dialect: Dialect) -> Iterator[Piece]:
+def make(part: Chunk, dialect: Dialect) -> Iterator[Fragment]:
     """The items of a few students with their figures."""
     options: Options = formats.options(part.exam, dialect.name)
     figures = Figures(part.engine, options.figures)
@@ -49,7 +49,7 @@ def make(part: Part, dialect: Dialect) -> Iterator[Piece]:
         student = question.sheet.student
         sheet = sheets.setdefault(question.sheet.code, {"code": question.sheet.code, "name": student.name, "items": []})
         sheet["items"].append({"name": name, "files": images(item)})
-    yield Piece(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
+    yield Fragment(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
 
 
 def finish(whole: Whole, dialect: Dialect) -> None:

@@ -163,7 +163,7 @@ class Items:
 def accepted(answer: Answer) -> list[tuple[Decimal, Decimal]]:
     """The intervals in which a number is right, first that around the answer, as exact decimals."""
     value, margin = Decimal(repr(answer.value)), Decimal(repr(answer.tolerance))
-    turns = (round(low - answer.windows[0][0]) for low, _ in answer.windows)
+    turns = (round(low - answer.accepted_intervals[0][0]) for low, _ in answer.accepted_intervals)
     return [(value + turn - margin, value + turn + margin) for turn in turns]
 
 

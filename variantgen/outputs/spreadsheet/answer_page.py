@@ -47,7 +47,7 @@ def _decimals(page: Page, block: Block, sheets: Sequence[Sheet]) -> list[int]:
     for number in range(block.most):
         answers = [own[number] for own in map(block.own, sheets) if number < len(own)]
         found.append(decimals(answer.value for answer in answers))
-        ends = [end for answer in answers for end in answer.windows[0]]
+        ends = [end for answer in answers for end in answer.accepted_intervals[0]]
         page.widths(block.answers + PER_ANSWER * number, [number_width(ends, found[-1])] * PER_ANSWER)
     return found
 
@@ -64,5 +64,5 @@ def _write_numbers(page: Page, row: int, block: Block, sheet: Sheet, places: Seq
         answer = own[number]
         look = {**CELL, "num_format": number_format(answer, places[number])}
         page.number(row, column, answer.value, {**look, "bold": True})
-        for k, end in enumerate(answer.windows[0], start=1):
+        for k, end in enumerate(answer.accepted_intervals[0], start=1):
             page.number(row, column + k, end, look)

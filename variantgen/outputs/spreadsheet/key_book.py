@@ -12,8 +12,8 @@ from variantgen.outputs.spreadsheet.asked import Headings
 from variantgen.outputs.spreadsheet.book import CELL, HEAD, TEXT, Book, Page, open_book
 from variantgen.outputs.spreadsheet.identity import WHO, finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width, width
+from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
-from variantgen.wording.mistakes import mistake_text
 
 MOST_ROWS = 1_000_000  # on a sheet; a workbook has room for 1 048 576
 _CENTRED = {**CELL, "align": "center"}
@@ -58,7 +58,7 @@ class _Row:
 def _every_answer(page: Page, rows: Sequence[_Row], language: Language, headings: Headings) -> None:
     """The sheet with a row for each answer."""
     words = language.words("spreadsheet")
-    turned = any(len(row.answer.windows) > 1 for row in rows)
+    turned = any(len(row.answer.accepted_intervals) > 1 for row in rows)
     unnoticed = any(row.answer.unnoticed for row in rows)
     bounds = ["low", "high"] + (["or_low", "or_high"] if turned else [])
     heads = [language.words("key")["problem"], *(words[name] for name in ("type", "quantity", "value", *bounds))]
@@ -77,24 +77,24 @@ def _every_answer(page: Page, rows: Sequence[_Row], language: Language, headings
     page.printed((0, 0), (len(rows), WHO + len(heads) - 1))
 
 
-def _one_answer(page: Page, number: int, row: _Row, windows: int, headings: Headings) -> None:
+def _one_answer(page: Page, number: int, row: _Row, accepted_intervals: int, headings: Headings) -> None:
     item, answer = row.item, row.answer
     write_identity(page, number, row.sheet)
     page.number(number, WHO, item.task.number, _CENTRED)
     page.text(number, WHO + 1, item.variant.family.title(headings.language.name), TEXT)
     page.text(number, WHO + 2, headings.symbol(item, answer), TEXT)
     places = decimals([answer.value])
-    _write_answer(page, number, WHO + 3, answer, places, windows)
-    page.text(number, WHO + 4 + 2 * windows, headings.unit(answer), TEXT)
+    _write_answer(page, number, WHO + 3, answer, places, accepted_intervals)
+    page.text(number, WHO + 4 + 2 * accepted_intervals, headings.unit(answer), TEXT)
 
 
-def _write_answer(page: Page, row: int, column: int, answer: Answer, places: int, windows: int) -> None:
+def _write_answer(page: Page, row: int, column: int, answer: Answer, places: int, accepted_intervals: int) -> None:
     """The value and the bounds of so many intervals."""
     look = {**CELL, "num_format": number_format(answer, places)}
     marked = {**look, "bold": True, "num_format": number_format(answer, places, marked=bool(answer.unnoticed))}
     page.number(row, column, answer.value, marked)
-    bounds = [end for window in answer.windows for end in window]
-    for place in range(2 * windows):
+    bounds = [end for window in answer.accepted_intervals for end in window]
+    for place in range(2 * accepted_intervals):
         if place < len(bounds):
             page.number(row, column + 1 + place, bounds[place], look)
         else:
@@ -125,11 +125,11 @@ class _Table:
     def _columns(self, first: int) -> Iterator[_Column]:
         """Where the numbers of each quantity stand, from a column on."""
         for answers in zip(*(item.answers for item in self.items), strict=True):
-            windows = max(len(answer.windows) for answer in answers)
-            ends = [end for answer in answers for window in answer.windows for end in window]
+            accepted_intervals = max(len(answer.accepted_intervals) for answer in answers)
+            ends = [end for answer in answers for window in answer.accepted_intervals for end in window]
             places = decimals(answer.value for answer in answers)
-            yield _Column(first, windows, places, number_width(ends, places))
-            first += 1 + 2 * windows
+            yield _Column(first, accepted_intervals, places, number_width(ends, places))
+            first += 1 + 2 * accepted_intervals
 
     def write(self) -> None:
         """Write the sheet."""
@@ -144,7 +144,7 @@ class _Table:
             if len(self.forms) > 1:
                 page.text(row, WHO, item.variant.form.name, TEXT)
             for column, answer in zip(self.columns, item.answers, strict=True):
-                _write_answer(page, row, column.first, answer, column.places, column.windows)
+                _write_answer(page, row, column.first, answer, column.places, column.accepted_intervals)
             if unnoticed:
                 page.wrapped(row, end, self._remarks(item), _REMARK)
         finish(page, 1, len(self.sheets) + 1, end + unnoticed)
@@ -160,19 +160,19 @@ class _Table:
             page.text(1, WHO, self.words["form"], HEAD)
             page.widths(WHO, [width([self.words["form"], *self.forms])])
         for column in self.columns:
-            names = ("value", "low", "high", "or_low", "or_high")[: 1 + 2 * column.windows]
+            names = ("value", "low", "high", "or_low", "or_high")[: 1 + 2 * column.accepted_intervals]
             page.widths(column.first, [column.width] * len(names))
             for place, name in enumerate(names, start=column.first):
                 page.text(1, place, self.words[name], HEAD)
 
     def _remarks(self, item: Item) -> str:
         """The answers that do not show a mistake, and which."""
-        told = (
+        remarks = (
             f"{self.headings.symbol(item, answer)}: {_mistakes(item, answer, self.language)}"
             for answer in item.answers
             if answer.unnoticed
         )
-        return "; ".join(told)
+        return "; ".join(remarks)
 
 
 @dataclass(frozen=True)
@@ -180,11 +180,11 @@ class _Column:
     """The columns of a quantity: the first, how many intervals there are, decimals, their width in letters."""
 
     first: int
-    windows: int
+    accepted_intervals: int
     places: int
     width: float
 
     @property
     def last(self) -> int:
         """The last of the columns."""
-        return self.first + 2 * self.windows
+        return self.first + 2 * self.accepted_intervals

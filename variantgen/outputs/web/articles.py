@@ -9,16 +9,16 @@ from typing import Any
 from markupsafe import Markup
 
 from variantgen.exam.blueprint import Exam
-from variantgen.exam.content import Content, Posed
+from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import svg
-from variantgen.outputs.key_content import Group, equation, margin, mark
+from variantgen.outputs.key_content import Group, equation, mark, tolerance_note
 from variantgen.outputs.sheet_data import blank_labels, points_text, sheet_notes, variant_number
 from variantgen.outputs.solution_data import solution_words
 from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
 from variantgen.outputs.web.pages import rendered
-from variantgen.wording.formula import Chain, Formula, UnitText
+from variantgen.wording.formula import Formula, Relation, UnitText
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
 
@@ -60,7 +60,7 @@ def _notices(exam: Exam, language: Language, style: Style) -> dict[str, Any]:
     }
 
 
-def _problem(posed: Posed, language: Language, style: Style) -> dict[str, Any]:
+def _problem(posed: PosedProblem, language: Language, style: Style) -> dict[str, Any]:
     item, figure = posed.item, posed.figure
     return {
         "number": item.task.number,
@@ -117,7 +117,7 @@ def problem_key(exam: Exam, owners: Sequence[tuple[Sheet, Item]]) -> bytes:
             "answers": [
                 {
                     "value": language.answer(a.quantity, a.value).text,
-                    "margin": margin(a, exam, language),
+                    "margin": tolerance_note(a, exam, language),
                     "mark": mark(a),
                 }
                 for a in item.answers
@@ -141,10 +141,10 @@ def head(symbol: Formula, unit: UnitText) -> Markup:
 def _keyed(answer: Answer, item: Item, exam: Exam, language: Language) -> dict[str, Any]:
     """An answer, in closed form too where it has a simple one."""
     said = equation(answer, language, item.variant.form.symbols)
-    shown = Chain((said.left, answer.surd, said.right), ("=", "≈")) if answer.surd else said
+    shown = Relation((said.left, answer.surd, said.right), ("=", "≈")) if answer.surd else said
     return {
         "formula": _markup(to_mathml(shown)),
-        "margin": margin(answer, exam, language),
+        "margin": tolerance_note(answer, exam, language),
         "mark": mark(answer),
     }
 
@@ -154,7 +154,7 @@ def _who(exam: Exam, sheet: Sheet, language: Language) -> dict[str, Any]:
     student, words = sheet.student, language.words("sheet")
     return {
         "title": exam.title,
-        "course": exam.course,
+        "course": exam.driver_sweep,
         "code": sheet.code,
         "variant": f"{language.words('key')['variant']} {sheet.code}",
         "name": student.name,

@@ -23,8 +23,8 @@ def inert(html: str) -> str:
 def part(answer: Answer, weight: int) -> str:
     """An answer to be entered. One that may be written in two ways, a turn apart, has two right values."""
     value, tolerance = Decimal(repr(answer.value)), plain(Decimal(repr(answer.tolerance)))
-    first = answer.windows[0][0]
-    values = (value + round(low - first) for low, _ in answer.windows)
+    first = answer.accepted_intervals[0][0]
+    values = (value + round(low - first) for low, _ in answer.accepted_intervals)
     return f"{{{weight}:NUMERICAL:{'~'.join(f'={plain(one)}:{tolerance}' for one in values)}}}"
 
 

@@ -12,7 +12,7 @@ from html import escape
 
 from variantgen.exam.content import Solved
 from variantgen.exam.notices import Notices
-from variantgen.exam.shown import Shown
+from variantgen.exam.shown import SolutionFigure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.rows import Pieces, breadth, rows
 from variantgen.outputs.solution_data import see, solution_words
@@ -112,13 +112,13 @@ def solution_html(solved: Solved, language: Language, style: Style) -> str:
     return "".join(parts)
 
 
-def _figures(row: Sequence[Shown], style: Style) -> str:
+def _figures(row: Sequence[SolutionFigure], style: Style) -> str:
     """Figures beside each other, with captions."""
     shown = (f"<figure>{_drawn(one, style)}<figcaption>{style.text(one.caption)}</figcaption></figure>" for one in row)
     return f'<div class="figures d-flex flex-wrap">{"".join(shown)}</div>'
 
 
-def _drawn(shown: Shown, style: Style) -> str:
+def _drawn(shown: SolutionFigure, style: Style) -> str:
     """A figure without its caption."""
     width = shown.drawing.width * shown.unit
     if style.captioned is None:
@@ -128,8 +128,8 @@ def _drawn(shown: Shown, style: Style) -> str:
 
 
 def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:
-    told = see(section, solved, language)
-    after = f' <span class="see">{escape(told)}</span>' if told else ""
+    reference = see(section, solved, language)
+    after = f' <span class="see">{escape(reference)}</span>' if reference else ""
     yield f"<{style.heading}>{number}. {style.text(section.heading)}.{after}</{style.heading}>"
     yield from blocks_html(section.blocks, style)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from variantgen.exam.content import Posed, Solved
+from variantgen.exam.content import PosedProblem, Solved
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.formats import Part
+from variantgen.outputs.formats import Chunk
 from variantgen.wording.formula import Formula, UnitText
 from variantgen.wording.statement import sign_notes
 
@@ -35,7 +35,7 @@ class Question:
 
     identifier: str
     sheet: Sheet
-    posed: Posed
+    posed: PosedProblem
     solved: Solved | None
     parts: tuple[Asked, ...]
     notes: tuple[str, ...]
@@ -46,7 +46,7 @@ class Question:
         return self.posed.item.variant.family.name
 
 
-def questions(part: Part) -> Iterator[Question]:
+def questions(part: Chunk) -> Iterator[Question]:
     """The questions of some students in the order of sheets and problems."""
     exam, language = part.exam, part.exam.spoken
     build = exam.build_id

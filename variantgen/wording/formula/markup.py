@@ -14,7 +14,6 @@ from variantgen.wording.formula.precedence import Between
 from variantgen.wording.formula.tree import (
     About,
     Absolute,
-    Chain,
     Cross,
     Dotted,
     Equation,
@@ -29,6 +28,7 @@ from variantgen.wording.formula.tree import (
     Place,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Surd,
@@ -128,12 +128,12 @@ class Markup(ABC):
             case _:
                 return self._statement(formula)
 
-    def _statement(self, formula: Equation | Chain | About | Listing | Place | Graph) -> str:
+    def _statement(self, formula: Equation | Relation | About | Listing | Place | Graph) -> str:
         """What says something about formulas instead of being a value."""
         match formula:
             case Equation(left, right):
                 return self.write(left) + self.signs.equals + self.write(right)
-            case Chain(items, signs):
+            case Relation(items, signs):
                 rest = zip(signs, items[1:], strict=True)
                 return self.write(items[0]) + "".join(
                     self.signs.relations[sign] + self.write(item) for sign, item in rest

@@ -12,7 +12,6 @@ from enum import Enum, IntEnum
 
 from variantgen.wording.formula.tree import (
     About,
-    Chain,
     Cross,
     Dotted,
     Equation,
@@ -26,6 +25,7 @@ from variantgen.wording.formula.tree import (
     Number,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
     Surd,
@@ -57,7 +57,7 @@ class Between(Enum):
 def binding(formula: Formula, flat: bool) -> Binding:
     """The binding of a formula, signs apart (see :func:`starts_with_minus`)."""
     match formula:
-        case Equation() | Listing() | Chain() | Graph():
+        case Equation() | Listing() | Relation() | Graph():
             return Binding.RELATION
         case Sum(((sign, term),)):  # −π: nothing is added
             return Binding.PREFIX if as_term(sign, term, True, flat) else min(binding(term, flat), Binding.PREFIX)

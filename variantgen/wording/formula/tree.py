@@ -198,7 +198,7 @@ SIGNS = ("=", "≈", "→", "∥", "⟂")
 
 
 @dataclass(frozen=True)
-class Chain:
+class Relation:
     """``a = b = c ≈ d``: items with one of ``SIGNS`` between each two of them."""
 
     items: tuple[Formula, ...]
@@ -235,7 +235,7 @@ class Graph:
 
 Formula: TypeAlias = (
     Symbol | Number | UnitText | Measured | Equation | About | Listing | Sum | Product | Fraction | Power | Root
-    | Function | Group | Absolute | Vector | Dotted | Cross | Place | Chain | Surd | Graph
+    | Function | Group | Absolute | Vector | Dotted | Cross | Place | Relation | Surd | Graph
 )  # fmt: skip
 
 

@@ -9,9 +9,9 @@ from variantgen.families.quantities import Quantity, recorded
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
+from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.no_way import NO_WAY
 from variantgen.methods.steps.step import Sentence, Solution
-from variantgen.methods.wish import Wish
 from variantgen.variants.needed import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
@@ -25,7 +25,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 from variantgen.wording.vector_names import centre_letters
 
-WHOLE = Wish()
+WHOLE = SolutionOptions()
 
 
 class UnexplainedError(VariantgenError):
@@ -33,23 +33,28 @@ class UnexplainedError(VariantgenError):
 
 
 def explain(
-    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, wish: Wish = WHOLE
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    options: SolutionOptions = WHOLE,
 ) -> SolutionText:
     """The solution of one variant of a solved batch, in a language, as it is wished.
 
     Raises InputError for a method that does not apply, UnexplainedError where the methods do not lead to what is asked.
     """
-    if wish.depth == "answers":
+    if options.depth == "answers":
         return answers_only(variant, motion, index, asked, language)
     task = task_of(variant, motion, index, asked)
     try:
-        found = solution(task, wish.methods)
+        found = solution(task, options.methods)
     except NO_WAY as error:
         what = ", ".join(quantity.name for quantity in asked)
         raise UnexplainedError(
             f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
         ) from error
-    return written(task, found, language, wish.depth == "short")
+    return written(task, found, language, options.depth == "short")
 
 
 def answers_only(

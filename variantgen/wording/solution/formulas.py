@@ -101,8 +101,8 @@ class Formulas:
                 return Symbol("pi")
             case Total(terms):
                 # In numbers a term that is zero now says nothing; in symbols it belongs to the law.
-                told = [(s, t) for s, t in terms if not vanishes(t)] if numbers else terms
-                signed = tuple(self._signed(sign, term, numbers) for sign, term in told or terms)
+                kept = [(s, t) for s, t in terms if not vanishes(t)] if numbers else terms
+                signed = tuple(self._signed(sign, term, numbers) for sign, term in kept or terms)
                 return signed[0][1] if len(signed) == 1 and signed[0][0] > 0 else Sum(signed)
             case Times(factors):
                 return Product(tuple(self._written(factor, numbers) for factor in factors))

@@ -17,12 +17,12 @@ from variantgen.methods.steps.step import (
     Item,
     LinearSystem,
     Listing,
+    NumberOf,
     Point,
     Projection,
     Segment,
     Sentence,
     Share,
-    Shown,
     Statement,
     Step,
     Term,
@@ -156,7 +156,7 @@ class Writer:
                 return (self.vector(name),)
             case CentreOf(body, kind):
                 return (self.symbols.centre(kind, body),)
-            case Shown(value):
+            case NumberOf(value):
                 return (self.formulas.measured(value),)
             case Value():
                 return (self.formulas.symbol(fact),)

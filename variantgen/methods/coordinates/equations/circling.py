@@ -20,5 +20,5 @@ def state(model: Model, driver: Circling, template: Template) -> None:
     now = degrees(model.now(driver.centre, driver.point)) - (turn.exact if turn is not None else 0.0)
     sign = float(model.task.scene.frame.sense)
     radius = model.geometry.length(driver.centre, driver.point)
-    speed, gain = rates(model, driver, template, sign)
-    model.prescribe(model.arc(driver.point, driver.body, now), Ratio(speed, radius), Ratio(gain, radius))
+    speed, acceleration = rates(model, driver, template, sign)
+    model.prescribe(model.arc(driver.point, driver.body, now), Ratio(speed, radius), Ratio(acceleration, radius))

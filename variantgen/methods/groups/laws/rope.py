@@ -9,13 +9,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from variantgen.mechanism.joints.rope import Bend, Rope
-from variantgen.methods.groups.contact import Side, Touch, letter_at, metres, resting_letter
+from variantgen.methods.groups.contact import NoSlipContact, Side, letter_at, metres, resting_letter
 from variantgen.methods.linkage.problem import Task
 
 _STILL = 1e-9  # of the largest velocity: a piece of thread that turns slower keeps its direction
 
 
-def touch(task: Task, number: int) -> Touch | None:
+def touch(task: Task, number: int) -> NoSlipContact | None:
     """The two ends; None where a pulley in between moves, or where a piece of the thread turns."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rope)
@@ -31,7 +31,7 @@ def touch(task: Task, number: int) -> Touch | None:
         second = _tied(task, second)
     elif second.is_rest:
         first = _tied(task, first)
-    return Touch("rope", first, second, place="rope.leaves", reason="rope.inextensible")
+    return NoSlipContact("rope", first, second, place="rope.leaves", reason="rope.inextensible")
 
 
 def _tied(task: Task, side: Side) -> Side:

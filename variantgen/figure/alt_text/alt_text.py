@@ -1,0 +1,141 @@
+"""The words of one figure: phrases of the language, names of points and bodies as the figure shows them."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from variantgen.figure.alt_text import directions
+from variantgen.figure.alt_text.drawn import DrawnMechanism
+from variantgen.mechanism.arithmetic import Real
+from variantgen.wording.formula import Symbol, to_plain
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A given rate: the phrase, its symbol and, for a straight arrow, the point and the way on paper (unit)."""
+
+    phrase: str
+    symbol: str
+    point: str = ""
+    way: complex = 0j
+
+
+@dataclass
+class AltText(DrawnMechanism):
+    """What a phrase may need of a figure that has been drawn on ``board``.
+
+    What has been told is noted for what is told later: ``hinged`` are the points whose hinge a joint has told of,
+    ``guided`` the directions of guides by point, ``arrows`` those of the drivers.
+    """
+
+    hinged: set[str] = field(default_factory=set)
+    guided: dict[str, complex] = field(default_factory=dict)
+    arrows: list[Arrow] = field(default_factory=list)
+
+    def say(self, key: str, **words: str) -> str:
+        """A phrase of the table ``[figure]``, filled."""
+        return self._phrases[key].format(**words)
+
+    @cached_property
+    def _phrases(self) -> Mapping[str, str]:
+        return self.board.language.words("figure")
+
+    def listed(self, items: Sequence[str]) -> str:
+        """``a, b and c``."""
+        if len(items) < 2:
+            return "".join(items)
+        return self.say("and", first=", ".join(items[:-1]), last=items[-1])
+
+    # Directions.
+
+    def heading(self, angle: Real) -> complex:
+        """The unit vector on paper of a direction in the frame of the scene (rad)."""
+        return complex(self.board.frame.place(cmath.rect(1.0, float(angle))))
+
+    def place(self, vector: complex, origin: str) -> str:
+        """Where a point lies that is at ``vector`` from a named one: ``above and to the right of O``."""
+        if abs(vector) < 1e-6:
+            return self.say("same_place", origin=origin)
+        return self.board.language.words("figure_place")[directions.compass(vector)].format(origin=origin)
+
+    def way(self, vector: complex) -> str:
+        """Where a vector points: ``up and to the right``."""
+        return self.board.language.words("figure_way")[directions.compass(vector)]
+
+    def side(self, vector: complex) -> str:
+        """On which side of a thing something is, in steps of 45 degrees: ``at the top``."""
+        return self.board.language.words("figure_side")[directions.side(vector)]
+
+    def line(self, vector: complex) -> str:
+        """How a line runs: ``horizontally``, ``upwards to the right``."""
+        return self.board.language.words("figure_line")[directions.line(vector)]
+
+    def inclined(self, vector: complex) -> str:
+        """The same as an attribute of what lies along the line: ``horizontal``."""
+        return self.board.language.words("figure_line_attribute")[directions.line(vector)]
+
+    def sense(self, rate: float) -> str:
+        """``clockwise`` for a negative rate on paper, else ``counter-clockwise``."""
+        return self.say("counter_clockwise" if rate > 0 else "clockwise")
+
+    def straight_arrow(self, key: str, point: str, ahead: complex, symbol: Symbol | None, **words: str) -> list[Arrow]:
+        """An arrow at a point, or at a body by one of its points without a name; none for a rate that is not given."""
+        if symbol is None or ahead == 0:
+            return []
+        name = to_plain(symbol)
+        owners = self.owners(point)
+        where = self.say("at_point", point=self.name(point))
+        if not self.is_shown(point) and owners:
+            where = self.say("at_body", body=self.body(owners[0]))
+        return [Arrow(self.say(key, symbol=name, where=where, **words), name, point, ahead / abs(ahead))]
+
+    # Bodies.
+
+    def body(self, body: str) -> str:
+        """How a body is called: by its points, or by its number."""
+        if self.is_spelled(body):
+            return body
+        return "".join(map(self.name, self.board.form.bodies[body])) or self.board.form.symbols.get(body, "")
+
+    def number(self, centre: str, body: str = "") -> str:
+        """The number that the figure gives to a disc, or nothing; a fixed one has no ``body``."""
+        if body:
+            return "" if self.is_spelled(body) else self.board.form.symbols.get(body, "")
+        return next((circle.mark.label for circle in self.circles if circle.mark.centre == centre), "")
+
+    def called(self, centre: str, body: str = "") -> str:
+        """What follows a word like gear: its number, or ``with centre O``."""
+        return self.number(centre, body) or self.say("with_centre", centre=self.name(centre))
+
+    def disc(self, centre: str, body: str, case: str = "") -> str:
+        """``disc 1`` or ``the disc with centre O``; the ``case`` is that of the noun: "", ``_of`` or ``_with``."""
+        number = self.number(centre, body)
+        if number:
+            return self.say("disc" + case, number=number)
+        return self.say("disc_about" + case, centre=self.name(centre))
+
+    def rim(self, body: str, radius: float) -> str:
+        """Which rim of a stepped disc has a radius (u): `` (its larger rim)``; nothing for a disc with one rim."""
+        larger = self.is_larger(body, radius)
+        return "" if larger is None else self.say("larger_rim" if larger else "smaller_rim")
+
+    def part(self, body: str, case: str = "") -> str:
+        """A body in a sentence, ``disc 1`` or ``OA``; the ``case`` is that of the noun: "", ``_of`` or ``_with``."""
+        circles = self.circles_of(body)
+        if circles and not self.is_spelled(body):
+            return self.disc(circles[0].mark.centre, body, case)
+        return self.say("body" + case, body=self.body(body))
+
+    def hinge(self, point: str, gender: str = "") -> str:
+        """``, hinged to OA and AB`` for a block or a sleeve (``gender`` "" or "_she" in languages that have it).
+
+        Nothing for a block of no body; a block on a fixed hinge turns about it.
+        """
+        owners = self.owners(point)
+        self.hinged.add(point)
+        if owners:
+            return self.say("hinged" + gender, bodies=self.listed([self.part(body, "_with") for body in owners]))
+        return self.say("on_fixed_hinge" + gender) if point in self.fixed else ""

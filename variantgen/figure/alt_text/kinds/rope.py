@@ -1,0 +1,101 @@
+"""Ropes, station by station from one end to the other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from variantgen.figure.alt_text.alt_text import AltText
+from variantgen.mechanism.constructions.tangent import thread_direction
+from variantgen.mechanism.joints.rope import Bend, Rope
+
+Path = tuple[Bend, ...]
+
+
+def tell(alt_text: AltText, items: Sequence[Rope]) -> list[str]:
+    """A clause for each rope; two that meet on one rim are one."""
+    return [_clause(alt_text, path) for path in _joined([joint.path for joint in items])]
+
+
+def _joined(paths: Sequence[Path]) -> list[Path]:
+    """Ropes that end on the rim on which the next one starts are a single rope for the eye."""
+    found: list[Path] = []
+    for path in paths:
+        last = found[-1][-1] if found else None
+        first = path[0]
+        if last is not None and last.body is not None and _same_rim(last, first):
+            found[-1] = (*found[-1], *path[1:])
+        else:
+            found.append(path)
+    return found
+
+
+def _same_rim(first: Bend, second: Bend) -> bool:
+    same = (first.point, first.body) == (second.point, second.body)
+    return same and math.isclose(float(first.radius), float(second.radius), rel_tol=1e-9)
+
+
+def _clause(alt_text: AltText, path: Path) -> str:
+    ways = [_straight(alt_text, first, second) for first, second in pairwise(path)]
+    names = []
+    for i in range(len(path)):
+        arriving = ways[i - 1] if i > 0 else None
+        leaving = ways[i] if i < len(ways) else None
+        if arriving is not None and leaving is not None:
+            names.append(_bend(alt_text, path, i, arriving - leaving))
+        else:
+            names.append(_end(alt_text, path, i, leaving if leaving is not None else arriving or 0j))
+    return alt_text.say("rope", stations=alt_text.say("rope_then").join(names))
+
+
+def _straight(alt_text: AltText, first: Bend, second: Bend) -> complex:
+    """The direction of a straight piece on paper."""
+    circles = [
+        (
+            alt_text.at(bend.point),
+            float(bend.radius) * alt_text.board.sketch.scale,
+            float(alt_text.board.frame.sense * bend.side),
+        )
+        for bend in (first, second)
+    ]
+    return complex(thread_direction(*circles[0], *circles[1])[0])
+
+
+def _bend(alt_text: AltText, path: Path, i: int, outwards: complex) -> str:
+    """A pulley in between: ``outwards`` points from its centre to the middle of the wrap, or is near zero."""
+    bend = path[i]
+    touch = alt_text.say("rope_round", side=alt_text.side(outwards)) if abs(outwards) > 1e-3 else ""
+    if bend.body is not None:
+        return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
+    return alt_text.say("rope_pulley", place=_place(alt_text, path, i), touch=touch)
+
+
+def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
+    """An end: a drum, an anchor, a load, or a point of a body; ``way`` is that of the rope at this end."""
+    bend = path[i]
+    if bend.body is not None:
+        touch = alt_text.say(
+            "rope_leaves", side=alt_text.side(1j * float(alt_text.board.frame.sense * bend.side) * way)
+        )
+        larger = alt_text.is_larger(bend.body, float(bend.radius) * alt_text.board.sketch.scale)
+        if larger is None:
+            return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
+        key = "rope_larger_rim" if larger else "rope_smaller_rim"
+        return alt_text.say(key, disc=alt_text.disc(bend.point, bend.body, "_of"), touch=touch)
+    if bend.fixed:
+        return alt_text.say("rope_anchor", place=_place(alt_text, path, i))
+    if alt_text.owners(bend.point):
+        return alt_text.say("rope_point", point=alt_text.name(bend.point))
+    if alt_text.is_shown(bend.point):
+        return alt_text.say("rope_load", point=alt_text.name(bend.point))
+    return alt_text.say("rope_nameless_load", place=_place(alt_text, path, i))
+
+
+def _place(alt_text: AltText, path: Path, i: int) -> str:
+    """Where a station without a name lies: seen from the nearest station on the rope that has a name."""
+    if alt_text.is_shown(path[i].point):
+        return alt_text.name(path[i].point)
+    others = sorted(range(len(path)), key=lambda k: abs(k - i))
+    origin = next((path[k].point for k in others if alt_text.is_shown(path[k].point)), "")
+    return alt_text.place(alt_text.at(path[i].point) - alt_text.at(origin), alt_text.name(origin)) if origin else ""

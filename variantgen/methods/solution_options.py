@@ -1,0 +1,30 @@
+"""What is wished of a solution: by which methods, how much of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.solving import check_methods
+
+Depth = Literal["answers", "short", "full"]
+DEPTHS: tuple[Depth, ...] = get_args(Depth)
+
+
+@dataclass(frozen=True)
+class SolutionOptions:
+    """``methods`` in the order in which they are preferred (none: the natural ones of the problem).
+
+    ``depth``: the answers alone, a short solution without the sentences that only explain, or a full one. Raises
+    InputError for an unknown name.
+    """
+
+    methods: tuple[str, ...] = ()
+    depth: Depth = "full"
+
+    def __post_init__(self) -> None:
+        check_methods(self.methods)
+        if self.depth not in DEPTHS:
+            remedy = nearest(self.depth, DEPTHS)
+            raise InputError(Problem("unknown depth of a solution", key="depth", value=self.depth, remedy=remedy))
