@@ -96,7 +96,7 @@ def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -
     unneeded = (
         "wording.solution.",
         "figure.views.",
-        "figure.telling.",
+        "figure.alt_text.",
         "outputs.web.",
         "outputs.qti.",
         "outputs.latex.",

@@ -18,8 +18,8 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.batch import Tally
+from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import languages, load_language

@@ -13,9 +13,9 @@ from variantgen.errors import InputError
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
+from variantgen.variants.batch import Tally
 from variantgen.variants.distinct import TooFewError, assign_distinct
 from variantgen.variants.draw import Drawing, draw, too_few
-from variantgen.variants.batch import Tally
 from variantgen.variants.seeding import Stream, digest, index_below
 from variantgen.variants.similarity import Traits, traits
 from variantgen.variants.variant import Variant, solve_variants

@@ -23,9 +23,9 @@ from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants import attempts
+from variantgen.variants.batch import Tally
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import position_screens
-from variantgen.variants.batch import Tally
 from variantgen.variants.variant import columns, solve_variants
 
 KEYS = [("giving up", i) for i in range(100)]

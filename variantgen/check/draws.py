@@ -20,10 +20,10 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
+from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.counting import variety
 from variantgen.variants.draw import Drawing, draw
 from variantgen.variants.screening import VERIFIED
-from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.variant import Variant, solve_variants
 
 # Below this share of accepted draws a large class costs too much time, and ranges are hardly what the author meant.

@@ -26,9 +26,9 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import Tally
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.screening import Values, sensitivity
-from variantgen.variants.batch import Tally
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, columns
 

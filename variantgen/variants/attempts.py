@@ -13,6 +13,7 @@ from variantgen.families.family import Family, Form, Screens, frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.variants.batch import Attempts, MakeScreening, Tally, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
@@ -21,7 +22,6 @@ from variantgen.variants.screening import (
     sensitivity,
     verification,
 )
-from variantgen.variants.batch import Attempts, MakeScreening, Tally, starts
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant, solve_variants
 

@@ -14,10 +14,10 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
 from variantgen.variants.attempts import FormDrawing
+from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.distinct import TooFewError
 from variantgen.variants.examined import examined
 from variantgen.variants.needed import told_size
-from variantgen.variants.batch import MakeScreening, Tally
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
