@@ -79,7 +79,8 @@ def pattern(phrase: str, **groups: str) -> re.Pattern[str]:
     for text, slot, _, _ in string.Formatter().parse(phrase):
         parts.append(re.escape(text))
         if slot:
-            parts.append(f"(?P<{slot}>{groups.get(slot, '.+?')})")
+            name = slot.partition(".")[0]
+            parts.append(f"(?P<{name}>{groups.get(name, '.+?')})")
     return re.compile("".join(parts) + r"\Z")
 
 

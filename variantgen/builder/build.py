@@ -78,7 +78,7 @@ def build(
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     exam = exam if seed is None else replace(exam, seed=seed)
-    students = in_order(students, exam.sort)
+    students = in_order(students, exam.sort, exam.spoken.words("language")["alphabet"])
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:

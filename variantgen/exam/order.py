@@ -1,7 +1,8 @@
 """In which order students stand: by group and name, as a reader of the language looks for them.
 
-Case and accents make no difference (ё stands with е, ö with o), numbers count as numbers (group 9 before group 10), a
-dash is a space. The order changes no sheet: what a student gets depends on the id alone.
+Letters stand as in the alphabet of the language; those that it does not have stand where they would without their
+accent (ё with е, ö with o). Case makes no difference, numbers count as numbers (group 9 before group 10), a dash is a
+space. The order changes no sheet: what a student gets depends on the id alone.
 """
 
 from __future__ import annotations
@@ -21,26 +22,26 @@ _PIECE = re.compile(r"\d+|\w")
 Place = tuple[tuple[int, int, str], ...]
 
 
-def collated(text: str) -> tuple[Place, str]:
-    """By what a text is sorted: its letters without accents and its numbers; among equal ones the text itself."""
-    words = (
-        tuple(_piece(piece) for piece in _PIECE.findall(word)) for word in re.split(r"[\s\-\u2010-\u2015]+", base(text))
-    )
+def collated(text: str, alphabet: str = "") -> tuple[Place, str]:
+    """By what a text is sorted: its letters and its numbers; among equal ones the text itself."""
+    # The letters of the alphabet change places with each other, so that they stand in its order among all others.
+    letters = base(text, alphabet).translate(str.maketrans(alphabet, "".join(sorted(alphabet))))
+    words = (tuple(map(_piece, _PIECE.findall(word))) for word in re.split(r"[\s\-\u2010-\u2015]+", letters))
     place = (piece for word in words if word for piece in ((0, 0, ""), *word))  # a space stands before every letter
     return tuple(place), text
 
 
-def base(text: str) -> str:
-    """A text in small letters without accents; й and other letters of their own in Cyrillic stay."""
-    letters = unicodedata.normalize("NFC", text.casefold()).translate(_PLAIN)
-    return "".join(_base_letter(letter) for letter in letters)
+def base(text: str, alphabet: str = "") -> str:
+    """A text in small letters without accents; those of the alphabet stay, and й and the like in Cyrillic."""
+    letters = unicodedata.normalize("NFC", text.casefold())
+    return "".join(letter if letter in alphabet else _base_letter(letter.translate(_PLAIN)) for letter in letters)
 
 
-def in_order(students: Sequence[Student], sort: str = NAME) -> list[Student]:
+def in_order(students: Sequence[Student], sort: str = NAME, alphabet: str = "") -> list[Student]:
     """The students by group, name and id, or as they stand in the roster."""
     if sort == ROSTER:
         return list(students)
-    return sorted(students, key=lambda s: (collated(s.group), collated(s.name), collated(s.id)))
+    return sorted(students, key=lambda s: tuple(collated(text, alphabet) for text in (s.group, s.name, s.id)))
 
 
 def natural(ids: Iterable[str]) -> list[str]:
