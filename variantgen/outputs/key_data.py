@@ -77,7 +77,7 @@ def _document(
         "lang": exam.language,
         "title": exam.title,
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": "  ·  ".join(filter(None, (exam.driver_sweep, *remarks(exam, language)))) if heading else "",
+        "subheading": "  ·  ".join(filter(None, (exam.course, *remarks(exam, language)))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),

@@ -37,7 +37,7 @@ def sheets_data(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),
         **_notices(exam, language, writing),

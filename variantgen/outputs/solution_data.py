@@ -33,7 +33,7 @@ def solutions_data(
     return {
         "lang": language.name,
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "duplex": exam.duplex,
         "words": solution_words(language),
         "students": [student_data(sheet, problems, language, last=True)],

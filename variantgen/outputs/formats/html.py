@@ -239,7 +239,7 @@ def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
 
 def _common(exam: Exam, language: Language, heading: str) -> dict[str, Any]:
     """What every page says of itself."""
-    return {"lang": language.name, "heading": heading, "course": exam.driver_sweep, "words": language.words("html")}
+    return {"lang": language.name, "heading": heading, "course": exam.course, "words": language.words("html")}
 
 
 def _listed(sheet: Sheet) -> dict[str, str]:

@@ -209,7 +209,7 @@ def _compile(whole: Whole, source: _Source) -> None:
 def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]:
     """What comes from outside, with where it stands."""
     yield "title", exam.title
-    yield "course", exam.driver_sweep
+    yield "course", exam.course
     yield from exam.notices.words
     for student in students:
         yield f"student {student.id}", student.name or student.id

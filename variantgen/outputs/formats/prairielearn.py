@@ -112,7 +112,7 @@ def _qid(task: Task, family: Family, build: str) -> str:
 
 def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     title = one_line(family.title(exam.language), _LONGEST) or family.name
-    topic = one_line(exam.driver_sweep, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
+    topic = one_line(exam.course, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
     return {
         "uuid": str(uuid.uuid5(_NAMESPACE, qid)),
         "title": title,

@@ -154,7 +154,7 @@ def _who(exam: Exam, sheet: Sheet, language: Language) -> dict[str, Any]:
     student, words = sheet.student, language.words("sheet")
     return {
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "code": sheet.code,
         "variant": f"{language.words('key')['variant']} {sheet.code}",
         "name": student.name,
