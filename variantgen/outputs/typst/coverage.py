@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 # The engine draws a letter that no font has as this glyph; the private use area is empty in all of its fonts.
 _NOBODY = "\U0010fffd"

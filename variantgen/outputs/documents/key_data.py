@@ -7,8 +7,8 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.key_content import equation, group, mark, place, remarks, tolerance_note
-from variantgen.outputs.writing import TYPST, Writing
+from variantgen.outputs.documents.key_content import equation, group, mark, place, remarks, tolerance_note
+from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
 
