@@ -35,11 +35,11 @@ from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
-from variantgen.outputs.key_data import key_by_problem, key_by_student
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import problem_data, solutions_data
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import figure_data, typesetter
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
 

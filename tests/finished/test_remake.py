@@ -139,7 +139,7 @@ def test_another_look_is_noticed(
     """Other templates: the manifest says so, and the pages show it."""
     from variantgen import resources
     from variantgen.exam import record
-    from variantgen.outputs import typesetter
+    from variantgen.outputs.typst import typesetter
 
     shutil.copytree(resources.templates_dir(), tmp_path / "templates")
     sheets = tmp_path / "templates" / "typst" / "sheets.typ"

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from variantgen.families.units import UNITS
-from variantgen.outputs.sheet_data import points_text
+from variantgen.outputs.documents.sheet_data import points_text
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
 from variantgen.wording.language import languages, load_language, round_text
 from variantgen.wording.plurals import plural_category

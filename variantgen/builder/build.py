@@ -21,10 +21,10 @@ from variantgen.exam.assembly import Standing
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.order import in_order
 from variantgen.exam.roster import Student
-from variantgen.outputs.folder import check_free, terminable, whole_folder, writing
+from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
+from variantgen.outputs.files.records import RECORDS, write_records
 from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
-from variantgen.outputs.records import RECORDS, write_records
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor

@@ -19,7 +19,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.record import made_with
 from variantgen.families.files import family_files
 from variantgen.outputs.formats import parse_exam
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.resources import catalog_dir
 
 _FROM_TEXT = ("tasks", "path", "hash", "text")

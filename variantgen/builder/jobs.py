@@ -15,8 +15,8 @@ from variantgen.exam.content import Content
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.files.records import RECORDS, key_rows, manifest_lines
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, formats
-from variantgen.outputs.records import RECORDS, key_rows, manifest_lines
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.similarity import Traits
 

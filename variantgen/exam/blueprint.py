@@ -59,7 +59,7 @@ class Exam:
     """
 
     title: str
-    driver_sweep: str
+    course: str
     language: str
     tasks: tuple[Task, ...]
     seed: str = "0"
@@ -151,7 +151,7 @@ def parse_exam(
     tolerance = read_tolerance(top)
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
-        driver_sweep=_printed(top, "course", top.take("course", str, "")),
+        course=_printed(top, "course", top.take("course", str, "")),
         language=language,
         seed=str(seed),
         tolerance=tolerance,

@@ -20,11 +20,11 @@ from variantgen.exam.record import NAME
 from variantgen.exam.sheets import Sheet
 from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
-from variantgen.outputs.edited import EDITED
-from variantgen.outputs.folder import file_hashes, whole_folder
+from variantgen.outputs.files.edited import EDITED
+from variantgen.outputs.files.folder import file_hashes, whole_folder
+from variantgen.outputs.files.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, Whole, formats
-from variantgen.outputs.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.typst.typesetter import Typesetter
 
 _EVERYTHING = ("*",)  # whatever is in the folder stays there
 _AT_ONCE = 512  # students whose answers are computed together

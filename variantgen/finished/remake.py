@@ -17,10 +17,10 @@ from variantgen.exam.content import Content
 from variantgen.exam.sheets import Sheet
 from variantgen.finished.comparing import compared, destination, is_used
 from variantgen.finished.restore import Finished
-from variantgen.outputs.file_names import file_stem
+from variantgen.outputs.files.file_names import file_stem
+from variantgen.outputs.files.groups import GroupFiles
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, options, pdf
-from variantgen.outputs.groups import GroupFiles
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.typst.typesetter import Typesetter
 
 SHEETS, SOLUTIONS = "sheets", "solutions"
 

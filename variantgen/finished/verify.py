@@ -18,8 +18,8 @@ from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import recompute
-from variantgen.outputs.edited import EDITED, is_meant
-from variantgen.outputs.folder import file_hashes
+from variantgen.outputs.files.edited import EDITED, is_meant
+from variantgen.outputs.files.folder import file_hashes
 from variantgen.variants.variant import Variant, solve_variants
 
 # Of an answer's size, or of the largest speed (acceleration) of the mechanism: numbers of the key have eight digits,

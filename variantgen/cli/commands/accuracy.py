@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.accuracy.report.written import FILES, write
     from variantgen.accuracy.run import FULL, QUICK
     from variantgen.accuracy.run import run as measure
-    from variantgen.outputs.folder import check_free, whole_folder
+    from variantgen.outputs.files.folder import check_free, whole_folder
 
     need_matplotlib()
     check_free(arguments.out, arguments.force, FILES)

@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.families.folders import family_folders
     from variantgen.finished.rekey import marking, rekey
     from variantgen.finished.restore import restore
-    from variantgen.outputs.typesetter import typesetter
+    from variantgen.outputs.typst.typesetter import typesetter
 
     finished = restore(read_record(arguments.folder), family_folders(arguments.families))
     chosen = marking(finished.exam, dict(map(_floor, arguments.floors)), arguments.ceiling)

@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.finished.remake import SHEETS, SOLUTIONS, remake
     from variantgen.finished.restore import restore
     from variantgen.outputs.figures import write_whole
-    from variantgen.outputs.typesetter import typesetter
+    from variantgen.outputs.typst.typesetter import typesetter
 
     record = read_record(arguments.folder)
     place = find(record, arguments.student)

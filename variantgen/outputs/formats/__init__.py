@@ -32,8 +32,8 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.records import RECORDS
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.files.records import RECORDS
+from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
 COMMON = ("key.csv", "manifest.json")  # files of every build
@@ -83,7 +83,7 @@ class Whole:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
 
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names
-    (:mod:`variantgen.outputs.groups`).
+    (:mod:`variantgen.outputs.files.groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """

@@ -16,6 +16,8 @@ from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.questions import Question, questions
 from variantgen.outputs.qti import canvas_quiz as quiz
 from variantgen.outputs.qti.canvas_item import Items
 from variantgen.outputs.qti.figures import FOLDER, Figures
@@ -23,8 +25,6 @@ from variantgen.outputs.qti.options import HTML, Options, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
 from variantgen.outputs.qti.tree import document, line
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Question, questions
 from variantgen.tables import Table
 
 NAME = "canvas"

@@ -10,7 +10,7 @@ from typing import cast
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
 from variantgen.methods.solution_options import Depth, SolutionOptions
-from variantgen.outputs.explained_page import write_explained
+from variantgen.outputs.single.solution_page import write_explained
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.notation import notation_of

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 # The engine draws a letter that no font has as this glyph; the private use area is empty in all of its fonts.
 _NOBODY = "\U0010fffd"
@@ -19,7 +19,7 @@ _GLYPH = re.compile(r'<symbol id="(\w+)"')
 def texts_of(exam: Exam, students: Sequence[Student]) -> Iterable[tuple[str, str]]:
     """Every text from outside that is printed, after words that say which it is."""
     yield "the title", exam.title
-    yield "the course", exam.driver_sweep
+    yield "the course", exam.course
     yield from ((f"the {name}", text) for name, text in exam.notices.words)
     for student in students:
         yield f"the name of student {student.id}", student.name

@@ -12,12 +12,12 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.figure.drawing import Drawing
+from variantgen.outputs.documents.key_content import Group, equation, mark, tolerance_note
+from variantgen.outputs.documents.sheet_data import blank_labels, points_text, sheet_notes, variant_number
+from variantgen.outputs.documents.solution_data import solution_words
 from variantgen.outputs.figures.svg import svg
-from variantgen.outputs.key_content import Group, equation, mark, tolerance_note
-from variantgen.outputs.sheet_data import blank_labels, points_text, sheet_notes, variant_number
-from variantgen.outputs.solution_data import solution_words
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.pages import rendered
+from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.html.pages import rendered
 from variantgen.wording.formula import Formula, Relation, UnitText
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
@@ -154,7 +154,7 @@ def _who(exam: Exam, sheet: Sheet, language: Language) -> dict[str, Any]:
     student, words = sheet.student, language.words("sheet")
     return {
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "code": sheet.code,
         "variant": f"{language.words('key')['variant']} {sheet.code}",
         "name": student.name,

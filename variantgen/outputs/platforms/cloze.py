@@ -10,7 +10,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.exam.sheets import Answer
-from variantgen.outputs.web.numbers import plain
+from variantgen.outputs.platforms.numbers import plain
 
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 

@@ -6,9 +6,9 @@ from typing import Any
 
 from variantgen.exam.content import Content, Solved
 from variantgen.exam.shown import SolutionFigure
-from variantgen.outputs.sheet_data import statement_data, student_data
-from variantgen.outputs.solution_blocks import blocks_data
-from variantgen.outputs.writing import TYPST, Writing
+from variantgen.outputs.documents.sheet_data import statement_data, student_data
+from variantgen.outputs.documents.solution_blocks import blocks_data
+from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
@@ -33,7 +33,7 @@ def solutions_data(
     return {
         "lang": language.name,
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "duplex": exam.duplex,
         "words": solution_words(language),
         "students": [student_data(sheet, problems, language, last=True)],

@@ -10,9 +10,9 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
+from variantgen.outputs.documents.writing import TYPST
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.typesetter import equals_data, figure_data, typesetter
-from variantgen.outputs.writing import TYPST
+from variantgen.outputs.typst.typesetter import equals_data, figure_data, typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import load_language

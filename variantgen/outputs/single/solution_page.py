@@ -8,10 +8,10 @@ from pathlib import Path
 from variantgen.exam.content import with_figures
 from variantgen.families.quantities import Quantity
 from variantgen.methods.solution_options import SolutionOptions
+from variantgen.outputs.documents.solution_data import problem_data, solution_words
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.single_page import page_format
-from variantgen.outputs.solution_data import problem_data, solution_words
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.single.problem_page import page_format
+from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language
 from variantgen.wording.solution.explain import explain

@@ -9,7 +9,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import without_millimetres
 from variantgen.outputs.figures import svg, unit
 from variantgen.outputs.figures.engine import page_by
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.typst.typesetter import Typesetter
 
 FORMS = ("svg", "png")
 _PIXELS = 96 / 25.4  # of style sheets, in a millimetre

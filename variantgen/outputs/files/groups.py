@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.file_names import file_names
+from variantgen.outputs.files.file_names import file_names
 
 GROUPS = "groups"
 _NOBODY = "no-group"  # the name of the file of those without a group

@@ -1,4 +1,4 @@
-"""Makes the table of glyphs from the fonts of the typesetting engine: ``python -m variantgen.outputs.glyph_table``.
+"""Makes the table of glyphs from the fonts of the engine: ``python -m variantgen.outputs.typst.glyph_table``.
 
 The engine sets each letter at the sizes it occurs in (formula, index, index of an index) with a script beside it; from
 its SVG come the outlines, from where it puts the scripts the widths. Letters of words have no size of their own; their
@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from variantgen.figure.glyphs import KERNING, TABLE, outline
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import GREEK
 
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"

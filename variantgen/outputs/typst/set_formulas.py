@@ -13,7 +13,7 @@ from typing import Any
 
 from variantgen.figure.glyphs import kerning
 from variantgen.figure.lettering import Lettering, Placed, typeset
-from variantgen.outputs.markup import marked
+from variantgen.outputs.typst.markup import marked
 from variantgen.wording.formula import About, Formula, Listing, Symbol, UnitText, to_plain
 from variantgen.wording.formula.tree import ANGLE
 

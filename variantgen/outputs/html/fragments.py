@@ -14,8 +14,8 @@ from variantgen.exam.content import Solved
 from variantgen.exam.notices import Notices
 from variantgen.exam.shown import SolutionFigure
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.rows import Pieces, breadth, rows
-from variantgen.outputs.solution_data import see, solution_words
+from variantgen.outputs.documents.formula_rows import Pieces, breadth, rows
+from variantgen.outputs.documents.solution_data import see, solution_words
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable

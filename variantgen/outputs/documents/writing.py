@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.markup import heading, markup
 from variantgen.outputs.qr import qr_rows, qr_svg
-from variantgen.outputs.typesetter import equals_data, figure_data
+from variantgen.outputs.typst.markup import heading, markup
+from variantgen.outputs.typst.typesetter import equals_data, figure_data
 from variantgen.wording.formula import Equation, Formula, Surd, UnitText
 from variantgen.wording.text import Text
 

@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.record import NAME, SCHEMA
 from variantgen.exam.sheets import Item, Sheet
-from variantgen.outputs.folder import file_hashes
+from variantgen.outputs.files.folder import file_hashes
 from variantgen.version import VERSION
 
 # Where a spreadsheet would begin a formula: at the start of a cell, be there blanks or not. Where the decimal mark is a

@@ -15,7 +15,7 @@ from pathlib import Path
 from types import FrameType
 
 from variantgen.errors import InputError, Problem
-from variantgen.outputs.edited import EDITED, file_hash, keep_edited
+from variantgen.outputs.files.edited import EDITED, file_hash, keep_edited
 
 _SINGLY = 100  # files that are brought to the disk one by one, at some 5 ms each; of more, all at once is sooner
 
@@ -91,7 +91,7 @@ def whole_folder(
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
     the name ``.NAME.replaced`` for the moment of the change; the next run ends the change if it was cut short.
     ``known`` are the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
-    files that were edited are kept (see :func:`variantgen.outputs.edited.keep_edited`), and it is noted where;
+    files that were edited are kept (see :func:`variantgen.outputs.files.edited.keep_edited`), and it is noted where;
     ``renewed``, which may be filled inside the block, are the only ones that the new folder does not have as they are.
     """
     target = target.resolve()

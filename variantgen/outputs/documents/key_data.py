@@ -7,8 +7,8 @@ from typing import Any
 
 from variantgen.exam.blueprint import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.key_content import equation, group, mark, place, remarks, tolerance_note
-from variantgen.outputs.writing import TYPST, Writing
+from variantgen.outputs.documents.key_content import equation, group, mark, place, remarks, tolerance_note
+from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
 
@@ -77,7 +77,7 @@ def _document(
         "lang": exam.language,
         "title": exam.title,
         "heading": f"{words['title']}: {exam.title}" if heading else "",
-        "subheading": "  ·  ".join(filter(None, (exam.driver_sweep, *remarks(exam, language)))) if heading else "",
+        "subheading": "  ·  ".join(filter(None, (exam.course, *remarks(exam, language)))) if heading else "",
         "section": words[section] if section and (heading or not students) else "",
         "footer": f"{words['title']}  ·  {exam.title}",
         "words": dict(words),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from variantgen.outputs.rows import rows
-from variantgen.outputs.writing import TYPST, Writing
+from variantgen.outputs.documents.formula_rows import rows
+from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, VectorTable
 
 

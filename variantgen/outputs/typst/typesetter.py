@@ -25,8 +25,8 @@ import numpy as np
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
-from variantgen.outputs.markup import alternatives, markup
-from variantgen.outputs.set_formulas import set_formulas
+from variantgen.outputs.typst.markup import alternatives, markup
+from variantgen.outputs.typst.set_formulas import set_formulas
 from variantgen.resources import templates_dir
 from variantgen.wording.formula import Equation, Measured, Surd
 

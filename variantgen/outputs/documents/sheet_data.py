@@ -8,8 +8,8 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.outputs.qr import qr_text
-from variantgen.outputs.writing import TYPST, Writing
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, sign_notes
 
@@ -37,7 +37,7 @@ def sheets_data(
     return {
         "lang": exam.language,
         "title": exam.title,
-        "course": exam.driver_sweep,
+        "course": exam.course,
         "duplex": exam.duplex,
         "words": dict(language.words("sheet")),
         **_notices(exam, language, writing),
