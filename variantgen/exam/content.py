@@ -97,7 +97,8 @@ class Content:
             text = explain(item.variant, *place, item.asked, language, self.exam.solution_options(item.task))
         except InputError as error:
             where = f"problem[{item.task.number}]."
-            raise InputError(replace(p, file=str(self.exam.path), key=where + p.key) for p in error.problems) from None
+            problems = [p if p.file else replace(p, key=where + p.key) for p in error.problems]
+            raise InputError(problems).located(str(self.exam.path)) from None
         except VerificationError as error:
             where = f"student {sheet.student.id}, problem {item.task.number}"
             raise VerificationError(f"{error} ({where})") from error

@@ -17,7 +17,7 @@ from math import isfinite
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
-from variantgen.resources import templates_dir
+from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.formula import GREEK, About, Index, Number, Symbol, UnitText
 from variantgen.wording.notation import USUAL, Notation
@@ -134,11 +134,6 @@ def _unit_text(text: str) -> UnitText:
     """A unit as words with powers, from ``cm/s^2``."""
     parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
     return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
-
-
-def languages() -> list[str]:
-    """Names of the available languages."""
-    return sorted(path.stem for path in (templates_dir() / "words").glob("*.toml"))
 
 
 @cache
