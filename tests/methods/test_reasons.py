@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.given_data import sentences, steps
+from variantgen.algebra.expression import Value
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical.vector_chain import chain_of
 from variantgen.methods.linkage.problem import task_of

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.families.expressions import Expression
 from variantgen.families.family import Template
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.graphical.vector_chain import SlidingPoint, VectorChain
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.vectors.given import as_stated, unsigned
