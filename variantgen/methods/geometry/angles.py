@@ -16,7 +16,7 @@ from typing import TypeAlias
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.linkage.timed import angle_law
 

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit

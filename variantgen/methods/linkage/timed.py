@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from variantgen.algebra.expression import Expression, Total
 from variantgen.algebra.normal_form import simplified
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 
 if TYPE_CHECKING:
