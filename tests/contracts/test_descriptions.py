@@ -12,7 +12,7 @@ import pytest
 from tests.told import COMPASS, Told, asked_together, pattern, told, words_of
 from variantgen.families.load import family_names
 from variantgen.mechanism.component import discover
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.wording.formula import About, letters, to_plain
 from variantgen.wording.language import languages, load_language
 

@@ -10,8 +10,8 @@ import pikepdf
 import pytest
 
 from variantgen.cli import main
-from variantgen.exam.order import in_order, natural
 from variantgen.exam.roster import Student
+from variantgen.exam.student_order import in_order, natural
 
 EXAM = 'title = "T"\nlanguage = "ru"\n{}[solutions]\ndepth = "none"\n[[problem]]\nfamily = "four_bar"\n'
 

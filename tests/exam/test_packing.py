@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from tests.builder.small_exams import exam
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.allocation import assemble
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item

@@ -14,9 +14,9 @@ import pikepdf
 import pytest
 
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.allocation import assemble
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
 from variantgen.figure.alt_text.directions import compass, is_parallel, line, side

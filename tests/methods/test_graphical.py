@@ -12,14 +12,14 @@ import pytest
 from tests.calculator import evaluate
 from tests.figure.reading import FORMS, arrows, variants_of
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.drawing import Layer
 from variantgen.figure.plans import COINCIDENT, scale_of_plan, without_millimetres
 from variantgen.figure.solved import solved
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.methods.agreement import deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical import graphical
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, pole_letter
@@ -28,7 +28,7 @@ from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Sentence, Solution
 from variantgen.single import one_variant
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain
 from variantgen.wording.language import load_language

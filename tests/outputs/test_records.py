@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from variantgen.builder import build
-from variantgen.exam.assembly import assemble
+from variantgen.exam.allocation import assemble
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet

@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
+from variantgen.exam.allocation import assemble
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.outputs.formats import Chunk, read_exam

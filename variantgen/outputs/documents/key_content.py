@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.wording.formula import Equation, Formula, Measured, UnitText
 from variantgen.wording.language import Language

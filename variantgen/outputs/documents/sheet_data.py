@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, PosedProblem
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import TYPST, Writing

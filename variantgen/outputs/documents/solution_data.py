@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from variantgen.exam.content import Content, Solved
-from variantgen.exam.shown import SolutionFigure
+from variantgen.exam.content import Content, SolvedProblem
+from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.outputs.documents.sheet_data import statement_data, student_data
 from variantgen.outputs.documents.solution_blocks import blocks_data
 from variantgen.outputs.documents.writing import TYPST, Writing
@@ -47,7 +47,7 @@ def solution_words(language: Language) -> dict[str, str]:
 
 
 def problem_data(
-    solved: Solved, language: Language, figures: dict[int, Any] | None = None, writing: Writing = TYPST
+    solved: SolvedProblem, language: Language, figures: dict[int, Any] | None = None, writing: Writing = TYPST
 ) -> dict[str, Any]:
     """One problem with its figures and its solution."""
     text = solved.text
@@ -67,7 +67,7 @@ def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> 
     return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
 
 
-def _section(section: Section, solved: Solved, language: Language, writing: Writing) -> dict[str, Any]:
+def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
     """A numbered step; ``see`` tells the figures that go with it."""
     return {
         "heading": writing.text(section.heading),
@@ -76,7 +76,7 @@ def _section(section: Section, solved: Solved, language: Language, writing: Writ
     }
 
 
-def see(section: Section, solved: Solved, language: Language) -> str:
+def see(section: Section, solved: SolvedProblem, language: Language) -> str:
     """The numbers of the figures that go with a step, in parentheses; nothing where there are none."""
     numbers = [str(solved.numbers[name]) for name in section.views if name in solved.numbers]
     word = load_phrases(language.name).words["see"]

@@ -27,9 +27,9 @@ from pathlib import Path
 from typing import Any, Protocol, cast
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.exam import blueprint
-from variantgen.exam.blueprint import Exam
+from variantgen.exam import exam_file
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS
@@ -188,12 +188,12 @@ def known_files() -> Collection[str]:
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     """Read and check an exam file with the options of all formats. Raises InputError with every problem found."""
-    return blueprint.read_exam(path, folders, chosen, _readers())
+    return exam_file.read_exam(path, folders, chosen, _readers())
 
 
 def parse_exam(text: str, path: Path, folders: tuple[Path, ...]) -> Exam:
     """The exam of the text of a file, as :func:`read_exam`; ``path`` is named in messages."""
-    return blueprint.parse_exam(text, path, folders, chosen, _readers())
+    return exam_file.parse_exam(text, path, folders, chosen, _readers())
 
 
 def _readers() -> dict[str, Callable[[Table], Any]]:

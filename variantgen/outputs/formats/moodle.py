@@ -21,7 +21,7 @@ from xml.parsers import expat
 from xml.sax.saxutils import unescape
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats

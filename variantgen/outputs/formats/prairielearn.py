@@ -20,7 +20,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.figure.drawing import Drawing
@@ -103,7 +103,7 @@ def finish(whole: Whole) -> None:
                     shutil.copyfile(paths[0], top / "questions" / target)
 
 
-def _qid(task: Task, family: Family, build: str) -> str:
+def _qid(task: ExamProblem, family: Family, build: str) -> str:
     """The name of a question and of its folder, of letters, digits, hyphens and underscores."""
     name = re.sub(r"[^A-Za-z0-9_-]", "_", family.name)[:60]
     other = "" if name == family.name else f"-{sha256(family.name.encode()).hexdigest()[:6]}"

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from variantgen.errors import missing_package
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.groups import GROUPS, GroupFiles

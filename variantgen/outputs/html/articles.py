@@ -8,8 +8,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, PosedProblem
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.key_content import Group, equation, mark, tolerance_note

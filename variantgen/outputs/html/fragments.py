@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from html import escape
 
-from variantgen.exam.content import Solved
+from variantgen.exam.content import SolvedProblem
 from variantgen.exam.notices import Notices
-from variantgen.exam.shown import SolutionFigure
+from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import Pieces, breadth, rows
 from variantgen.outputs.documents.solution_data import see, solution_words
@@ -97,7 +97,7 @@ def notes_html(notes: Sequence[str]) -> str:
     return f'<p class="notes"><small>{escape(" ".join(notes))}</small></p>' if notes else ""
 
 
-def solution_html(solved: Solved, language: Language, style: Style) -> str:
+def solution_html(solved: SolvedProblem, language: Language, style: Style) -> str:
     """A worked solution: figures, plan, numbered steps, answer, check."""
     words, text = solution_words(language), solved.text
     parts = [_figures(row, style) for row in solved.rows]
@@ -127,7 +127,7 @@ def _drawn(shown: SolutionFigure, style: Style) -> str:
     return style.captioned(shown.drawing, width, plain_text(shown.caption))
 
 
-def _section(number: int, section: Section, solved: Solved, language: Language, style: Style) -> Iterator[str]:
+def _section(number: int, section: Section, solved: SolvedProblem, language: Language, style: Style) -> Iterator[str]:
     reference = see(section, solved, language)
     after = f' <span class="see">{escape(reference)}</span>' if reference else ""
     yield f"<{style.heading}>{number}. {style.text(section.heading)}.{after}</{style.heading}>"

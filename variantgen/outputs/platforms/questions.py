@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from variantgen.exam.content import PosedProblem, Solved
+from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
 from variantgen.wording.formula import Formula, UnitText
@@ -36,7 +36,7 @@ class Question:
     identifier: str
     sheet: Sheet
     posed: PosedProblem
-    solved: Solved | None
+    solved: SolvedProblem | None
     parts: tuple[Asked, ...]
     notes: tuple[str, ...]
 

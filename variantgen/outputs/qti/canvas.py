@@ -11,7 +11,7 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
@@ -69,7 +69,7 @@ def check(exam: Exam) -> None:
         )
 
 
-def _numbers(task: Task) -> int:
+def _numbers(task: ExamProblem) -> int:
     """How many numbers a problem asks for, at most."""
     return max(len(read_ask(form, task.ask)) for family in task.families for form in family.forms.values())
 
@@ -102,7 +102,7 @@ def _questions(sheet: Sequence[Question], items: Items) -> Iterator[tuple[str, b
             yield f"{_group(question.posed.item.task)}{item.get('ident')}.xml", document(item)
 
 
-def _group(task: Task) -> str:
+def _group(task: ExamProblem) -> str:
     return f"problem-{task.number}/"
 
 
@@ -117,7 +117,7 @@ def _quiz(name: str, sheet: Sequence[Question], items: Items, options: CanvasOpt
     yield quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=True))
 
 
-def _points(problems: Iterator[tuple[Task, int]]) -> Decimal:
+def _points(problems: Iterator[tuple[ExamProblem, int]]) -> Decimal:
     return sum((share for task, parts in problems for share in shares(task.points, parts)), Decimal(0))
 
 
@@ -154,7 +154,7 @@ def _write_drawing(made: Package, name: str, title: str, exam: Exam, pieces: Seq
     made.add(quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=False)))
 
 
-def _write_group(outline: Outline, name: str, task: Task, exam: Exam, pieces: Sequence[Path]) -> None:
+def _write_group(outline: Outline, name: str, task: ExamProblem, exam: Exam, pieces: Sequence[Path]) -> None:
     """The questions of one problem, of which each student gets one."""
     title = f"{exam.spoken.words('sheet')['problem']} {task.number}"
     with outline.inside("section", {"ident": name, "title": title}):

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
 from variantgen.outputs.platforms.questions import questions

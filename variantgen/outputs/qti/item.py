@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
 from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
 from variantgen.outputs.platforms.points import shares

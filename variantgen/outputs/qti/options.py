@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.html.fragments import Style, notices_html
 from variantgen.outputs.qti.figures import FORMS, Figures

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from variantgen.algebra.name import Name
 from variantgen.families.family import Form
-from variantgen.methods.algebra.name import Name
 from variantgen.wording.formula import Dotted, Formula, Function, Index, Listing, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language

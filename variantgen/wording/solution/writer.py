@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Value, rounded
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Value, rounded
+from variantgen.algebra.name import Name
 from variantgen.methods.steps.printed_digits import FEWEST
 from variantgen.methods.steps.step import (
     Body,
