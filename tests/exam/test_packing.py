@@ -97,7 +97,7 @@ def test_no_field_is_forgotten() -> None:
         "unit",
         "value",
         "tolerance",
-        "margin",
+        "relative_tolerance",
         "surd",
         "unnoticed",
     ]

@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Write the folder."""
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names, load_family
-    from variantgen.outputs.gallery import Wanted, write_gallery
+    from variantgen.outputs.gallery import GalleryRequest, write_gallery
 
     at_least_one("--each", arguments.each)
     folders = family_folders(arguments.families)
@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
     families = [load_family(name, folders) for name in names]
     options = tuple(part for folder in arguments.families for part in ("--families", str(folder)))
     options += ("--nice",) if arguments.nice else ()
-    wanted = Wanted(families, arguments.lang, arguments.each, arguments.seed, folders, options, arguments.nice)
+    wanted = GalleryRequest(families, arguments.lang, arguments.each, arguments.seed, folders, options, arguments.nice)
     start = time.perf_counter()
     count = write_gallery(wanted, arguments.out, arguments.force)
     tell(f"{counted(count, 'figure')} in {arguments.out} ({time.perf_counter() - start:.1f} s)")
