@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.allocation import assemble
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
 from variantgen.families.asking import read_ask
 from variantgen.outputs.formats import read_exam

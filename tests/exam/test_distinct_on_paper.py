@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.allocation import assemble
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.sheets import Item
 from variantgen.wording.language import load_language

@@ -11,8 +11,8 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.allocation import assemble
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet
 from variantgen.exam.tolerance import Tolerance

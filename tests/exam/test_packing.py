@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from tests.builder.small_exams import exam
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.allocation import assemble
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item
@@ -97,7 +97,7 @@ def test_no_field_is_forgotten() -> None:
         "unit",
         "value",
         "tolerance",
-        "margin",
+        "relative_tolerance",
         "surd",
         "unnoticed",
     ]

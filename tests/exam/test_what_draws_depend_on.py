@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.assembly import Drawer, assemble, wishes_of
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.allocation import ProblemSampler, assemble, requests_of
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
@@ -112,7 +112,7 @@ def test_an_explicit_ceiling_draws_only_those_again_who_need_more(usual: Data) -
     assert len(moved - above) <= 3
     assert max(a.relative_tolerance for s in cut.values() for i in s.items for a in i.answers) <= 0.015 + 1e-12
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer, wishes = Drawer(replace(exam, seed="11")), wishes_of(exam, STUDENTS)
+    drawer, wishes = ProblemSampler(replace(exam, seed="11")), requests_of(exam, STUDENTS)
     assert drawer.cut(wishes, drawer.variants(wishes)) == len(above)
 
 

@@ -8,9 +8,9 @@ from math import cos, radians, sqrt
 import pytest
 
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.agreement import deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.by_groups import walk
 from variantgen.methods.centres.known_centre import divide
 from variantgen.methods.centres.velocity_centre import distance
@@ -19,7 +19,7 @@ from variantgen.methods.steps.step import Sentence, Term
 from variantgen.methods.steps.style import Style
 from variantgen.methods.vectors import given
 from variantgen.methods.vectors.points import vector
-from variantgen.outputs.explanation import explain
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
 STYLE = Style("velocity_centre", "pole")

@@ -13,12 +13,12 @@ from pathlib import Path
 import pytest
 
 from variantgen.builder import build
-from variantgen.exam.assembly import assemble
+from variantgen.exam.allocation import assemble
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.files.records import key_rows
 from variantgen.outputs.formats import read_exam
-from variantgen.outputs.records import key_rows
 from variantgen.resources import catalog_dir
 
 FORMULA_STARTS = tuple("=+-@＝＋－＠")

@@ -15,12 +15,12 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
+from variantgen.exam.allocation import assemble
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.outputs.formats import Chunk, read_exam
-from variantgen.outputs.typesetter import typesetter
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.typst.typesetter import typesetter
 
 # A title and a name that no markup, file name or document of XML may break on.
 TITLE = '<b>&amp; ]]> "Тест" ../../x {{7*7}} %s'

@@ -16,11 +16,11 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.solution_options import SolutionOptions
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.solution.document import Line, Lines, SolutionText
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, SolutionText
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import given
 
@@ -32,7 +32,7 @@ _REMAINDER = 1e-3
 
 def variants(name: str, form: str) -> tuple[list[Variant], Motion]:
     family = restrict(load_family(name), None, None, (form,) if form else ())
-    drawn = Drawing(family, None).after([("recomputed", i) for i in range(SEEDS)], [0] * SEEDS)
+    drawn = FamilySampler(family, None).after([("recomputed", i) for i in range(SEEDS)], [0] * SEEDS)
     asked = read_ask(drawn[0].form)
     return drawn, solve_variants(drawn, max(q.order for q in asked))
 
@@ -52,7 +52,7 @@ class Reader:
             self.line(line)
         assert not self.waiting, f"equations without a solution: {self.waiting}"
 
-    def line(self, line: Line) -> None:
+    def line(self, line: FormulaLine) -> None:
         texts = [to_plain(formula) for _, formula in line.pieces]
         whole = " = ".join(texts)
         if "\u20d7" in whole:
@@ -102,10 +102,10 @@ class Reader:
                 self.wrong.append(f"{whole}: {sides[0]:.9g} and {sides[1]:.9g}")
 
 
-def lines_of(found: SolutionText) -> Iterator[Line]:
+def lines_of(found: SolutionText) -> Iterator[FormulaLine]:
     for blocks in (*(section.blocks for section in found.sections), found.check):
         for block in blocks:
-            if isinstance(block, Lines):
+            if isinstance(block, FormulaLines):
                 yield from block.lines
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.by_groups import walk
 from variantgen.methods.graphical.drawn_geometry import DrawnGeometry
 from variantgen.methods.graphical.plan_drawing import PlanDrawing
@@ -23,7 +23,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.methods.steps.style import Style
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
 DIGITS = ANSWER_DIGITS + 1  # of intermediate results

@@ -10,9 +10,9 @@ from typing import Any
 
 from variantgen.outputs.latex.characters import Alphabet, Engine, is_cyrillic_language
 from variantgen.outputs.latex.templates import fill
+from variantgen.wording.language import load_language
 
 _MARGINS = {"sheets": (18, 16, 18), "key": (15, 14, 16), "solutions": (15, 14, 17)}  # mm: sides, top, bottom
-_BABEL = {"en": "english", "ru": "russian"}
 _CYRILLIC_FONTS = ("CMU Serif", "CMU Typewriter Text")  # for LuaLaTeX: its usual font has no Cyrillic letters
 _PREAMBLE, _BODY = "@preamble@", "@body@"
 
@@ -89,7 +89,7 @@ def _before_class(look: Look) -> str:
 def _packages(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
     """Names and options of the packages, in the order in which they are loaded."""
     yield from _encodings(look, needs)
-    yield "babel", _BABEL[look.language]
+    yield "babel", load_language(look.language).words("language")["babel"]
     sides, top, bottom = _MARGINS[look.kind]
     yield "geometry", f"hmargin={sides}mm, top={top}mm, bottom={bottom}mm, headheight=14pt, headsep=0pt, footskip=9mm"
     yield from ((name, "") for name in ("fancyhdr", "amsmath", "array", "xcolor"))
