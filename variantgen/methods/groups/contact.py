@@ -61,8 +61,8 @@ class NoSlipContact:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
     ``point_path`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place``
-    is the key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is that of
-    the sentence which says why velocities are equal; one is enough for all contacts of a step.
+    is the key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is
+    that of the sentence which says why velocities are equal; one is enough for all contacts of a step.
     """
 
     kind: str
