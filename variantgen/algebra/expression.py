@@ -1,9 +1,9 @@
 """Arithmetic that can be shown: values with names, and expressions of them.
 
 Every value has two numbers. ``exact`` is computed in full precision, so that a method can be compared with the solver;
-``shown`` is the printed one, computed from the printed numbers before it and rounded, so that a reader with a
-calculator gets the printed next number. Lengths, velocities and accelerations are in the printed units of the family,
-angles in degrees, rates of rotation in rad/s and rad/s^2.
+``shown`` is the printed one: the full number rounded. A reader with a calculator gets it from the printed numbers
+before it but for its last digit; where that is not so, the line says "nearly". Lengths, velocities and accelerations
+are in the printed units of the family, angles in degrees, rates of rotation in rad/s and rad/s^2.
 """
 
 from __future__ import annotations
@@ -11,12 +11,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 
 from variantgen.algebra.name import Name
 
 _ANGLE = "angle"
 DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 _WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
+PRINTED_DIGITS = 4  # significant digits of a number of the solution
+_NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
@@ -91,19 +94,35 @@ class Value(Expression):
         return self.exact if exact else self.shown
 
     def round_to(self, digits: int) -> None:
-        """Compute the printed number anew, with so many significant digits; a given one stays as it is.
+        """Print so many significant digits of the full number; a given one stays as it is.
 
-        Where the printed numbers miss a short result only by rounding, ``8.00001`` for 8, that is printed.
+        A number that begins with a one has a digit more where its line comes out only then: ``8.5 + 1.993 = 10.493``.
         """
         if self.expression is None:
             return
-        number = 0.0 if self.exact == 0 else self.expression.number(exact=False)
-        self.shown = rounded(number, digits, self.measure)
-        if self.shown != self.exact and self.measure not in (DRAWING_LENGTH, _ANGLE):
-            short = rounded(self.exact, digits - 1)
-            last = 10.0 ** (math.floor(math.log10(abs(short))) - digits + 1) if short else 0.0
-            if abs(short - self.exact) <= _SAME * abs(short) and abs(number - short) < last:
-                self.shown = short
+        self.shown = rounded(self.exact, digits, self.measure)
+        if not self.comes_out and f"{self.exact:e}".lstrip("-").startswith("1"):
+            self.shown = rounded(self.exact, digits + 1, self.measure)
+            if not self.comes_out:
+                self.shown = rounded(self.exact, digits, self.measure)
+
+    @property
+    def comes_out(self) -> bool:
+        """Whether the printed numbers before it lead a reader to the printed one, but for one in its last digit."""
+        if self.expression is None or self.shown == self.exact == 0:
+            return True
+        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-self.decimals
+
+    @property
+    def decimals(self) -> int:
+        """The decimals to which the printed number is rounded, negative for tens; of an exact one those that it has."""
+        if self.shown == 0 or not math.isfinite(self.shown):
+            return 0
+        own = _decimals(self.shown)
+        if abs(self.shown - self.exact) <= _SAME * abs(self.exact):
+            return own
+        usual = {DRAWING_LENGTH: 1, _ANGLE: PRINTED_DIGITS - _WHOLE_DEGREES}.get(self.measure)
+        return max(own, PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if usual is None else usual)
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"
@@ -120,6 +139,13 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
     if measure == _ANGLE:
         return round(number, digits - _WHOLE_DEGREES) + 0.0
     return float(f"{number:.{digits - 1}e}")
+
+
+def _decimals(number: float) -> int:
+    """The decimals of a number as it is written."""
+    exponent = Decimal(repr(number)).normalize().as_tuple().exponent
+    assert isinstance(exponent, int)
+    return max(0, -exponent)
 
 
 @dataclass(frozen=True, slots=True)

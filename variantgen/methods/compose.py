@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Value
+from variantgen.algebra.expression import PRINTED_DIGITS, Value
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm
 from variantgen.methods.by_groups import solve_groups
@@ -16,7 +16,7 @@ from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
+from variantgen.methods.steps.printed_digits import choose_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution
 from variantgen.variants.attempts import VerificationError
 
@@ -75,7 +75,7 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
-    digits = (method.digits + 1,) if method.digits else DIGITS
+    digits = method.digits + 1 if method.digits else PRINTED_DIGITS
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
     return Solution(tuple(steps), tuple(found.items()), check, method.digits)
 

@@ -1,10 +1,10 @@
-"""The printed numbers of a solution: as few digits as lead a reader with a calculator to the answers of the key."""
+"""The printed numbers of a solution: four significant digits, of angles hundredths of a degree."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.algebra.expression import Value, rounded
+from variantgen.algebra.expression import PRINTED_DIGITS, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
@@ -22,28 +22,11 @@ from variantgen.methods.steps.step import (
     VectorLine,
 )
 
-FEWEST, MOST = 5, 9  # significant digits of intermediate results
-DIGITS = range(FEWEST, MOST + 1)
-ANSWER_DIGITS = 4  # significant digits of an answer
 
-
-def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value], tried: Sequence[int] = DIGITS) -> int:
-    """Give every value its printed number; returns the digits of intermediate results.
-
-    All numbers are computed from printed ones. As many digits are taken as it needs for the answers to come out as in
-    the key, which is computed in full precision, but at most the last of the numbers of digits that are ``tried``.
-    """
-    values = in_order([*items_values(items), *answers])
-    for digits in tried:
-        for value in values:
-            value.round_to(digits)
-        if all(_agrees(answer) for answer in answers):
-            return digits
-    return tried[-1]
-
-
-def _agrees(answer: Value) -> bool:
-    return rounded(answer.shown, ANSWER_DIGITS) == rounded(answer.exact, ANSWER_DIGITS)
+def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value], digits: int = PRINTED_DIGITS) -> None:
+    """Give every value its printed number, of so many significant digits."""
+    for value in in_order([*items_values(items), *answers]):
+        value.round_to(digits)
 
 
 def items_values(items: Iterable[Item]) -> list[Value]:

@@ -70,13 +70,12 @@ class Formulas:
 
     def measured(self, value: Value) -> Formula:
         """A value as number and unit."""
-        return Measured(self._printed(value), self.unit(value))
+        return Measured(self.printed(value), self.unit(value))
 
-    def _printed(self, value: Value) -> Number:
-        """The printed number; a length on a drawing always with its tenths."""
-        if value.measure == DRAWING_LENGTH:
-            return self.language.fixed(value.shown, 1)
-        return self.number(value.shown)
+    def printed(self, value: Value) -> Number:
+        """The printed number; what is rounded has zeros at its end too, a length on a drawing always its tenths."""
+        places = 1 if value.measure == DRAWING_LENGTH else value.decimals
+        return self.language.fixed(value.shown, places) if places > 0 else self.number(value.shown)
 
     def symbol(self, value: Value) -> Formula:
         """The symbol of a value; one without a name is its number."""
@@ -120,21 +119,23 @@ class Formulas:
 
     def _value(self, value: Value) -> Formula:
         """The printed number of a value; only an angle keeps its unit inside a formula."""
-        return self.measured(value) if value.measure == "angle" else self._printed(value)
+        return self.measured(value) if value.measure == "angle" else self.printed(value)
 
     def _signed(self, sign: int, term: Expression, numbers: bool) -> tuple[int, Formula]:
         """A term of a sum; the signs of negative numbers are taken out of it, and of the factors of a product."""
         if not numbers:
             return sign, self._written(term, numbers)
         factors = term.factors if isinstance(term, Times) else (term,)
-        bare = tuple(_without_sign(factor) for factor in factors)
+        bare = tuple(without_sign(factor) for factor in factors)
         for factor, plain in zip(factors, bare, strict=True):
             sign = sign if plain is factor else -sign
         return sign, self._written(Times(bare) if isinstance(term, Times) else bare[0], numbers)
 
 
-def _without_sign(item: Expression) -> Expression:
+def without_sign(item: Expression) -> Expression:
     """A negative printed number as its magnitude; anything else as it is, an angle with its sign inside a function."""
     if isinstance(item, Value) and item.shown < 0:
-        return Value(None, item.measure, -item.shown)
+        bare = Value(None, item.measure, -item.exact)
+        bare.shown = -item.shown
+        return bare
     return item

@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.algebra.expression import Constant, Expression, Value, rounded
+from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.steps.printed_digits import FEWEST
 from variantgen.methods.steps.step import (
     Body,
     CentreOf,
@@ -54,7 +53,7 @@ from variantgen.wording.solution.document import (
     VectorTable,
     VectorTableRow,
 )
-from variantgen.wording.solution.formulas import Formulas
+from variantgen.wording.solution.formulas import Formulas, without_sign
 from variantgen.wording.solution.phrases import Letter, SentenceField
 from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.surds import surd
@@ -200,15 +199,13 @@ class Writer:
             if piece not in kept and not _is_number_of(piece, result):
                 kept.append(piece)
         closed = self._closed_form(value)
-        end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((_EQUALS, result),)
+        sign = _EQUALS if value.comes_out or not kept else _NEARLY
+        end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((sign, result),)
         return FormulaLine((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in kept), *end))
 
     def _closed_form(self, value: Value) -> Surd | None:
         """The root or fraction that a value is; none where its decimal, computed from rounded numbers, is another."""
         if not self.closed or value.measure == "angle":
-            return None
-        digits = max(FEWEST, len(repr(value.shown).strip("-0.").replace(".", "")))
-        if rounded(value.exact, digits) != value.shown:
             return None
         found = surd(value.exact)
         # A fraction whose decimal is printed whole tells nothing new: 2523/2 is 1261.5.
@@ -237,10 +234,10 @@ class Writer:
             if coefficient.shown == 0:
                 continue
             symbol = self.formulas.symbol(unknown)
-            size = abs(coefficient.shown)
-            term = symbol if size == 1 else Product((self.formulas.number(size), symbol))
+            size = self.formulas.numeric(without_sign(coefficient))
+            term = symbol if abs(coefficient.shown) == 1 else Product((size, symbol))
             terms.append((1 if coefficient.shown > 0 else -1, term))
-        right = self.formulas.number(system.right[row].shown)
+        right = self.formulas.printed(system.right[row])
         return FormulaLine((("", self._sum(terms)), (_EQUALS, right)))
 
     def _table(self, terms: Sequence[Term]) -> VectorTable:
