@@ -94,17 +94,14 @@ class Value(Expression):
         return self.exact if exact else self.shown
 
     def round_to(self, digits: int) -> None:
-        """Print so many significant digits of the full number; a given one stays as it is.
+        """Print so many significant digits of the full number; a given one stays as it is."""
+        if self.expression is not None:
+            self.shown = rounded(self.exact, digits, self.measure)
 
-        A number that begins with a one has a digit more where its line comes out only then: ``8.5 + 1.993 = 10.493``.
-        """
-        if self.expression is None:
-            return
-        self.shown = rounded(self.exact, digits, self.measure)
-        if not self.comes_out and f"{self.exact:e}".lstrip("-").startswith("1"):
-            self.shown = rounded(self.exact, digits + 1, self.measure)
-            if not self.comes_out:
-                self.shown = rounded(self.exact, digits, self.measure)
+    @property
+    def begins_with_one(self) -> bool:
+        """Whether its first digit is a one: of so many digits it has the least precision."""
+        return f"{abs(self.exact):e}".startswith("1")
 
     @property
     def comes_out(self) -> bool:

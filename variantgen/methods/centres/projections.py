@@ -71,7 +71,7 @@ def _equate(book: Book, first: Term, path: Term, facts: dict[str, Fact]) -> None
     book.say("projections.same_sign", True, start=Point(start), end=Point(end), **facts)
     shares = [_share(term, axis) for term in (first, path)]
     line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
-    book.items.append(Projection(line, (shares[0],), (shares[1],)))
+    book.items.append(Projection((line,), (shares[0],), (shares[1],)))
     assert first.size is not None
     speed: Expression = first.size if shares[0].angle is None else first.size * cos(shares[0].angle)
     size = book.derive(path.name, "velocity", speed if shares[1].angle is None else speed / cos(shares[1].angle))

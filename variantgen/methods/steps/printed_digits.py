@@ -24,9 +24,17 @@ from variantgen.methods.steps.step import (
 
 
 def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value], digits: int = PRINTED_DIGITS) -> None:
-    """Give every value its printed number, of so many significant digits."""
-    for value in in_order([*items_values(items), *answers]):
+    """Give every value its printed number, of so many significant digits.
+
+    Where a line does not come out by that, numbers in it that begin with a one have a digit more: ``1037.5 / 36.88``.
+    """
+    values = in_order([*items_values(items), *answers])
+    for value in values:
         value.round_to(digits)
+    for value in values:
+        if not value.comes_out and value.expression is not None:
+            for part in (part for part in parts(value.expression) if part.begins_with_one and part.measure != "angle"):
+                part.round_to(digits + 1)
 
 
 def items_values(items: Iterable[Item]) -> list[Value]:
@@ -43,8 +51,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
             case TermTable(terms):
                 for term in terms:
                     found += [term.angle, *([term.size] if term.size is not None else []), *facts_values(term.way)]
-            case Projection(axis, left, right):
-                found += facts_values(axis)
+            case Projection(words, left, right):
+                found += [value for sentence in words for value in facts_values(sentence)]
                 found += [share.angle for share in (*left, *right) if share.angle is not None]
             case LinearSystem(unknowns, rows, right_side):
                 found += [*unknowns, *(value for row in rows for value in row), *right_side]

@@ -143,9 +143,12 @@ class Share:
 
 @dataclass(frozen=True, slots=True)
 class Projection:
-    """A vector equation projected on an axis; an empty side is zero."""
+    """A vector equation projected on an axis; an empty side is zero.
 
-    axis: Sentence
+    ``words`` say what the axis is, and why the wanted vector points as it does.
+    """
+
+    words: tuple[Sentence, ...]
     left: tuple[Share, ...]
     right: tuple[Share, ...]
 

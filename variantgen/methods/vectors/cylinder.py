@@ -19,7 +19,7 @@ from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed
 from variantgen.methods.vectors.points import across, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
-from variantgen.methods.vectors.vector_equation import solved, write
+from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 
 def solve_extending_link(book: Book, group: ExtendingLink) -> None:
@@ -36,6 +36,8 @@ def solve_extending_link(book: Book, group: ExtendingLink) -> None:
         known, turn = about_pole(book, point, group.pivot, group.body)
         sliding = _along(book, group)
         own, swing = _transport(book, group)
+        ways = pointing((*known, turn), (*carried, *sliding, *own, swing))
+        turn, swing = ways[turn.name], ways[swing.name]
         left, right = (*known, turn), (*carried, *sliding, *own, swing)
         write(book, left, right, start)
         sizes = solved(book, left, right, [turn, swing] if book.order < book.task.order else [turn])

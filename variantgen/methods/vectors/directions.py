@@ -1,6 +1,6 @@
 """Directions of vectors in the table of an equation: the line of a vector, and to which side of it the vector points.
 
-Of a known vector the side is its true one, of an unknown one it is assumed: a negative result is explained by it.
+The side is the true one also of a vector that is still to be found.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from variantgen.methods.geometry.geometry import normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import CentreOf, Fact, Point, Segment, Sentence, Term, Word
 
-_QUARTERS = ("right", "up", "left", "down")
+QUARTERS = ("right", "up", "left", "down")
 _CORNERS = ("right_up", "left_up", "left_down", "right_down")
 _STRAIGHT = 1e-6  # degrees within which a direction is that of an axis
 _SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path")
@@ -23,14 +23,13 @@ def pointed(book: Book, term: Term) -> Term:
     side = side_of(book, term)
     if side is None:
         return term
-    key = "ways.assumed" if term.size is None else "ways.pointed"
-    return Term(term.name, term.size, term.angle, Sentence(key, {"way": term.way, "side": side}))
+    return Term(term.name, term.size, term.angle, Sentence("ways.pointed", {"way": term.way, "side": side}))
 
 
 def side_of(book: Book, term: Term) -> Fact | None:
     """The side as a sentence or word; None for a direction that has no two sides, or is told elsewhere."""
     if term.way.key in _SIDED:
-        return Word(_on_paper(term.angle.exact))
+        return Word(on_paper(term.angle.exact))
     segment = term.way.facts.get("segment")
     if not isinstance(segment, Segment):
         return None
@@ -55,10 +54,10 @@ def side_of(book: Book, term: Term) -> Fact | None:
     return Sentence("ways.about", {"sense": Word(sense), "centre": centre})
 
 
-def _on_paper(angle: float) -> str:
+def on_paper(angle: float) -> str:
     """The word for a direction on paper (degrees from the x axis)."""
     angle = normal_angle(angle) % 360.0
     quarter = round(angle / 90.0)
     if abs(angle - 90.0 * quarter) < _STRAIGHT:
-        return _QUARTERS[quarter % 4]
+        return QUARTERS[quarter % 4]
     return _CORNERS[int(angle // 90.0)]

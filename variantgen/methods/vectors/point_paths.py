@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+
 from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
 from variantgen.mechanism.joints.guide import Guide
@@ -99,6 +102,10 @@ def directed(term: Term, size: Value) -> Known:
     return (Term(term.name, positive(size), angle, term.way),)
 
 
-def sense_of(term: Term, size: Value, assumed: int) -> int:
-    """The true sense of a rotation whose vector was assumed in the sense ``assumed``."""
-    return 0 if size.exact == 0 else assumed if size.exact > 0 else -assumed
+def sense_of(book: Book, term: Term, size: Value) -> int:
+    """The sense of the rotation about a pole of which a vector across the radius was found."""
+    segment = term.way.facts["segment"]
+    assert isinstance(segment, Segment)
+    ahead = cmath.rect(size.exact, math.radians(term.angle.exact))
+    turn = (book.geometry.vector(segment.end, segment.start).conjugate() * ahead).imag
+    return (turn > 0) - (turn < 0)

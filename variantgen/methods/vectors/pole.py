@@ -15,7 +15,7 @@ from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.point_paths import directed, on_path, sense_of
 from variantgen.methods.vectors.points import across, modulus, vector
-from variantgen.methods.vectors.vector_equation import solved, write
+from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 
 def solve_dyad(book: Book, group: Dyad) -> None:
@@ -30,6 +30,8 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         start = len(book.items)
         at_path, path = on_path(book, group.point_path)
         turning, turn = about_pole(book, point, pole, body)
+        ways = pointing((*at_path, path), (*known, *turning, turn))
+        path, turn = ways[path.name], ways[turn.name]
         _equate(book, ((*at_path, path), (*known, *turning, turn)), start)
         wanted = [path, turn] if is_rate_wanted(book.task, book.order, body, {point, pole}) else [path]
         sizes = solved(book, (*at_path, path), (*known, *turning, turn), wanted)
@@ -55,8 +57,11 @@ def solve_floating_dyad(book: Book, group: FloatingDyad) -> None:
         turns: list[Term] = []
         for body, pole, known in zip(group.bodies, group.poles, knowns, strict=True):
             turning, turn = about_pole(book, point, pole, body)
-            sides.append((*known, *turning, turn))
+            sides.append((*known, *turning))
             turns.append(turn)
+        ways = pointing((*sides[0], turns[0]), (*sides[1], turns[1]))
+        turns = [ways[turn.name] for turn in turns]
+        sides = [(*side, turn) for side, turn in zip(sides, turns, strict=True)]
         _equate(book, (sides[0], sides[1]), start)
         sizes = solved(book, sides[0], sides[1], turns)
         for body, pole, turn, size in zip(group.bodies, group.poles, turns, sizes, strict=True):
@@ -77,6 +82,7 @@ def solve_two_point_body(book: Book, group: TwoPointBody) -> None:
         book.say(f"known_points.both_{book.letter}", **facts)
         start = len(book.items)
         turning, turn = about_pole(book, point, pole, body)
+        turn = pointing(at_point, (*at_pole, *turning, turn))[turn.name]
         right = (*at_pole, *turning, turn)
         write(book, at_point, right, start)
         size = solved(book, at_point, right, [turn])[0]
@@ -97,9 +103,9 @@ def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Ter
     return known, across(book, name.component("tau"), None, (point, pole), 1)
 
 
-def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assumed: int = 1) -> None:
+def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value) -> None:
     """The rate of a body from the vector of its rotation: ``omega = v_BA / AB``, with its sense in words."""
-    sense = sense_of(turn, size, assumed)
+    sense = sense_of(book, turn, size)
     kind = "omega" if book.order == 1 else "epsilon"
     if sense == 0:
         book.rates[body] = Rate(Value(Name(kind, body), book.rate_measure, 0.0), 0)

@@ -7,6 +7,7 @@ vector is that of the point of the body below the sliding one.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from variantgen.algebra.expression import Constant, Value
@@ -23,7 +24,7 @@ from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import RIGHT, across, modulus, rotation, summed, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
-from variantgen.methods.vectors.vector_equation import solved, write
+from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 
 @dataclass
@@ -38,6 +39,15 @@ class _Sides:
     carrier_path: Term | None = None
     relative: Term | None = None
     relative_terms: Known = ()  # what is known of the relative vector
+
+    def turn_to(self, ways: Mapping[Name, Term]) -> None:
+        """Turn the unknown vectors to the sides to which they point."""
+        self.left = [ways.get(term.name, term) for term in self.left]
+        self.right = [ways.get(term.name, term) for term in self.right]
+        for name in ("turn", "own", "path", "carrier_path", "relative"):
+            term = getattr(self, name)
+            if term is not None:
+                setattr(self, name, ways[term.name])
 
 
 def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
@@ -54,6 +64,8 @@ def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
         _say_law(book, group, facts)
         start = len(book.items)
         sides = _sides(book, group)
+        if not group.driven:
+            sides.turn_to(pointing(sides.left, sides.right))
         write(book, sides.left, sides.right, start)
         _solve(book, group, sides)
 

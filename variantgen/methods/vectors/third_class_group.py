@@ -22,7 +22,6 @@ from variantgen.methods.steps.step import (
     EquationLine,
     Fact,
     LinearSystem,
-    NumberOf,
     Point,
     Projection,
     Sentence,
@@ -92,10 +91,12 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     pole, body = group.point_path.point, group.body
     start = len(book.items)
     own, private, axis = _supported(book, support)
+    found = book.exact(support.point) - resultant(own)
+    private = _ahead(private, found * cmath.rect(1.0, -math.radians(private.angle.exact)))
     turning, turn = about_pole(book, support.point, pole, body)
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
-    words = Sentence("axes.across", {"vector": VectorOf(private.name), "angle": NumberOf(axis)})
+    words = (Sentence("axes.across", {"vector": VectorOf(private.name)}),)
     sides = shares((*own, private), axis), shares((*known, path, *turning, turn), axis)
     book.items.append(Projection(words, *sides))
     right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]

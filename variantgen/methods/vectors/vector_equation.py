@@ -2,32 +2,64 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
-from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.steps.not_applicable import NotApplicableError
 from variantgen.methods.steps.step import (
     Derived,
     Fact,
+    NumberOf,
+    Point,
     Projection,
+    Segment,
     Sentence,
     Share,
     Term,
     TermTable,
     VectorLine,
     VectorOf,
+    Word,
 )
-from variantgen.methods.vectors.directions import pointed, side_of
+from variantgen.methods.vectors.directions import QUARTERS, on_paper, pointed
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
 _PARALLEL = 1e-7
+_CLEAR = 1.05  # how much larger than the others together a projection is that is said to prevail
+_CROSSING = 1e-9  # sine of the angle between two directions that determine their vectors
+_ROUNDING = 1e-9  # of the largest vector: what is smaller is zero
 
 
 def unknowns(terms: Sequence[Term]) -> list[Term]:
     """The vectors of unknown magnitude."""
     return [term for term in terms if term.size is None]
+
+
+def pointing(left: Sequence[Term], right: Sequence[Term]) -> dict[Name, Term]:
+    """The vectors of unknown magnitude, each to the side to which the equation makes it point, by name.
+
+    A magnitude that turns out zero leaves its vector as it is. Raises NotApplicableError for more than two unknown
+    vectors, or parallel ones.
+    """
+    free = [(term, 1) for term in unknowns(left)] + [(term, -1) for term in unknowns(right)]
+    rest = resultant(right) - resultant(left)
+    ways = [side * cmath.rect(1.0, math.radians(term.angle.exact)) for term, side in free]
+    if len(ways) == 1:
+        sizes = [(ways[0].conjugate() * rest).real]
+    elif len(ways) == 2 and abs(below := (ways[0].conjugate() * ways[1]).imag) > _CROSSING:
+        sizes = [(rest.conjugate() * ways[1]).imag / below, (ways[0].conjugate() * rest).imag / below]
+    else:
+        raise NotApplicableError("the directions of the unknown vectors do not determine them")
+    none = _ROUNDING * max((term.size.exact for term in (*left, *right) if term.size is not None), default=0.0)
+    return {
+        term.name: Term(term.name, None, Geometry.turned(term.angle, 180.0), term.way) if size < -none else term
+        for (term, _), size in zip(free, sizes, strict=True)
+    }
 
 
 def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
@@ -45,8 +77,8 @@ def write(book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -
 def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequence[Term]) -> list[Value]:
     """Magnitudes of the ``wanted`` unknown vectors of an equation with at most two unknown ones.
 
-    Each is found by projecting on the axis across the other unknown vector (with one unknown, on its own direction). A
-    negative number means that the vector points against its assumed direction.
+    Each is found by projecting on the axis across the other unknown vector (with one unknown, on its own direction).
+    Before an equation is solved it is said why its unknown vector points as it does.
     """
     if book.graphics is not None:
         return book.graphics.solve(book, left, right, wanted)
@@ -75,8 +107,7 @@ def _projected(
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
     sides = [shares(side, axis) for side in (left, right)]
-    book.items.append(Projection(_axis_words(term, axis, other), *sides))
-    parts: list[tuple[int, Expression]] = []
+    rest: list[tuple[int, Share]] = []
     own: Share | None = None
     for side, items in zip((-1, 1), sides, strict=True):
         for share in items:
@@ -84,17 +115,15 @@ def _projected(
                 own = share
                 flip = -side * share.sign
             else:
-                parts.append((side * share.sign, _share(share)))
+                rest.append((side, share))
     if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
-    expression = _quotient([(flip * sign, part) for sign, part in parts], own.angle)
+    known = [(flip * side * share.sign, share) for side, share in rest]
+    words = (_axis_words(book, term, axis, other), *_sense_words(book, term, known))
+    book.items.append(Projection(words, *sides))
+    expression = _quotient([(sign, _share(share)) for sign, share in known], own.angle)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
-    if value.exact < 0:
-        assumed = side_of(book, term)
-        # A short solution has no table: the sentence says itself which direction was assumed.
-        facts: dict[str, Fact] = {"side": assumed} if assumed is not None else {}
-        book.say("common.opposite_to" if facts else "common.opposite", False, vector=VectorOf(term.name), **facts)
     return value
 
 
@@ -151,8 +180,36 @@ def _acute(direction: Value, axis: Value, acute: float) -> Value:
     raise ArithmeticError("an angle between two directions is not their difference")
 
 
-def _axis_words(term: Term, axis: Value, other: Term | None) -> Sentence:
-    """How the axis is described: across the other unknown vector, or along the wanted one."""
+def _axis_words(book: Book, term: Term, axis: Value, other: Term | None) -> Sentence:
+    """How the axis is described: along a line of the figure or across the other unknown vector, or along the wanted."""
     if other is None:
-        return Sentence("axes.along", {"vector": VectorOf(term.name), "angle": axis})
-    return Sentence("axes.across", {"vector": VectorOf(other.name), "angle": axis})
+        return Sentence("axes.along", {"vector": VectorOf(term.name)})
+    segment = other.way.facts.get("segment")
+    if other.way.key == "ways.across" and isinstance(segment, Segment) and not segment.centre_of:
+        ahead = book.geometry.vector(segment.start, segment.end) * cmath.rect(1.0, -math.radians(axis.exact))
+        ends = (segment.start, segment.end) if ahead.real > 0 else (segment.end, segment.start)
+        facts: dict[str, Fact] = {"start": Point(ends[0]), "end": Point(ends[1]), "vector": VectorOf(other.name)}
+        return Sentence("axes.on_line", facts)
+    side = on_paper(axis.exact)
+    return Sentence(
+        f"axes.{side}" if side in QUARTERS else "axes.across", {"vector": VectorOf(other.name), "side": Word(side)}
+    )
+
+
+def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> list[Sentence]:
+    """Why the wanted vector points as it does: by the projections of the known ones, which it balances."""
+    if not known:
+        return []
+    facts: dict[str, Fact] = {"vector": VectorOf(term.name), "side": Word(on_paper(term.angle.exact))}
+    sizes = [(sign * _share(share).number(True), share.term) for sign, share in known]
+    against = -sum(min(size, 0.0) for size, _ in sizes)
+    if len(sizes) == 1:
+        return [Sentence("axes.by_one", {**facts, "known": VectorOf(sizes[0][1].name)})]
+    if against == 0:
+        return [Sentence("axes.by_all", facts)]
+    largest, strongest = max(sizes, key=lambda item: item[0])
+    if largest > _CLEAR * against:
+        return [Sentence("axes.by_strongest", {**facts, "known": VectorOf(strongest.name)})]
+    parts = Total(tuple((sign, _share(share)) for sign, share in known))
+    total = Value(None, book.measure, parts.number(True), parts)
+    return [Sentence("axes.by_sum", {**facts, "sum": NumberOf(total)})]

@@ -88,7 +88,8 @@ class Writer:
             if self.short and (isinstance(item, TermTable) or getattr(item, "detail", False)):
                 continue
             if isinstance(item, Projection):
-                _append(found, Paragraph(self.text(item.axis, capital=True)))
+                for sentence in item.words:
+                    _append(found, Paragraph(self.text(sentence, capital=True)))
             _append(found, self._block(item))
         return tuple(found)
 
