@@ -33,7 +33,7 @@ USED = {
 STYLES = {
     "velocity_centre": Style("velocity_centre"),
     "projections": Style("projections"),
-    "acceleration_centre": Style("pole", "acceleration_centre"),
+    "acceleration_centre": Style("velocity_pole", "acceleration_centre"),
 }
 
 

@@ -22,7 +22,7 @@ from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
 SEEDS = 6
-STYLES = (Style(), Style("pole"), Style("projections", "acceleration_centre"))
+STYLES = (Style(), Style("velocity_pole"), Style("projections", "acceleration_centre"))
 
 
 def forms() -> list[tuple[Family, Form]]:

@@ -57,7 +57,7 @@ def prepare(book: Book) -> Plans:
     plans = Plans(book.task)
     book.geometry = DrawnGeometry(book.task)
     book.graphics = plans
-    book.style = Style("pole", "pole")
+    book.style = Style("velocity_pole")
     return plans
 
 
