@@ -16,8 +16,8 @@ from variantgen.methods.choice import WHOLE, applicable, choose
 from variantgen.methods.compose import solution
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import Body
-from variantgen.methods.steps.style import Style
 from variantgen.methods.vectors import pole
 from variantgen.variants.attempts import VerificationError
 from variantgen.wording.language import load_language
@@ -57,7 +57,7 @@ def test_it_is_chosen_told_and_confirmed() -> None:
     (task,) = tasks("four_bar", "crank", 1)
     assert NAME in applicable(task)
     assert choose(task, [NAME]).style.velocities == NAME
-    assert choose(task, ["acceleration_pole", NAME, "projections"]).style == Style(NAME, "acceleration_pole")
+    assert choose(task, ["acceleration_pole", NAME, "projections"]).style == MethodStyle(NAME, "acceleration_pole")
     language = load_language("en")
     text = plain_solution(written(task, solution(task, [NAME]), language, False), language)
     assert "An example of link\N{NO-BREAK SPACE}AB." in text

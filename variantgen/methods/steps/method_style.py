@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Style:
+class MethodStyle:
     """The choice of methods for bodies in plane motion, by their names: for velocities and for accelerations.
 
     What the chosen method does not solve is left to the vector equation, with equal projections also to the velocity
