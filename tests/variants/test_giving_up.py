@@ -14,7 +14,7 @@ import pytest
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.assembly import Drawer, wishes_of
+from variantgen.exam.assembly import Drawer, DrawRequest
 from variantgen.exam.blueprint import parse_exam
 from variantgen.exam.roster import numbered
 from variantgen.families.family import Family
@@ -106,7 +106,7 @@ def test_the_draws_for_a_ceiling_are_counted(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(Drawing, "after", counted)
     with pytest.raises(InputError):
-        drawer.variants(wishes_of(exam, numbered(100)))
+        drawer.variants([DrawRequest(student, 0) for student in numbered(100)])
     assert 200 < sum(drawn) <= 700
 
 

@@ -47,14 +47,14 @@ class Solution:
     factors: Factors
 
 
-def solve_exactly(scene: Scene, near: Solution | None = None, guess: Mapping[str, Any] | None = None) -> Solution:
+def solve_exactly(scene: Scene, near: Solution | None = None) -> Solution:
     """The motion of an exact scene (see :func:`~.exact_scene.exact_scene`).
 
     ``near``: the solution of a scene that differs very little, from which this one is found by corrections. Raises
     NoSuchPointError where it does not assemble, ZeroDivisionError at a dead point, ArithmeticError where the residuals
     do not vanish.
     """
-    at = positions(scene, near.exact.places if near else guess)
+    at = positions(scene, near.exact.places if near else None)
     z = on_paper(scene, at)
     if near is None:
         check_substituted(scene, at)
