@@ -22,7 +22,7 @@ from variantgen.exam.blueprint import Exam
 from variantgen.exam.order import in_order
 from variantgen.exam.roster import Student
 from variantgen.outputs.folder import check_free, terminable, whole_folder, writing
-from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
+from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, format_of, known_files, read_exam
 from variantgen.outputs.records import RECORDS, write_records
 from variantgen.outputs.typesetter import Typesetter, typesetter
 
@@ -79,10 +79,10 @@ def build(
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     exam = exam if seed is None else replace(exam, seed=seed)
     students = in_order(students, exam.sort)
-    known = known_files()
+    known = known_files() if force else ()
     check_free(out, force, known)
     for name in exam.formats:
-        formats()[name].check(exam, students)
+        format_of(name).check(exam, students)
     with terminable(), typesetter() as engine:
         carried = BuildSpec.of(exam)
         with (
@@ -137,7 +137,7 @@ def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] 
     for part in range(parts):
         yield range(part, part + 1), None
     for name in exam.formats:
-        for place, (size, _) in enumerate(formats()[name].SUMMARIES):
+        for place, (size, _) in enumerate(format_of(name).SUMMARIES):
             for start in range(0, parts, size):
                 yield range(start, min(start + size, parts)), (name, place)
 
@@ -180,7 +180,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        formats()[name].finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
+        format_of(name).finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
     redrawn, alike, cut = parts.drawn_marks()
     write_records(folder, exam, carried.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)
