@@ -7,14 +7,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from variantgen.builder.build_spec import BuildSpec, known_here
-from variantgen.builder.drawing import draw_all
+from variantgen.builder.draw_stage import draw_all
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import unfinished
 from variantgen.builder.workers import InlineWorkers
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.typst.typesetter import typesetter
 
 _HEAD = 'title = "T"\nlanguage = "ru"\n'
 FIVE_FAMILIES = ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")

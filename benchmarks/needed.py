@@ -29,7 +29,7 @@ from variantgen.methods.algebra.values import in_order
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.single import one_variant
-from variantgen.variants.needed import given_names
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import solve_variants
 
 HEAD = """\

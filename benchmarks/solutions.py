@@ -24,21 +24,21 @@ from benchmarks import exams, processes
 from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
 from benchmarks.measure import Clock, machine_line, write_beside
 from variantgen.builder import build
-from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
-from variantgen.exam.content import Content, PosedProblem, Solved
+from variantgen.exam.content import Content, PosedProblem, SolvedProblem
+from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.exam.shown import Figures, view_order
+from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
-from variantgen.outputs.key_data import key_by_problem, key_by_student
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import problem_data, solutions_data
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import figure_data, typesetter
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
 
@@ -74,11 +74,11 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
         with clock.measuring(TEXT):
             text = written(task, found, language)
         posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
-        figures = Figures(item.variant, item.asked, language, (motion, place), drawing)
+        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            solved = Solved(item.variant, posed.said, text, figures.rows(), figures.numbers)
+            solved = SolvedProblem(item.variant, posed.said, text, figures.rows(), figures.numbers)
             made.append(problem_data(solved, language, known))
     with clock.measuring(JSON):
         json.dumps(made, ensure_ascii=False, separators=(",", ":"))

@@ -17,7 +17,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import solve
 from variantgen.variants.draw import draw
-from variantgen.variants.variant import Variant, columns
+from variantgen.variants.variant import Variant, parameter_arrays
 
 TITLE = "The solver"
 SIZES = (1, 10, 100, 1000, 10_000)
@@ -67,7 +67,7 @@ def catalogue_table(forms: Sequence[tuple[Family, Form]], sizes: Sequence[int], 
     for family, form in forms:
         variants = drawn(family, form, min(_DRAWN, max(sizes)))
         turns = {"sense": np.array([v.sense for v in variants]), "turns": np.array([v.turns for v in variants])}
-        known = columns(variants)
+        known = parameter_arrays(variants)
         calls: dict[str, Callable[[], object]] = {}
         for size in sizes:
             pose = repeated(turns, size)
@@ -83,7 +83,7 @@ def comparison(mechanism: Mechanism, sizes: Sequence[int], rounds: int) -> Table
     """One form by all ways: microseconds per variant, and how far the results are from those of the program."""
     family = load_family(mechanism.family)
     form = family.forms[mechanism.form]
-    known = columns(drawn(family, form, min(_DRAWN, max(sizes))))
+    known = parameter_arrays(drawn(family, form, min(_DRAWN, max(sizes))))
     seconds: dict[str, list[float]] = {}
     differences: dict[str, float | None] = {}
     missing: list[str] = []

@@ -27,8 +27,8 @@ from variantgen.accuracy.cases import (
     sleeve_at_pivot,
 )
 from variantgen.accuracy.cases._shapes import grouped
-from variantgen.accuracy.computed import Group
-from variantgen.accuracy.measure import Errors, measure, truths
+from variantgen.accuracy.computed import CaseGroup
+from variantgen.accuracy.measure import Errors, measure, reference_cases
 from variantgen.accuracy.run import case_modules
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
@@ -53,9 +53,9 @@ FEW = settings(
 )
 
 
-def judged(group: Group) -> Errors:
+def judged(group: CaseGroup) -> Errors:
     """What becomes of the variants of a group in production."""
-    group, known = truths(group)
+    group, known = reference_cases(group)
     assume(group.size > 0)
     return measure("production", group, known, 0)
 
@@ -92,7 +92,7 @@ def powers(low: float, high: float) -> st.SearchStrategy[float]:
     return st.floats(low, high).map(lambda x: 10.0**x)
 
 
-def four(a: float, b: float, c: float, d: float, phi: float, omega: float, epsilon: float, side: float) -> Group:
+def four(a: float, b: float, c: float, d: float, phi: float, omega: float, epsilon: float, side: float) -> CaseGroup:
     numbers = (np.array([x]) for x in (a, b, c, d, phi, omega, epsilon, side))
     return grouped("four-bar", FourBar(*numbers), 1)
 

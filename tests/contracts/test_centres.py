@@ -16,7 +16,7 @@ from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.style import Style
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 
 SEEDS = 3
@@ -40,7 +40,7 @@ STYLES = {
 @cache
 def drawn(name: str, form: str) -> tuple[list[Variant], Motion]:
     family = restrict(load_family(name), None, None, (form,) if form else ())
-    variants = Drawing(family, None).after([("methods", i) for i in range(SEEDS)], [0] * SEEDS)
+    variants = FamilySampler(family, None).after([("methods", i) for i in range(SEEDS)], [0] * SEEDS)
     return variants, solve_variants(variants, 2)
 
 

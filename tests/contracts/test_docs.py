@@ -12,10 +12,10 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.cli.app import _parser
-from variantgen.exam import assembly, sheets
+from variantgen.exam import allocation, sheets
 from variantgen.families.load import family_names, load_family
+from variantgen.families.method_names import METHODS
 from variantgen.families.restrict import restrict
-from variantgen.families.solving import METHODS
 from variantgen.figure.views import view_names
 from variantgen.outputs.figures import back_ends
 from variantgen.outputs.formats import FORMATS, chosen, format_of, parse_exam
@@ -227,7 +227,7 @@ def test_the_walk_of_the_seed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
         return seeding.digest(*parts)
 
     monkeypatch.setattr(draw, "Stream", Watched)
-    monkeypatch.setattr(assembly, "digest", digest)
+    monkeypatch.setattr(allocation, "digest", digest)
     monkeypatch.setattr(sheets, "digest", digest)
     arguments = ["sample_en", "--variants", "1", "--seed", "word", "--no-solutions", "--format", "html"]
     assert main(["build", *arguments, "--out", str(tmp_path / "out")]) == 0

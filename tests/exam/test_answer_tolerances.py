@@ -16,7 +16,7 @@ from tests.pdf_text import page_texts
 from variantgen.builder import build
 from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
@@ -25,7 +25,7 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.draw import draw
-from variantgen.variants.variant import columns, solve_variants
+from variantgen.variants.variant import parameter_arrays, solve_variants
 
 EXAM = """
 title = "Exam"
@@ -94,7 +94,7 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
     right = np.array([quantity.value(motion) for quantity in asked])
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     named = tight.unnoticed(variants, asked, motion, range(40))
-    for name, values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).items():
+    for name, values in wrong_answers(variants[0].form, parameter_arrays(variants), on_paper, asked, motion).items():
         distance = distances(right, values, asked)
         for i in range(40):
             touched = np.isfinite(distance[:, i])

@@ -16,13 +16,13 @@ from variantgen.families.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand import evaluation
 from variantgen.variants.attempts import VerificationError
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant
 
 
 @pytest.fixture(scope="module")
 def drawn() -> list[Variant]:
-    return Drawing(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
+    return FamilySampler(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
 
 
 def spoiled(motion: Motion, **changes: object) -> Motion:

@@ -11,7 +11,7 @@ import pytest
 
 from benchmarks.exams import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.sheets import Item
 from variantgen.wording.language import load_language

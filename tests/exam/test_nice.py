@@ -14,7 +14,7 @@ import pytest
 from benchmarks.exams import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 
 PROBLEM = '[[problem]]\nfamily = "ladder"\nform = "driven_at_wall"\nask = ["v_B", "omega_AB"]\n'

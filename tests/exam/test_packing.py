@@ -16,7 +16,7 @@ import pytest
 
 from benchmarks.exams import drawn_sheets
 from tests.builder.small_exams import exam
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item

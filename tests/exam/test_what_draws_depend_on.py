@@ -10,8 +10,8 @@ import pytest
 
 from benchmarks.exams import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.assembly import Drawer, DrawRequest
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.allocation import DrawRequest, ProblemSampler
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
@@ -113,7 +113,7 @@ def test_an_explicit_ceiling_draws_only_those_again_who_need_more(usual: Data) -
     assert len(moved - above) <= 3
     assert max(a.relative_tolerance for s in cut.values() for i in s.items for a in i.answers) <= 0.015 + 1e-12
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer = Drawer(replace(exam, seed="11"))
+    drawer = ProblemSampler(replace(exam, seed="11"))
     requests = [DrawRequest(student, place) for student in STUDENTS for place in range(len(exam.tasks))]
     assert drawer.cut(requests, drawer.variants(requests)) == len(above)
 

@@ -17,8 +17,8 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.solve import solve
-from variantgen.outputs.explanation import explain
-from variantgen.outputs.key_content import equation
+from variantgen.outputs.documents.key_content import equation
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 from variantgen.variants.draw import draw
 from variantgen.wording.formula import to_plain, to_typst

@@ -15,15 +15,15 @@ import pytest
 
 from benchmarks.exams import drawn_sheets
 from variantgen.cli import main
-from variantgen.exam.blueprint import read_exam
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
 from variantgen.figure.alt_text.directions import compass, is_parallel, line, side
 from variantgen.figure.build import statement_figure
-from variantgen.outputs.picture import picture
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.single.picture import picture
+from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language

@@ -16,9 +16,9 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.glyphs import KERNING, TABLE
 from variantgen.figure.lettering import typeset
 from variantgen.figure.requests import label_size
-from variantgen.outputs.glyph_table import table
-from variantgen.outputs.typesetter import typesetter
-from variantgen.variants.draw import Drawing as Draws
+from variantgen.outputs.typst.glyph_table import table
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import (
     About,

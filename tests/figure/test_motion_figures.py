@@ -9,7 +9,7 @@ import pytest
 
 from tests.contracts.test_families import arcs_and_labels
 from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, view_drawings
-from variantgen.exam.shown import Figures
+from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
@@ -21,7 +21,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.linkage.problem import task_of
 from variantgen.single import asked_quantities, one_variant
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Symbol, to_plain
 from variantgen.wording.language import load_language
@@ -133,7 +133,7 @@ def test_a_centre_outside_the_paper_is_noted() -> None:
     variant = one_variant(
         "slider_crank", {"OA": 34, "AB": 78, "phi": 105, "v_B": 120, "a_B": 60}, form="driven_by_slider"
     )
-    figures = Figures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
+    figures = SolutionFigures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
     figures.draw(["statement", "velocities"])
     captions = [list(figure.caption) for row in figures.rows() for figure in row]
     assert captions == [

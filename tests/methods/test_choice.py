@@ -6,7 +6,7 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, tasks
 from variantgen.errors import InputError
-from variantgen.families.solving import METHODS
+from variantgen.families.method_names import METHODS
 from variantgen.methods.choice import Choice, applicable, choose
 from variantgen.methods.steps.style import Style
 

@@ -28,7 +28,7 @@ from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Sentence, Solution
 from variantgen.single import one_variant
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain
 from variantgen.wording.language import load_language

@@ -13,7 +13,7 @@ from variantgen.methods.graphical.vector_chain import chain_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.step import Derived, Point, Sentence, Word
 from variantgen.variants.draw import draw
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.phrases import load_phrases

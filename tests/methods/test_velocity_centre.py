@@ -19,7 +19,7 @@ from variantgen.methods.steps.step import Sentence, Term
 from variantgen.methods.steps.style import Style
 from variantgen.methods.vectors import given
 from variantgen.methods.vectors.points import vector
-from variantgen.outputs.explanation import explain
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
 STYLE = Style("velocity_centre", "pole")

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.coverage import check_letters, missing
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.typst.coverage import check_letters, missing
+from variantgen.outputs.typst.typesetter import typesetter
 
 CONTROL = {"Cc", "Cf", "Cn"}
 

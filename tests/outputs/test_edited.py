@@ -11,8 +11,8 @@ import pytest
 
 from tests.outputs.formats.workbooks import Grading
 from variantgen.cli import main
-from variantgen.outputs import edited
-from variantgen.outputs.folder import whole_folder
+from variantgen.outputs.files import edited
+from variantgen.outputs.files.folder import whole_folder
 from variantgen.outputs.formats import known_files
 
 EXAM = """
@@ -163,11 +163,11 @@ def test_an_interruption_of_the_change_loses_nothing(
 
     with monkeypatch.context() as patch:
         if moment == "moved":
-            patch.setattr("variantgen.outputs.folder.keep_edited", killed)
+            patch.setattr("variantgen.outputs.files.folder.keep_edited", killed)
         elif moment == "half":
             patch.setattr(Path, "rename", rename)
         else:
-            patch.setattr("variantgen.outputs.folder.shutil.rmtree", killed)
+            patch.setattr("variantgen.outputs.files.folder.shutil.rmtree", killed)
         with pytest.raises(KilledError):
             build(folder, "--force")
     capsys.readouterr()

@@ -17,8 +17,8 @@ from variantgen.builder import build
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.files.records import key_rows
 from variantgen.outputs.formats import read_exam
-from variantgen.outputs.records import key_rows
 from variantgen.resources import catalog_dir
 
 FORMULA_STARTS = tuple("=+-@＝＋－＠")

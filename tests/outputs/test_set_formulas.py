@@ -8,9 +8,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.outputs.markup import Markup, heading, markup
-from variantgen.outputs.set_formulas import set_formulas
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.typst.markup import Markup, heading, markup
+from variantgen.outputs.typst.set_formulas import set_formulas
+from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import About, Equation, Formula, Index, Measured, Number, Symbol, UnitText
 from variantgen.wording.formula.tree import ANGLE
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.outputs.solution_blocks import blocks_data
+from variantgen.outputs.documents.solution_blocks import blocks_data
 from variantgen.wording.formula import Index, Measured, Number, Product, Sum, Symbol, UnitText
 from variantgen.wording.solution.document import Line, Lines, Paragraph, Program, VectorRow, VectorTable
 

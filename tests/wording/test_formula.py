@@ -14,9 +14,9 @@ from matplotlib.mathtext import MathTextParser
 
 from tests.wording.formulas import CM_PER_S, LINES, PHI, A, B, C, cos, deg, minus, num, plus, sym, times
 from variantgen.figure.lettering import typeset
-from variantgen.outputs.markup import markup
-from variantgen.outputs.motion_plot import STYLE
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import (
     About,
     Absolute,

@@ -13,9 +13,9 @@ from tests.wording import exact_reader
 from tests.wording.exact_reader import PRIME, AmbiguousError, read
 from tests.wording.formulas import deg, num, sym
 from tests.wording.latex_reader import in_line
-from variantgen.outputs.markup import markup
-from variantgen.outputs.motion_plot import STYLE
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import (
     About,
     Absolute,

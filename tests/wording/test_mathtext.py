@@ -9,7 +9,7 @@ from matplotlib.mathtext import MathTextParser
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.units import UNITS
-from variantgen.outputs.motion_plot import STYLE
+from variantgen.outputs.single.motion_plot import STYLE
 from variantgen.wording.formula import About, Equation, Formula, Index, Measured, Number, Symbol, UnitText
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.mathtext import to_mathtext

@@ -17,7 +17,7 @@ from variantgen.wording.language import languages, load_language
 from variantgen.wording.solution.explain import UnexplainedError, explain
 
 
-def check_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
+def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
     """Look at a scene in which nothing varies. Raises InputError for one that cannot be read or contradicts itself."""
     variant = one_variant(name_or_path, folders=folders)
     document = solution_document(variant)

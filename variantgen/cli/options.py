@@ -11,7 +11,7 @@ from variantgen.cli.messages import tell
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from variantgen.outputs.explanation import Explanation
+    from variantgen.outputs.single.explanation import Explanation
     from variantgen.variants.variant import Variant
 
 
@@ -79,7 +79,7 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
             if value:
                 raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
         return None
-    from variantgen.outputs.explanation import explain
+    from variantgen.outputs.single.explanation import explain
     from variantgen.wording.solution.explain import UnexplainedError
 
     depth = arguments.depth or "full"

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.expressions import Expression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.quantities import quantity_names
 from variantgen.families.units import Unit
@@ -74,7 +74,7 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Template:
+class ComponentTemplate:
     """A construction, joint or driver whose numbers are expressions."""
 
     component: type
@@ -88,15 +88,15 @@ class Template:
     def names(self) -> frozenset[str]:
         """Parameters and derived quantities that it uses."""
         every = [part for item in self.fields.values() for part in (item if isinstance(item, tuple) else (item,))]
-        used = [part.names for part in every if isinstance(part, Expression | Template)]
+        used = [part.names for part in every if isinstance(part, FamilyExpression | ComponentTemplate)]
         return frozenset().union(*used)
 
 
 def _built(item: Any, values: Mapping[str, Real]) -> Any:
-    if isinstance(item, Expression):
+    if isinstance(item, FamilyExpression):
         return item.value(values)
     if isinstance(item, tuple):
-        return tuple(part.build(values) if isinstance(part, Template) else part for part in item)
+        return tuple(part.build(values) if isinstance(part, ComponentTemplate) else part for part in item)
     return item
 
 
@@ -105,8 +105,8 @@ class Comparison:
     """``left < right`` (strict) or ``left <= right``, as written in ``text``."""
 
     text: str
-    left: Expression
-    right: Expression
+    left: FamilyExpression
+    right: FamilyExpression
     strict: bool
 
     def holds(self, values: Mapping[str, Real]) -> Any:
@@ -139,16 +139,16 @@ class Screens:
 
 
 @dataclass(frozen=True)
-class Ties:
+class TiedValues:
     """Values of some parameters that go together: one of the ``rows`` is drawn, each with a printed value per name."""
 
     names: tuple[str, ...]
     rows: tuple[tuple[Decimal, ...], ...]
 
-    def within(self, parameters: Mapping[str, Parameter]) -> Ties:
+    def within(self, parameters: Mapping[str, Parameter]) -> TiedValues:
         """The rows that lie on the grids of the parameters."""
         grids = [parameters[name].printed for name in self.names]
-        return Ties(self.names, tuple(r for r in self.rows if all(v in g for v, g in zip(r, grids, strict=True))))
+        return TiedValues(self.names, tuple(r for r in self.rows if all(v in g for v, g in zip(r, grids, strict=True))))
 
     def places(self, parameters: Mapping[str, Parameter]) -> dict[str, NDArray[np.int64]]:
         """Per name the places of the values of the rows on its grid, shape (R,)."""
@@ -159,7 +159,7 @@ class Ties:
 
 
 @dataclass(frozen=True)
-class Nice:
+class HandFriendly:
     """How hand-friendly variants are drawn: grids in place of those of the form, rows of values that go together.
 
     ``require``: further comparisons; ``possible``: whether there are such variants at all; ``answers``: whether the
@@ -167,7 +167,7 @@ class Nice:
     """
 
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
-    ties: Ties | None = None
+    ties: TiedValues | None = None
     require: tuple[Comparison, ...] = ()
     possible: bool = True
     answers: bool = True
@@ -200,20 +200,20 @@ class Form:
 
     name: str
     parameters: Mapping[str, Parameter]
-    derived: Mapping[str, Expression]
-    points: Mapping[str, Template]
+    derived: Mapping[str, FamilyExpression]
+    points: Mapping[str, ComponentTemplate]
     bodies: Mapping[str, tuple[str, ...]]
-    joints: tuple[Template, ...]
-    drivers: tuple[Template, ...]
+    joints: tuple[ComponentTemplate, ...]
+    drivers: tuple[ComponentTemplate, ...]
     ask: tuple[str, ...]
-    conditions: tuple[Template, ...] = ()
+    conditions: tuple[ComponentTemplate, ...] = ()
     may_ask: tuple[str, ...] = ()
     screens: Screens = Screens()
     pose: Pose = Pose()
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
-    nice: Nice = field(default_factory=Nice)
-    ties: Ties | None = None
+    nice: HandFriendly = field(default_factory=HandFriendly)
+    ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 

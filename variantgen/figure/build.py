@@ -22,7 +22,7 @@ from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
-from variantgen.variants.needed import given_names, shown_points
+from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 

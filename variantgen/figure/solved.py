@@ -13,7 +13,7 @@ from variantgen.mechanism.outcome import Outcome
 from variantgen.methods.graphical.vector_chain import VectorChain, chain_of
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.problem import Task, task_of
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 
 _NOTHING = 1e-9  # of the largest vector

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.families.expressions import Expression
-from variantgen.families.family import Template
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
@@ -49,10 +49,10 @@ def stated_rates(task: Task, order: int, language: Language) -> dict[str, Symbol
     return {body: symbol for body, symbol in found.items() if symbol is not None}
 
 
-def _symbol(task: Task, template: Template, field: str, usual: Name, language: Language) -> Symbol | None:
+def _symbol(task: Task, template: ComponentTemplate, field: str, usual: Name, language: Language) -> Symbol | None:
     """The symbol of a parameter that is the given magnitude itself, if that is not its usual name."""
     source = template.fields.get(field)
-    size = unsigned(task.expressed(source)) if isinstance(source, Expression) else None
+    size = unsigned(task.expressed(source)) if isinstance(source, FamilyExpression) else None
     name = as_stated(usual, size) if isinstance(size, Value) else usual
     return None if name == usual else language.symbol(name.of, task.form.symbols)
 

@@ -18,9 +18,9 @@ from variantgen.families.nice import no_nice_forms
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
-from variantgen.outputs.folder import check_free, whole_folder
-from variantgen.outputs.markup import markup
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.files.folder import check_free, whole_folder
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import figure_data, typesetter
 from variantgen.resources import templates_dir
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants

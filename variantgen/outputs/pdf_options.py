@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from variantgen.errors import nearest
-from variantgen.outputs.file_names import NAMINGS
+from variantgen.outputs.files.file_names import NAMINGS
 from variantgen.tables import Table
 
 NONE = "none"

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.tables import shown
 

@@ -22,8 +22,8 @@ from variantgen.figure.requests import label_size
 from variantgen.outputs.figures import MILLIMETRES, back_ends, mpl, png, write_figure
 from variantgen.outputs.figures.svg import svg
 from variantgen.outputs.figures.tikz import tikz
-from variantgen.outputs.picture import Picture, picture
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.single.picture import Picture, picture
+from variantgen.outputs.typst.typesetter import figure_data, typesetter
 from variantgen.single import one_variant
 from variantgen.wording.formula import Index, Symbol
 

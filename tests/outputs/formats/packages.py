@@ -19,8 +19,8 @@ from variantgen.cli import main
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.outputs.formats import Chunk, read_exam
-from variantgen.outputs.typesetter import typesetter
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.typst.typesetter import typesetter
 
 # A title and a name that no markup, file name or document of XML may break on.
 TITLE = '<b>&amp; ]]> "Тест" ../../x {{7*7}} %s'

@@ -28,7 +28,7 @@ from tests.outputs.formats.html_pages import (
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.figure.build import statement_figure
-from variantgen.outputs.web.articles import page_style
+from variantgen.outputs.html.articles import page_style
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language

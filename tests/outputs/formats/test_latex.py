@@ -129,11 +129,11 @@ def test_every_student_begins_on_an_odd_page_with_number_one(samples: Callable[[
 @pytest.mark.parametrize("length", [104, 112])
 def test_a_long_course_leaves_the_group_alone(length: int, tmp_path: Path) -> None:
     """The words of the course end well before the word Group, in whatever line they are."""
-    driver_sweep = ("Theoretical mechanics of plane mechanisms, " * 5)[:length].strip(", ")
-    text = exam_text().replace("[latex]", f"course = {json.dumps(driver_sweep)}\n[latex]")
+    course = ("Theoretical mechanics of plane mechanisms, " * 5)[:length].strip(", ")
+    text = exam_text().replace("[latex]", f"course = {json.dumps(course)}\n[latex]")
     folder = built(tmp_path, text, "id,name,group\na7,Ann Bell,ME-21\n")
     for name in ("sheets", "solutions"):
-        assert squeezed(driver_sweep) in printed(folder / f"{name}.pdf")
+        assert squeezed(course) in printed(folder / f"{name}.pdf")
         assert gap_before(folder / f"{name}.pdf", "Group ME-21") > 8
 
 

@@ -17,8 +17,8 @@ from variantgen.cli import main
 from variantgen.errors import VariantgenError
 from variantgen.exam.roster import Student
 from variantgen.outputs.formats.moodle import check_xml
-from variantgen.outputs.web.cloze import weights
-from variantgen.outputs.web.numbers import plain
+from variantgen.outputs.platforms.cloze import weights
+from variantgen.outputs.platforms.numbers import plain
 
 TWO = '[[problem]]\nfamily = "four_bar"\npoints = 10\n[[problem]]\nfamilies = ["spool", "rolling_wheel"]\n'
 MOODLE = 'formats = ["moodle"]\n'

@@ -17,7 +17,7 @@ from tests.pdf_text import page_texts
 from tests.verapdf import failures
 from variantgen.cli import main
 from variantgen.outputs.pdf_options import STANDARDS, Options, read_options
-from variantgen.outputs.typesetter import TypesettingError, typesetter
+from variantgen.outputs.typst.typesetter import TypesettingError, typesetter
 from variantgen.tables import Table
 
 ROSTER = "id;name;group\n17;Иванов Иван;М-21\n4;Öztürk Ann;М-21\n99;De la Cruz, Ana;\n"

@@ -31,6 +31,7 @@ from tests.outputs.formats.packages import (
 )
 from tests.outputs.formats.qti_reading import MATHML, Attempt, check
 from variantgen.cli import main
+from variantgen.outputs.platforms.points import shares
 from variantgen.outputs.qti.dialect import QTI21, QTI30, Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import Items
@@ -38,7 +39,6 @@ from variantgen.outputs.qti.options import Options
 from variantgen.outputs.qti.package import contents, indexes, names, pack
 from variantgen.outputs.qti.package import package as zip_package
 from variantgen.outputs.qti.tree import document
-from variantgen.outputs.web.points import shares
 
 NAMESPACES = {
     "qti21": ("http://www.imsglobal.org/xsd/imsqti_v2p1", "http://www.imsglobal.org/xsd/imscp_v1p1"),

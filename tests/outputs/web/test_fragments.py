@@ -8,8 +8,8 @@ import pytest
 
 from variantgen.exam.content import with_figures
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.rows import breadth
-from variantgen.outputs.web.fragments import Style, blocks_html, solution_html, statement_html
+from variantgen.outputs.documents.formula_rows import breadth
+from variantgen.outputs.html.fragments import Style, blocks_html, solution_html, statement_html
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Formula, Fraction, Number, Product, Sum, Symbol, to_plain

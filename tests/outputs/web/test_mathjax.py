@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from variantgen.outputs.web.mathjax import to_mathjax
+from variantgen.outputs.html.mathjax import to_mathjax
 from variantgen.wording.formula import Index, Measured, Number, Symbol, UnitText
 
 

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.figure.reading import variants_of
-from variantgen.outputs.explanation import explain
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import asked_quantities, one_variant
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import statement

@@ -16,7 +16,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.choice import applicable
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution_options import SolutionOptions
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
@@ -32,7 +32,7 @@ _REMAINDER = 1e-3
 
 def variants(name: str, form: str) -> tuple[list[Variant], Motion]:
     family = restrict(load_family(name), None, None, (form,) if form else ())
-    drawn = Drawing(family, None).after([("recomputed", i) for i in range(SEEDS)], [0] * SEEDS)
+    drawn = FamilySampler(family, None).after([("recomputed", i) for i in range(SEEDS)], [0] * SEEDS)
     asked = read_ask(drawn[0].form)
     return drawn, solve_variants(drawn, max(q.order for q in asked))
 

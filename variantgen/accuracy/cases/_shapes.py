@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.random import Generator
 
-from variantgen.accuracy.computed import Group, Textbook
+from variantgen.accuracy.computed import CaseGroup, Textbook
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
 
@@ -16,9 +16,9 @@ from variantgen.accuracy.textbook.slider_crank import SliderCrank
 _OPEN = 0.35
 
 
-def grouped(label: str, textbook: Textbook, size: int, **notes: float) -> Group:
+def grouped(label: str, textbook: Textbook, size: int, **notes: float) -> CaseGroup:
     """A group of a textbook mechanism."""
-    return Group(label, textbook.scene(), size, textbook, notes)
+    return CaseGroup(label, textbook.scene(), size, textbook, notes)
 
 
 def sides(rng: Generator, count: int) -> Any:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.algebra.expression import Value
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.linkage.problem import Task

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.algebra.expression import Constant, Expression, Total
 from variantgen.methods.algebra.sums import summed
 from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, degrees, normal_angle
@@ -49,7 +49,7 @@ class Layout:
             fields = condition.fields
             if condition.component is Distance:
                 self._stated[frozenset((fields["start"], fields["end"]))] = self.read_length(fields["length"])
-            if condition.component is Line and fields.get("towards") is None:
+            if condition.component is PointOnLine and fields.get("towards") is None:
                 angle = self.angles.on_paper(self.angles.read(fields.get("angle")))
                 self._lines.add(fields["through"], fields["point"], angle)
 

@@ -23,7 +23,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.methods.steps.style import Style
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
 _AT_REST = 1e-9  # of the largest velocity

@@ -216,7 +216,7 @@ def _circled(now: Instant, points: Sequence[str]) -> list[Turn]:
     for joint in now.scene.joints:
         contact = joint.contact_at(at)
         centres = [*joint.landmarks(), *([contact.other[1]] if contact and contact.other else [])]
-        names = [s.lead or s.points[0] for s in joint.shapes() if s.points]
+        names = [s.given_point or s.points[0] for s in joint.shapes() if s.points]
         found += [Turn(name, c) for name in names[:1] for c in centres if name in points and _keeps(now, name, c)]
     # Gears on a crank: the crank says it already.
     return [turn for turn in found if not any({turn.point, turn.pole} <= set(m) for m in now.scene.bodies.values())]

@@ -16,7 +16,7 @@ from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 _NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
 _LETTERS = "KLNSTUVWXYZQ" + ascii_uppercase

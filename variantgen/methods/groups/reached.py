@@ -67,7 +67,7 @@ class Reached:
         for joint in self.scene.joints:
             shapes = joint.shapes()
             for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
-                if shape.points != (point,) or shape.bodies or shape.lead is not None:
+                if shape.points != (point,) or shape.bodies or shape.given_point is not None:
                     continue
                 if joint.landmarks():
                     return PointPath(point, centre=joint.landmarks()[0])

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Field, Motion
@@ -68,9 +68,9 @@ def _projections(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
     speed = _speed(motion)
     for group, arm, way in _dyads(motion, groups):
         ray = arm / np.abs(arm)
-        cosine = along(ray, way)
+        cosine = dot(ray, way)
         fit = np.abs(cosine) > _FLAT
-        size = along(ray, motion.v[group.pole]) / np.where(fit, cosine, 1.0)
+        size = dot(ray, motion.v[group.pole]) / np.where(fit, cosine, 1.0)
         defect = np.abs(size * way - motion.v[group.track.point]) * np.minimum(1.0, np.abs(cosine)) / speed
         yield np.where(fit, defect, 0.0)
 
@@ -82,9 +82,9 @@ def _velocity_centre(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
         v = motion.v[group.pole]
         moving = np.abs(v) > 1e-9 * speed
         first = 1j * v / np.where(moving, np.abs(v), 1.0)
-        sine = across(first, 1j * way)
+        sine = cross(first, 1j * way)
         fit = moving & (np.abs(sine) > _FLAT)
-        reach = across(arm, 1j * way) / np.where(fit, sine, 1.0)  # P = A + reach * first
+        reach = cross(arm, 1j * way) / np.where(fit, sine, 1.0)  # P = A + reach * first
         # Near its pole a centre says little of the rate: what is compared is the rotation times the distance.
         turn = motion.omega[group.body]
         own = np.abs(np.abs(v) - turn * reach)
@@ -97,11 +97,11 @@ def _velocity_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
     speed = _speed(motion)
     for group, arm, way in _dyads(motion, groups):
         turn = 1j * arm
-        sine = across(turn, way) / np.abs(turn)
+        sine = cross(turn, way) / np.abs(turn)
         fit = np.abs(sine) > _FLAT
-        safe = np.where(fit, across(turn, way), 1.0)
+        safe = np.where(fit, cross(turn, way), 1.0)
         v = motion.v[group.pole]
-        size, rate = across(turn, v) / safe, across(way, v) / safe
+        size, rate = cross(turn, v) / safe, cross(way, v) / safe
         defect = np.maximum(
             np.abs(size * way - motion.v[group.track.point]),
             np.abs(rate - motion.omega[group.body]) * np.abs(arm),
@@ -119,10 +119,10 @@ def _crossing(motion: Motion, group: FloatingDyad, order: int) -> Iterator[Field
     gap = vectors[group.poles[1]] - vectors[group.poles[0]]
     if order == 2:
         gap = gap - motion.omega[group.bodies[1]] ** 2 * arms[1] + motion.omega[group.bodies[0]] ** 2 * arms[0]
-    sine = across(arms[0], arms[1])
+    sine = cross(arms[0], arms[1])
     for body, other, arm in ((group.bodies[0], arms[1], arms[0]), (group.bodies[1], arms[0], arms[1])):
         # i w0 d0 - i w1 d1 = gap: the product with the other arm leaves one rate.
-        rate = along(other, gap) / np.where(sine == 0, 1.0, sine)
+        rate = dot(other, gap) / np.where(sine == 0, 1.0, sine)
         yield np.abs(rate - rates[body]) * np.abs(arm) * (sine != 0)
 
 
@@ -133,15 +133,15 @@ def _acceleration_pole(motion: Motion, groups: Sequence[Group]) -> Iterator[Fiel
     gain = _gain(motion)
     for group, arm, way in _dyads(motion, groups):
         point, turn = group.track.point, 1j * arm
-        sine = across(turn, way) / np.abs(turn)
+        sine = cross(turn, way) / np.abs(turn)
         fit = np.abs(sine) > _FLAT
         known = motion.a[group.pole] - motion.omega[group.body] ** 2 * arm
         own = np.zeros_like(known)
         if not group.track.straight:
             ray = motion.z[group.track.centre] - motion.z[point]
             own = np.abs(motion.v[point]) ** 2 / np.abs(ray) ** 2 * ray
-        safe = np.where(fit, across(turn, way), 1.0)
-        size, rate = across(turn, known - own) / safe, across(way, known - own) / safe
+        safe = np.where(fit, cross(turn, way), 1.0)
+        size, rate = cross(turn, known - own) / safe, cross(way, known - own) / safe
         defect = np.maximum(
             np.abs(own + size * way - motion.a[point]), np.abs(rate - motion.epsilon[group.body]) * np.abs(arm)
         )
@@ -184,11 +184,11 @@ def _relative_motion(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
         omega = motion.omega[group.carrier]
         slip = motion.v[group.path.point] - motion.v[pole] - 1j * omega * arm
         ray = group.path.tangent(motion.z)
-        yield across(ray, slip) / speed
+        yield cross(ray, slip) / speed
         if motion.a:
             transport = motion.a[pole] + (1j * motion.epsilon[group.carrier] - omega**2) * arm
             rest = motion.a[group.path.point] - transport - 2j * omega * slip
-            yield across(ray, rest - group.path.curvature(motion.z) * np.abs(slip) ** 2) / _gain(motion)
+            yield cross(ray, rest - group.path.curvature(motion.z) * np.abs(slip) ** 2) / _gain(motion)
 
 
 def _three_rates(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
@@ -207,19 +207,19 @@ def _three_rates(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]:
 def _loop(motion: Motion, points: tuple[str, ...], bodies: tuple[str, ...]) -> Iterator[Field]:
     """Rates of the second and third link of a loop from that of the first; as velocities at the size of the links."""
     d = [motion.z[end] - motion.z[start] for start, end in pairwise(points)]
-    sine = across(d[1], d[2])
+    sine = cross(d[1], d[2])
     fit = np.abs(sine) > _FLAT * np.abs(d[1] * d[2])
     safe = np.where(fit, sine, 1.0)
     share = np.minimum(1.0, np.abs(sine) / np.abs(d[1] * d[2]))
     omega = [motion.omega[body] for body in bodies]
     known = omega[0] * d[0]
-    found = [-across(known, d[2]) / safe, across(known, d[1]) / safe]
+    found = [-cross(known, d[2]) / safe, cross(known, d[1]) / safe]
     for k in (1, 2):
         yield np.where(fit, np.abs(found[k - 1] - omega[k]) * np.abs(d[k]) * share / _speed(motion), 0.0)
     if motion.a:
         epsilon = [motion.epsilon[body] for body in bodies]
         known = epsilon[0] * d[0] + 1j * sum(w**2 * arm for w, arm in zip(omega, d, strict=True))
-        found = [-across(known, d[2]) / safe, across(known, d[1]) / safe]
+        found = [-cross(known, d[2]) / safe, cross(known, d[1]) / safe]
         for k in (1, 2):
             yield np.where(fit, np.abs(found[k - 1] - epsilon[k]) * np.abs(d[k]) * share / _gain(motion), 0.0)
 

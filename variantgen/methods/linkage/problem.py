@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit

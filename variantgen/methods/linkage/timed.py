@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.methods.algebra.expression import Expression, Total
 from variantgen.methods.algebra.monomial import simplified

@@ -12,8 +12,7 @@ import ast
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from variantgen.families.expressions import CONSTANTS
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.families.expressions import CONSTANTS, FamilyExpression
 from variantgen.families.units import unit
 from variantgen.methods.algebra.expression import (
     Applied,

@@ -11,7 +11,7 @@ from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, VectorLine
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 _RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes

@@ -7,7 +7,7 @@ out: the rate of the cylinder is not needed.
 
 from __future__ import annotations
 
-from variantgen.families.family import Template
+from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.methods.algebra.expression import Constant, Value
 from variantgen.methods.algebra.name import Name
@@ -53,7 +53,7 @@ def _link(group: Extended) -> str:
 def _along(book: Book, group: Extended) -> Known:
     """The given vector along the cylinder."""
     driver = book.task.scene.drivers[group.driver]
-    template: Template = book.task.form.drivers[group.driver]
+    template: ComponentTemplate = book.task.form.drivers[group.driver]
     assert isinstance(driver, Extension)
     rate = float(driver.rates(book.order)[0])
     if rate == 0:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.families.expressions import Expression as FamilyExpression
-from variantgen.families.family import Template
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
@@ -46,7 +46,7 @@ def take(book: Book) -> None:
         book.steps.remove(made)
 
 
-def _take_travel(book: Book, template: Template, point: str) -> None:
+def _take_travel(book: Book, template: ComponentTemplate, point: str) -> None:
     """A given vector along a path; on a circle the given acceleration is the tangential one, the normal one follows."""
     track = Route(book).track(point)
     if book.order == 1 or track is None or track.straight:
@@ -66,7 +66,7 @@ def _take_travel(book: Book, template: Template, point: str) -> None:
     sum_up(book, point)
 
 
-def _straight(book: Book, template: Template, point: str) -> Known:
+def _straight(book: Book, template: ComponentTemplate, point: str) -> Known:
     """A given vector of a point: its magnitude by the data, its direction as the figure shows it."""
     vector = book.exact(point)
     if abs(vector) <= _REST * book.scale:
@@ -85,7 +85,7 @@ def as_stated(name: Name, size: Value) -> Name:
     return name if stated.of in usual else stated
 
 
-def amount(book: Book, template: Template, key: str, measure: str) -> Value:
+def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> Value:
     """The magnitude of a given rate: the given parameter itself, or a value worked out from the data."""
     source = template.fields.get(key)
     if not isinstance(source, FamilyExpression):
@@ -106,7 +106,7 @@ def amount(book: Book, template: Template, key: str, measure: str) -> Value:
     return book.derive(_name_of(book, template, key), measure, expression)
 
 
-def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
+def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) -> None:
     """The law of time of which a given rate is the derivative, if it is one."""
     law = law_behind(book.task, source)
     if law is None:
@@ -120,7 +120,7 @@ def _say_law(book: Book, template: Template, source: FamilyExpression) -> None:
     book.derive(Name("parameter", name), measure, law)
 
 
-def _name_of(book: Book, template: Template, key: str) -> Name:
+def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
     """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
     fields = template.fields
     if template.component is Rotation:

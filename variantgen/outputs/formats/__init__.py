@@ -27,13 +27,13 @@ from pathlib import Path
 from typing import Any, Protocol, cast
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.exam import blueprint
-from variantgen.exam.blueprint import Exam
+from variantgen.exam import exam_file
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.records import RECORDS
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.files.records import RECORDS
+from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
 FORMATS = tuple(sorted(info.name for info in pkgutil.iter_modules(__path__)))
@@ -84,7 +84,7 @@ class Whole:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
 
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names
-    (:mod:`variantgen.outputs.groups`).
+    (:mod:`variantgen.outputs.files.groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """
@@ -151,12 +151,12 @@ def known_files() -> tuple[str, ...]:
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     """Read and check an exam file with the options of all formats. Raises InputError with every problem found."""
-    return blueprint.read_exam(path, folders, chosen, _readers())
+    return exam_file.read_exam(path, folders, chosen, _readers())
 
 
 def parse_exam(text: str, path: Path, folders: tuple[Path, ...]) -> Exam:
     """The exam of the text of a file, as :func:`read_exam`; ``path`` is named in messages."""
-    return blueprint.parse_exam(text, path, folders, chosen, _readers())
+    return exam_file.parse_exam(text, path, folders, chosen, _readers())
 
 
 def _readers() -> dict[str, Callable[[Table], Any]]:

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs import formats
+from variantgen.outputs.documents.key_content import Group, Place, groups, place, remarks
+from variantgen.outputs.documents.solution_data import solution_words
+from variantgen.outputs.files.groups import GROUPS, GroupFiles, by_group, parts_of
 from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, Whole
-from variantgen.outputs.groups import GROUPS, GroupFiles, by_group, parts_of
-from variantgen.outputs.key_content import Group, Place, groups, place, remarks
-from variantgen.outputs.solution_data import solution_words
-from variantgen.outputs.web.articles import problem_key, sheet_article, solution_article, student_key, table_heads
-from variantgen.outputs.web.pages import pieces, write_page
+from variantgen.outputs.html.articles import problem_key, sheet_article, solution_article, student_key, table_heads
+from variantgen.outputs.html.pages import pieces, write_page
 from variantgen.tables import Table
 from variantgen.wording.language import Language
 
@@ -239,7 +239,7 @@ def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
 
 def _common(exam: Exam, language: Language, heading: str) -> dict[str, Any]:
     """What every page says of itself."""
-    return {"lang": language.name, "heading": heading, "course": exam.driver_sweep, "words": language.words("html")}
+    return {"lang": language.name, "heading": heading, "course": exam.course, "words": language.words("html")}
 
 
 def _listed(sheet: Sheet) -> dict[str, str]:

@@ -9,9 +9,13 @@ from pathlib import Path
 from typing import Any, cast, get_args
 
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.documents.solution_data import solution_words, solutions_data
+from variantgen.outputs.files.groups import GROUPS, GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
@@ -21,15 +25,11 @@ from variantgen.outputs.formats import (
     Whole,
     options,
 )
-from variantgen.outputs.groups import GROUPS, GroupFiles, both_halves, by_group, documents
-from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.latex.characters import Alphabet, Engine, alphabet, is_right_to_left, named, unprintable
 from variantgen.outputs.latex.compiling import MissingGlyphsError, compile_document, how_to_install, missing
 from variantgen.outputs.latex.document import Look, write_document
 from variantgen.outputs.latex.templates import fill
 from variantgen.outputs.latex.writing import LatexWriting
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import solution_words, solutions_data
 from variantgen.tables import Table, shown
 
 HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
@@ -209,7 +209,7 @@ def _compile(whole: Whole, source: _Source) -> None:
 def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]:
     """What comes from outside, with where it stands."""
     yield "title", exam.title
-    yield "course", exam.driver_sweep
+    yield "course", exam.course
     yield from exam.notices.words
     for student in students:
         yield f"student {student.id}", student.name or student.id

@@ -21,17 +21,17 @@ from xml.parsers import expat
 from xml.sax.saxutils import unescape
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.web.characters import one_line, storable
-from variantgen.outputs.web.cloze import inert, part, weights
-from variantgen.outputs.web.figure_files import FORMS, FigureFile, FigureFiles
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.mathjax import to_mathjax
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.html.mathjax import to_mathjax
+from variantgen.outputs.platforms.cloze import inert, part, weights
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.tables import Table
 from variantgen.wording.html import to_html
 

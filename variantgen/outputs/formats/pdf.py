@@ -8,11 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.coverage import check_letters
-from variantgen.outputs.file_names import file_stem
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import group_text, sheets_data, who
+from variantgen.outputs.files.file_names import file_stem
+from variantgen.outputs.files.groups import GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
@@ -22,10 +24,8 @@ from variantgen.outputs.formats import (
     Whole,
     options,
 )
-from variantgen.outputs.groups import GroupFiles, both_halves, by_group, documents
-from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.pdf_options import Options, read_options
-from variantgen.outputs.sheet_data import group_text, sheets_data, who
+from variantgen.outputs.typst.coverage import check_letters
 
 if TYPE_CHECKING:
     from variantgen.outputs.pdf.bookmarks import Named
@@ -56,7 +56,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield _piece(part, "sheets", document, chosen.for_students)
     if not part.exam.solutions.wanted:
         return
-    from variantgen.outputs.solution_data import solutions_data
+    from variantgen.outputs.documents.solution_data import solutions_data
 
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.

@@ -20,18 +20,18 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.web.characters import one_line, storable
-from variantgen.outputs.web.figure_files import FORMS, FigureFiles
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.mathjax import to_mathjax
-from variantgen.outputs.web.numbers import plain
-from variantgen.outputs.web.questions import Asked, Question, questions
+from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.html.mathjax import to_mathjax
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFiles
+from variantgen.outputs.platforms.numbers import plain
+from variantgen.outputs.platforms.questions import Asked, Question, questions
+from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.resources import templates_dir
 from variantgen.tables import Table
 
@@ -103,7 +103,7 @@ def finish(whole: Whole) -> None:
                     shutil.copyfile(paths[0], top / "questions" / target)
 
 
-def _qid(task: Task, family: Family, build: str) -> str:
+def _qid(task: ExamProblem, family: Family, build: str) -> str:
     """The name of a question and of its folder, of letters, digits, hyphens and underscores."""
     name = re.sub(r"[^A-Za-z0-9_-]", "_", family.name)[:60]
     other = "" if name == family.name else f"-{sha256(family.name.encode()).hexdigest()[:6]}"
@@ -112,7 +112,7 @@ def _qid(task: Task, family: Family, build: str) -> str:
 
 def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     title = one_line(family.title(exam.language), _LONGEST) or family.name
-    topic = one_line(exam.driver_sweep, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
+    topic = one_line(exam.course, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
     return {
         "uuid": str(uuid.uuid5(_NAMESPACE, qid)),
         "title": title,

@@ -9,11 +9,11 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from variantgen.errors import missing_package
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.files.groups import GROUPS, GroupFiles
 from variantgen.outputs.formats import Chunk, Fragment, Whole, options
-from variantgen.outputs.groups import GROUPS, GroupFiles
 from variantgen.tables import Table
 
 HELP = "key.xlsx and grading.xlsx, a form for marking by hand"

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from variantgen.outputs.latex.characters import Alphabet, Engine, is_cyrillic_language
 from variantgen.outputs.latex.templates import fill
+from variantgen.wording.language import load_language
 
 if TYPE_CHECKING:
     from pylatex import Command
 
 _MARGINS = {"sheets": (18, 16, 18), "key": (15, 14, 16), "solutions": (15, 14, 17)}  # mm: sides, top, bottom
-_BABEL = {"en": "english", "ru": "russian"}
 _CYRILLIC_FONTS = ("CMU Serif", "CMU Typewriter Text")  # for LuaLaTeX: its usual font has no Cyrillic letters
 
 
@@ -73,10 +73,10 @@ def _needs(look: Look, pieces: Sequence[Path]) -> Needs:
 
 def _loaded(look: Look, needs: Needs) -> Iterator[Command]:
     """The class and the packages."""
-    from pylatex import Command, Package
+    from pylatex import Command, NoEscape, Package
 
     if look.engine == "pdflatex" and is_cyrillic_language(look.language):
-        yield Command("RequirePackage", "fix-cm")  # fonts of any size, where the fonts are not Latin Modern
+        yield Command("RequirePackage", NoEscape("fix-cm"))  # fonts of any size, where the fonts are not Latin Modern
     yield Command("documentclass", "article", "a4paper")
     for name, options in _packages(look, needs):
         yield Package(name, options=options or None)
@@ -85,7 +85,7 @@ def _loaded(look: Look, needs: Needs) -> Iterator[Command]:
 def _packages(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
     """Names and options of the packages, in the order in which they are loaded."""
     yield from _encodings(look, needs)
-    yield "babel", _BABEL[look.language]
+    yield "babel", load_language(look.language).words("language")["babel"]
     sides, top, bottom = _MARGINS[look.kind]
     yield "geometry", f"hmargin={sides}mm, top={top}mm, bottom={bottom}mm, headheight=14pt, headsep=0pt, footskip=9mm"
     yield from ((name, "") for name in ("fancyhdr", "amsmath", "array", "xcolor"))

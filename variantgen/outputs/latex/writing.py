@@ -17,7 +17,7 @@ from variantgen.wording.text import Text
 
 @dataclass(frozen=True)
 class LatexWriting:
-    """Fulfils :class:`variantgen.outputs.writing.Writing` for documents of an alphabet."""
+    """Fulfils :class:`variantgen.outputs.documents.writing.Writing` for documents of an alphabet."""
 
     alphabet: Alphabet
 

@@ -15,7 +15,7 @@ from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.sweep import Sweep
 from variantgen.single import answers
 from variantgen.variants.driver_sweep import DriverSweep
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Index, Symbol
 from variantgen.wording.language import Language

@@ -72,7 +72,7 @@ def _cycled(count: int) -> list[tuple[Any, str, float]]:
 def limit_ways(subject: Subject, axes: Any) -> None:
     """Limits and ticks of the abscissa."""
     ways = subject.ways
-    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.lead.angular
+    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.leading_driver.angular
     axes.set_xlim(low, high)
     set_ticks(axes.xaxis, round_ticks(low, high, 8 if angular else 6, angular), subject.language)
 

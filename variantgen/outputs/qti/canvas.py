@@ -11,11 +11,13 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.questions import Question, questions
 from variantgen.outputs.qti import canvas_quiz as quiz
 from variantgen.outputs.qti.canvas_item import Items
 from variantgen.outputs.qti.figures import FOLDER, Figures
@@ -23,8 +25,6 @@ from variantgen.outputs.qti.options import HTML, Options, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
 from variantgen.outputs.qti.tree import document, line
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Question, questions
 from variantgen.tables import Table
 
 NAME = "canvas"
@@ -69,7 +69,7 @@ def check(exam: Exam) -> None:
         )
 
 
-def _numbers(task: Task) -> int:
+def _numbers(task: ExamProblem) -> int:
     """How many numbers a problem asks for, at most."""
     return max(len(read_ask(form, task.ask)) for family in task.families for form in family.forms.values())
 
@@ -102,7 +102,7 @@ def _questions(sheet: Sequence[Question], items: Items) -> Iterator[tuple[str, b
             yield f"{_group(question.posed.item.task)}{item.get('ident')}.xml", document(item)
 
 
-def _group(task: Task) -> str:
+def _group(task: ExamProblem) -> str:
     return f"problem-{task.number}/"
 
 
@@ -117,7 +117,7 @@ def _quiz(name: str, sheet: Sequence[Question], items: Items, options: CanvasOpt
     yield quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=True))
 
 
-def _points(problems: Iterator[tuple[Task, int]]) -> Decimal:
+def _points(problems: Iterator[tuple[ExamProblem, int]]) -> Decimal:
     return sum((share for task, parts in problems for share in shares(task.points, parts)), Decimal(0))
 
 
@@ -154,7 +154,7 @@ def _write_drawing(made: Package, name: str, title: str, exam: Exam, pieces: Seq
     made.add(quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=False)))
 
 
-def _write_group(outline: Outline, name: str, task: Task, exam: Exam, pieces: Sequence[Path]) -> None:
+def _write_group(outline: Outline, name: str, task: ExamProblem, exam: Exam, pieces: Sequence[Path]) -> None:
     """The questions of one problem, of which each student gets one."""
     title = f"{exam.spoken.words('sheet')['problem']} {task.number}"
     with outline.inside("section", {"ident": name, "title": title}):

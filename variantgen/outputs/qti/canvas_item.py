@@ -14,15 +14,15 @@ from decimal import Decimal
 from html import escape
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
+from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.questions import Asked, Question
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import accepted, identifier
 from variantgen.outputs.qti.options import Options, in_text
 from variantgen.outputs.qti.tree import element, fragment, html, line, number
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Asked, Question
 from variantgen.wording.html import to_html
 
 _RESPONSE = {"respident": "response1"}

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.platforms.questions import questions
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.item import Items, identifier
@@ -22,7 +23,6 @@ from variantgen.outputs.qti.options import Options, introduction, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, pack, package
 from variantgen.outputs.qti.tree import document, element, images, line
-from variantgen.outputs.web.questions import questions
 from variantgen.tables import Table
 
 _PACKAGE = "package"  # the target of the pieces

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from xml.etree import ElementTree
 
 from variantgen.figure.drawing import Drawing
+from variantgen.outputs.platforms.figure_files import FigureFiles
 from variantgen.outputs.qti.tree import element, line
-from variantgen.outputs.typesetter import Typesetter
-from variantgen.outputs.web.figure_files import FigureFiles
+from variantgen.outputs.typst.typesetter import Typesetter
 
 FORMS = ("png", "svg")
 FOLDER = "images"

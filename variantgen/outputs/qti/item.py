@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from decimal import Decimal
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
+from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.questions import Asked, Question
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.figures import Figures
 from variantgen.outputs.qti.options import Options, in_text
 from variantgen.outputs.qti.tree import element, line, number
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Asked, Question
 from variantgen.version import VERSION
 from variantgen.wording.html import to_html
 from variantgen.wording.solution.phrases import load_phrases

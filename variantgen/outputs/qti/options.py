@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.figure.drawing import Drawing
+from variantgen.outputs.html.fragments import Style, notices_html
 from variantgen.outputs.qti.figures import FORMS, Figures
-from variantgen.outputs.web.fragments import Style, notices_html
 from variantgen.tables import Table
 from variantgen.wording.formula import Formula
 from variantgen.wording.html import to_html

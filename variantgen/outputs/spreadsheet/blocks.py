@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.spreadsheet.asked import Headings
 from variantgen.wording.language import Language
@@ -22,7 +22,7 @@ class Block:
     is the first column, ``answers`` that on the sheet of answers.
     """
 
-    task: Task
+    task: ExamProblem
     place: int
     most: int
     names: tuple[tuple[str, str], ...]

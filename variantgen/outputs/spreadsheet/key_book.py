@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.outputs.spreadsheet.asked import Headings
 from variantgen.outputs.spreadsheet.book import CELL, HEAD, TEXT, Book, Page, open_book

@@ -12,7 +12,7 @@ from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.no_way import NO_WAY
 from variantgen.methods.steps.step import Sentence, Solution
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
 from variantgen.wording.language import Language

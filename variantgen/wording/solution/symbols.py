@@ -121,10 +121,10 @@ class Symbols:
         upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
         return Symbol(self.language.letter(name.kind), tuple(index), upper)
 
-    def body(self, name: str, case: str) -> tuple[str | Symbol, ...]:
-        """A body in a case, ``link AB``, ``disc 2``; one without a name is called by its kind alone."""
+    def body(self, name: str, form: str) -> tuple[str | Symbol, ...]:
+        """A body in a form of its name, ``link AB``, ``disc 2``; one without a name is called by its kind alone."""
         kind = self._kind(name)
-        noun = self.phrases.bodies[kind][case or "name"]
+        noun = self.phrases.bodies[kind][form or "name"]
         called = self.form.symbols.get(name, name.removeprefix(kind) if kind in name else name)
         if not called:
             return (self.phrases.words["the"] + noun,)

@@ -127,12 +127,12 @@ class Writer:
 
     # Sentences.
 
-    def text(self, sentence: Sentence, capital: bool = False) -> Text:
-        """A sentence filled with its facts."""
+    def text(self, sentence: Sentence, capital: bool = False, form: str = "") -> Text:
+        """A sentence, or a form of it, filled with its facts."""
         parts: list[str | Formula] = []
-        for part in self.phrases.sentence(sentence.key):
+        for part in self.phrases.sentence(f"{sentence.key}.{form}" if form else sentence.key):
             if isinstance(part, Field):
-                parts += self._fact(sentence.facts[part.name], part.case)
+                parts += self._fact(sentence.facts[part.name], part.form)
             elif isinstance(part, Letter):
                 parts.append(Symbol(part.name))
             else:
@@ -141,10 +141,10 @@ class Writer:
             parts[0] = parts[0][:1].upper() + parts[0][1:]
         return tuple(parts)
 
-    def _fact(self, fact: Fact, case: str) -> Sequence[str | Formula]:
+    def _fact(self, fact: Fact, form: str) -> Sequence[str | Formula]:
         match fact:
             case Body(name):
-                return self.symbols.body(name, case)
+                return self.symbols.body(name, form)
             case Point(name):
                 return (Symbol(name),)
             case Segment(start, end, centre_of):
@@ -163,16 +163,16 @@ class Writer:
             case Name():
                 return (self.symbols.of(fact),)
             case Sentence():
-                return self.text(fact)
-        return self._list(fact, case)
+                return self.text(fact, form=form)
+        return self._list(fact, form)
 
-    def _list(self, facts: tuple[Fact, ...], case: str) -> Sequence[str | Formula]:
+    def _list(self, facts: tuple[Fact, ...], form: str) -> Sequence[str | Formula]:
         """Facts with commas, and a word before the last."""
         parts: list[str | Formula] = []
         for number, fact in enumerate(facts):
             if number:
                 parts.append(f" {self.phrases.words['and']} " if number == len(facts) - 1 else ", ")
-            parts += self._fact(fact, case)
+            parts += self._fact(fact, form)
         return parts
 
     # Formulas.

@@ -9,12 +9,12 @@ from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.geometry.geometry import degrees
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.mechanism.drivers.circling import Circling
     from variantgen.methods.coordinates.model import Model
 
 
-def state(model: Model, driver: Circling, template: Template) -> None:
+def state(model: Model, driver: Circling, template: ComponentTemplate) -> None:
     """``psi' = v / R``, ``psi'' = a / R``, the angle of the circular slot."""
     turn = model.rotation(driver.body)
     now = degrees(model.now(driver.centre, driver.point)) - (turn.exact if turn is not None else 0.0)

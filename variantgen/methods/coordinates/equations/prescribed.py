@@ -9,14 +9,16 @@ from variantgen.methods.algebra.expression import Constant, Expression
 from variantgen.methods.vectors.given import amount
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.methods.coordinates.model import Model
 
 _ANGULAR = {"omega": "angular velocity", "epsilon": "angular acceleration"}
 _LINEAR = {"v": "velocity", "a": "acceleration"}
 
 
-def rates(model: Model, driver: Any, template: Template, sign: float | None = None) -> tuple[Expression, Expression]:
+def rates(
+    model: Model, driver: Any, template: ComponentTemplate, sign: float | None = None
+) -> tuple[Expression, Expression]:
     """First and second derivative of what a driver prescribes; ``sign`` +1 or -1 as it counts on paper.
 
     A rotation counts as the frame of the scene does, a way along a line by itself.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.algebra.expression import Constant, Expression, Value, cos, sin
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.algebra.sums import squared, summed
@@ -71,7 +71,11 @@ class Construction(Placed):
     def _axis(self, condition: Any, known: Mapping[str, Pair]) -> int | None:
         """Which coordinate (0 x, 1 y) a line along an axis keeps constant; None for other conditions."""
         fields = condition.fields
-        if condition.component is not Line or fields.get("towards") is not None or fields["through"] not in known:
+        if (
+            condition.component is not PointOnLine
+            or fields.get("towards") is not None
+            or fields["through"] not in known
+        ):
             return None
         angle = self.geometry.number(self.geometry.angles.on_paper(self.geometry.angles.read(fields.get("angle"))))
         return None if angle % 90.0 else (1 if angle % 180.0 == 0 else 0)

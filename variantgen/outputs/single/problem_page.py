@@ -1,0 +1,59 @@
+"""One problem with figure and answers as PDF, PNG or SVG (``show --out``)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal, get_args
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
+from variantgen.outputs.documents.writing import TYPST
+from variantgen.outputs.figures import write_whole
+from variantgen.outputs.typst.typesetter import equals_data, figure_data, typesetter
+from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import Equation, Measured
+from variantgen.wording.language import load_language
+from variantgen.wording.statement import sign_notes, statement
+
+Format = Literal["pdf", "png", "svg"]
+FORMATS: tuple[Format, ...] = get_args(Format)
+
+
+def page_format(path: Path) -> Format:
+    """The format of a page, by the ending of its path. Raises InputError for another ending."""
+    form = path.suffix.lstrip(".").lower()
+    if form not in FORMATS:
+        raise InputError(Problem("unknown format", key="--out", value=path.name, remedy=nearest(form, FORMATS)))
+    return form
+
+
+def write_single(
+    variant: Variant, asked: Sequence[Quantity], answers: Sequence[Answer], language_name: str, path: Path, remark: str
+) -> None:
+    """Write one problem; the format follows the ending of the path. Raises InputError for another ending."""
+    form = page_format(path)
+    language = load_language(language_name)
+    said = statement(variant, asked, language)
+    found = [
+        equals_data(Equation(symbol, Measured(language.answer(a.quantity, a.value), language.unit(a.unit))), a.surd)
+        for symbol, a in zip(said.asked, answers, strict=True)
+    ]
+    data = {
+        "lang": language_name,
+        "title": variant.family.title(language_name),
+        "remark": remark,
+        "words": dict(language.words("sheet")),
+        "text": TYPST.text(said.text),
+        "given": [equals_data(equation) for equation in said.given],
+        "asked": [TYPST.formula(symbol) for symbol in said.asked],
+        "answers-title": language.words("key")["title"] + ":",
+        "answers": found,
+        "notes": sign_notes(asked, language),
+        "figure": figure_data(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
+    }
+    with typesetter() as engine:
+        made = engine.compile("single.typ", data, form)[0]
+    write_whole(path, made, "--out")
