@@ -6,7 +6,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from variantgen.builder.build_spec import BuildSpec, known_here
+from variantgen.builder.build_spec import BuildSpec, preloaded
 from variantgen.builder.draw_stage import draw_all
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import unfinished
@@ -52,7 +52,7 @@ def drawn_sheets(exam: Exam, students: Sequence[Student]) -> tuple[Sheet, ...]:
         tempfile.TemporaryDirectory() as name,
         typesetter() as engine,
         unfinished(Path(name) / "out", {}, False, ()) as parts,
-        known_here(spec, exam, engine),
+        preloaded(spec, exam, engine),
     ):
         draw_all(exam, students, spec, parts, InlineWorkers(), lambda stage, done, total: None)
         return tuple(StoredSheets(exam, students, parts))
