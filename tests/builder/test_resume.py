@@ -134,7 +134,7 @@ def test_who_draws_again_is_decided_as_without_interruption(tmp_path: Path) -> N
     whole = build(exam(tmp_path, text), students, tmp_path / "whole")
     assert len(whole.redrawn) > 10
 
-    for when in ("settle", "put_changed"):
+    for when in ("mark_drawn", "put_changed"):
         real = getattr(Unfinished, when)
         calls: list[int] = []
 

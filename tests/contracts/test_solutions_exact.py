@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from variantgen.algebra.expression import Value
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
@@ -13,7 +14,6 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book

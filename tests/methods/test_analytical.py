@@ -8,8 +8,8 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
+from variantgen.algebra.name import Name
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates import analytical
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived

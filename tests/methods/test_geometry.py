@@ -14,11 +14,11 @@ from typing import Any
 import pytest
 
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.values import parts
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.values import parts
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.steps.step import Derived, Sentence, Statement

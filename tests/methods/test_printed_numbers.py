@@ -13,20 +13,20 @@ from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.solution.document import Line, Lines, Section
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, Section
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.solution.phrases import load_phrases
 
 METHODS = {"coordinates": coordinates, "analytical": analytical, "three_rates": three_rates}
 
 
-def results(section: Section) -> list[Line]:
+def results(section: Section) -> list[FormulaLine]:
     """Lines with a number as their result."""
-    lines = [line for block in section.blocks if isinstance(block, Lines) for line in block.lines]
+    lines = [line for block in section.blocks if isinstance(block, FormulaLines) for line in block.lines]
     return [line for line in lines if len(line.pieces) > 1 and isinstance(line.pieces[-1][1], Measured)]
 
 
-def note(reader: Reader, line: Line) -> None:
+def note(reader: Reader, line: FormulaLine) -> None:
     """Take a printed number as known: how the position is found has its own test."""
     text = line.pieces[-1][1].number.text.replace("−", "-").replace(reader.mark, ".")
     reader.known[to_plain(line.pieces[0][1])] = float(text)

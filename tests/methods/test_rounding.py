@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from tests.methods.forms import FORMS, tasks, variants
+from variantgen.algebra.expression import Constant, Ratio, Total, Value
+from variantgen.algebra.linear import LinearSolution
+from variantgen.algebra.name import Name
+from variantgen.algebra.vectorised import Operations
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.algebra.expression import Constant, LinearSolution, Ratio, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.vectorised import Operations
 from variantgen.methods.compose import solution
 from variantgen.methods.hand.rounding import HandCalculation, Worked
 from variantgen.methods.linkage.problem import Task, task_of

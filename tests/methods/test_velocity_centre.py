@@ -8,9 +8,9 @@ from math import cos, radians, sqrt
 import pytest
 
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.agreement import deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.by_groups import walk
 from variantgen.methods.centres.known_centre import divide
 from variantgen.methods.centres.velocity_centre import distance

@@ -23,7 +23,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
 from variantgen.outputs.files.records import RECORDS, write_records
-from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, format_of, known_files, read_exam
+from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, format_of, known_files, read_exam
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 if TYPE_CHECKING:
@@ -184,7 +184,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        format_of(name).finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
+        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes))
     redrawn, alike, cut = parts.drawn_marks()
     write_records(folder, exam, spec.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -7,11 +7,11 @@ from itertools import combinations
 
 import numpy as np
 
+from variantgen.algebra.expression import Constant, Value, cos
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
 from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.algebra.expression import Constant, Value, cos
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from variantgen.algebra.expression import Value
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.by_groups import walk
 from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.check import all_constraints, by_links, equal_projections

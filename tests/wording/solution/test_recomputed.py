@@ -20,7 +20,7 @@ from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.solution.document import Line, Lines, SolutionText
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, SolutionText
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import given
 
@@ -52,7 +52,7 @@ class Reader:
             self.line(line)
         assert not self.waiting, f"equations without a solution: {self.waiting}"
 
-    def line(self, line: Line) -> None:
+    def line(self, line: FormulaLine) -> None:
         texts = [to_plain(formula) for _, formula in line.pieces]
         whole = " = ".join(texts)
         if "\u20d7" in whole:
@@ -102,10 +102,10 @@ class Reader:
                 self.wrong.append(f"{whole}: {sides[0]:.9g} and {sides[1]:.9g}")
 
 
-def lines_of(found: SolutionText) -> Iterator[Line]:
+def lines_of(found: SolutionText) -> Iterator[FormulaLine]:
     for blocks in (*(section.blocks for section in found.sections), found.check):
         for block in blocks:
-            if isinstance(block, Lines):
+            if isinstance(block, FormulaLines):
                 yield from block.lines
 
 

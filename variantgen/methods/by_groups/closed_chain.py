@@ -15,9 +15,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.algebra import Maybe, added, linear, product
-from variantgen.methods.algebra.expression import Constant, Expression, Raised, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Raised, Value
+from variantgen.algebra.linear import linear
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book, Rate

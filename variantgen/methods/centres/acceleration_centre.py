@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio, Value, root
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.centre import named_place, reach, turned_by
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.solution.book import Book
@@ -122,7 +122,7 @@ def _intensity(book: Book, body: str) -> Expression:
     omega, epsilon = book.omega[body], book.epsilon[body]
     if not epsilon.sense:
         return omega.size**2
-    return root(epsilon.size**2 + omega.size**4) if omega.sense else epsilon.size
+    return SquareRoot(epsilon.size**2 + omega.size**4) if omega.sense else epsilon.size
 
 
 def distance(book: Book, body: str, point: str) -> Value:

@@ -12,18 +12,8 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.expression import (
-    Applied,
-    Constant,
-    Expression,
-    Ratio,
-    Total,
-    Value,
-    cos,
-    root,
-    sin,
-)
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value, cos, sin
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.rays import Centre, Ray
@@ -194,8 +184,8 @@ def _on_line(arm: Value, side: Value, spread: Value) -> Expression:
 
 def _hypotenuse(arm: Value, side: Value) -> Expression:
     if abs(arm.exact - side.exact) <= NEAR * side.exact:
-        return side * root(Constant(2.0))
-    return root(arm**2 + side**2)
+        return side * SquareRoot(Constant(2.0))
+    return SquareRoot(arm**2 + side**2)
 
 
 _ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
@@ -203,7 +193,7 @@ _ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
     _EQUILATERAL: lambda arm, side, spread: side,
     _ISOSCELES: lambda arm, side, spread: Constant(2.0) * side * sin(spread / Constant(2.0)),
     _RIGHT: lambda arm, side, spread: _hypotenuse(arm, side),
-    _GENERAL: lambda arm, side, spread: root(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
+    _GENERAL: lambda arm, side, spread: SquareRoot(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
 }
 
 

@@ -11,9 +11,9 @@ import cmath
 import math
 from collections.abc import Iterator
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.centres.centre import named_place
 from variantgen.methods.centres.perpendiculars import facts_of_two, perpendicular
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle

@@ -10,8 +10,8 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Value, cos, sin
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book

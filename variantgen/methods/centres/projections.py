@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Expression, Value, cos
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.centres import velocity_centre
 from variantgen.methods.centres.centre import difference
 from variantgen.methods.geometry.geometry import Geometry, between

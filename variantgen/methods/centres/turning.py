@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Total, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Total, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import contact_fact
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.groups.group import Composed, PivotedLink, Rolled, RollingContactPole

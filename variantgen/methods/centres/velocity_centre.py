@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.centre import reach
 from variantgen.methods.centres.known_centre import centre_of, sense_about
 from variantgen.methods.centres.perpendiculars import meet

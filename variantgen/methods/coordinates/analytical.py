@@ -10,10 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from variantgen.methods.algebra.algebra import Maybe, added, derivative, forward, linear, product, pruned, substituted
-from variantgen.methods.algebra.expression import Constant, Expression, Ratio, Value, hypotenuse
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import parts
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value, hypotenuse
+from variantgen.algebra.linear import linear
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, forward, product
+from variantgen.algebra.substitution import pruned, substituted
+from variantgen.algebra.values import parts
 from variantgen.methods.coordinates import results
 from variantgen.methods.coordinates.blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinates.coordinate import Coordinate, Equation

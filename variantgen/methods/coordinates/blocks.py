@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.normal_form import Maybe
+from variantgen.algebra.values import parts
 from variantgen.mechanism.blocks import triangular_blocks
-from variantgen.methods.algebra.algebra import Maybe
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.values import parts
 from variantgen.methods.coordinates.coordinate import Coordinate, Equation
 from variantgen.methods.coordinates.model import Model
 

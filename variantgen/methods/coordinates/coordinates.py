@@ -6,8 +6,11 @@ program that computes the same is added to the solution (:mod:`variantgen.method
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.algebra import Maybe, added, derivative, forward, linear, pruned, reduced
-from variantgen.methods.algebra.expression import Constant, Ratio, Value
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Ratio, Value
+from variantgen.algebra.linear import linear, reduced
+from variantgen.algebra.normal_form import Maybe, added, forward
+from variantgen.algebra.substitution import pruned
 from variantgen.methods.coordinates import results
 from variantgen.methods.coordinates.blocks import Block, blocks_for, given_coordinates
 from variantgen.methods.coordinates.coordinate import Coordinate

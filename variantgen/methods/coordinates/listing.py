@@ -9,10 +9,10 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
-from variantgen.methods.algebra.algebra import added, signed
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.python_source import enclosed, identifier, number, written
-from variantgen.methods.algebra.values import in_order, parts
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.normal_form import added, signed
+from variantgen.algebra.python_source import enclosed, identifier, number, written
+from variantgen.algebra.values import in_order, parts
 from variantgen.methods.coordinates import outputs
 from variantgen.methods.coordinates.blocks import Block, given_coordinates
 from variantgen.methods.coordinates.coordinate import Coordinate

@@ -2,7 +2,7 @@
 
 Unknown are the coordinates of moving points, and angles and ways where a joint speaks of them. What a driver
 prescribes or a guide along an axis keeps constant is no unknown. The equations are those of the positions; derivatives
-are taken by :mod:`variantgen.methods.algebra.algebra`.
+are taken by :mod:`variantgen.algebra.derivative`.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, forward, product
+from variantgen.algebra.values import parts
 from variantgen.mechanism.rows import Constraint
-from variantgen.methods.algebra.algebra import Maybe, added, forward, product
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import parts
 from variantgen.methods.coordinates.coordinate import Coordinate, Equation
 from variantgen.methods.coordinates.heading import Heading, fixed_number
 from variantgen.methods.geometry.geometry import degrees

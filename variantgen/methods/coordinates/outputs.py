@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.python_source import number
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.python_source import number
 from variantgen.methods.coordinates.model import Model
 
 _TABLES = {1: "V", 2: "A"}

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.algebra import added, product, pruned
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
+from variantgen.algebra.substitution import pruned
+from variantgen.algebra.values import in_order
 from variantgen.methods.coordinates.model import Model
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Derived, Sentence, Statement, Step

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from variantgen.algebra.expression import Constant, Expression, Magnitude, Raised, Ratio, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product, signed
+from variantgen.algebra.substitution import pruned
 from variantgen.mechanism.relative import sliding_points
-from variantgen.methods.algebra.algebra import added, product, pruned, signed
-from variantgen.methods.algebra.expression import Constant, Expression, Magnitude, Raised, Ratio, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates.blocks import Block
 from variantgen.methods.coordinates.model import Model
 from variantgen.methods.geometry.geometry import Geometry, degrees

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.families.expressions import FamilyExpression
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.linkage.timed import angle_law
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import Signed, summed
+from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Signed, summed
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.geometry.layout import Layout

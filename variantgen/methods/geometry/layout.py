@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from variantgen.algebra.expression import Constant, Expression, Total
+from variantgen.algebra.normal_form import summed
 from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
-from variantgen.methods.algebra.expression import Constant, Expression, Total
-from variantgen.methods.algebra.sums import summed
 from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, degrees, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.lines import Lines

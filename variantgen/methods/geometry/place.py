@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.methods.algebra.expression import Expression, Value
+from variantgen.algebra.expression import Expression, Value
 from variantgen.methods.geometry.angles import AngleForm
 from variantgen.methods.geometry.legs import Leg
 

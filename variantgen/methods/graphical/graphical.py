@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.by_groups import walk
 from variantgen.methods.graphical.drawn_geometry import DrawnGeometry
 from variantgen.methods.graphical.plan_drawing import PlanDrawing

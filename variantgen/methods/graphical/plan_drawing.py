@@ -11,8 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Derived, Fact, NumberOf, Sentence, Term, VectorLine, VectorOf

@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from string import ascii_uppercase
 
+from variantgen.algebra.expression import Value
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task

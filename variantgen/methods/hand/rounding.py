@@ -23,12 +23,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.algebra.expression import Total, Value
+from variantgen.algebra.values import in_order
+from variantgen.algebra.vectorised import Operations, rounded_at
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.algebra.expression import Total, Value
-from variantgen.methods.algebra.values import in_order
-from variantgen.methods.algebra.vectorised import Operations, rounded_at
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of

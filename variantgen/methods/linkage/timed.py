@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from variantgen.algebra.expression import Expression, Total
+from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
-from variantgen.methods.algebra.expression import Expression, Total
-from variantgen.methods.algebra.monomial import simplified
 
 if TYPE_CHECKING:
     from variantgen.methods.linkage.problem import Task

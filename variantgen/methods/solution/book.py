@@ -10,8 +10,8 @@ from copy import copy
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.rays import Centre

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
 from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.printed_digits import items_values

@@ -6,10 +6,8 @@ import cmath
 import math
 from dataclasses import dataclass, field
 
-from variantgen.methods.algebra.expression import (
-    Value,
-)
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import CentreOf, Segment
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Value, rounded
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order, parts
+from variantgen.algebra.expression import Value, rounded
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
     ChainGraph,
     Derived,

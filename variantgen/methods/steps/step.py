@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ tangential components stand in the same relation, because the radii do not chang
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Value
+from variantgen.algebra.expression import Value
 from variantgen.methods.groups.contact import Side
 from variantgen.methods.groups.group import Joined
 from variantgen.methods.solution.book import Book

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from variantgen.methods.algebra.expression import Expression, Total, Value, cos
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Total, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.contact import NoSlipContact, Side
 from variantgen.methods.groups.group import Joined

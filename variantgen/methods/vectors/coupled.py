@@ -11,8 +11,8 @@ import cmath
 import math
 from typing import NamedTuple
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.group import Support, ThirdClassGroup
 from variantgen.methods.solution.book import Book, Known, Rate, resultant

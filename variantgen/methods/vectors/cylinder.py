@@ -7,10 +7,10 @@ out: the rate of the cylinder is not needed.
 
 from __future__ import annotations
 
+from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.name import Name
 from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.extension import Extension
-from variantgen.methods.algebra.expression import Constant, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.group import Extended
 from variantgen.methods.solution.book import Book, Known, resultant

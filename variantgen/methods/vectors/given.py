@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.circling import Circling
@@ -11,9 +14,6 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.mechanism.scene import label
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value
-from variantgen.methods.algebra.monomial import simplified
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.route import Route
 from variantgen.methods.linkage.timed import law_behind

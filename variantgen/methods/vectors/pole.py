@@ -7,8 +7,8 @@ projecting on the axis across the other.
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.groups.group import Dyad, FloatingDyad, TwoPointBody
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known, Rate

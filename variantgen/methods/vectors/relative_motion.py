@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
-from variantgen.methods.algebra.expression import Constant, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair

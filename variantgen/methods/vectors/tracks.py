@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.joints.guide import Guide
-from variantgen.methods.algebra.expression import Constant, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.solution.book import Book, Known

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.algebra.expression import Constant, Total, Value
+from variantgen.algebra.expression import Constant, Total, Value
 from variantgen.methods.groups.contact import Side
 from variantgen.methods.groups.group import Joined
 from variantgen.methods.solution.book import Book

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.no_way import NoWayError

@@ -80,11 +80,11 @@ class Chunk:
 
 
 @dataclass(frozen=True)
-class Whole:
+class WholeExam:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
 
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names
-    (:mod:`variantgen.outputs.files.groups`).
+    (:mod:`variantgen.outputs.files.student_groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """
@@ -104,7 +104,7 @@ class Format(Protocol):
     FILES: tuple[str, ...]
     TARGETS: str
     SUMMARIES: tuple[tuple[int, Callable[[Chunk], Iterable[Fragment]]], ...]
-    write_key: Callable[[Whole], None] | None
+    write_key: Callable[[WholeExam], None] | None
 
     def read_options(self, table: Table) -> Any:
         """The options of the format, of the table of its name in an exam file."""
@@ -115,7 +115,7 @@ class Format(Protocol):
     def make(self, part: Chunk) -> Iterable[Fragment]:
         """Pieces of the documents of a few students."""
 
-    def finish(self, whole: Whole) -> None:
+    def finish(self, whole: WholeExam) -> None:
         """The files in the output folder."""
 
 

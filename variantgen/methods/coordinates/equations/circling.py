@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.expression import Ratio
+from variantgen.algebra.expression import Ratio
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.geometry.geometry import degrees
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.steps.step import Segment
 

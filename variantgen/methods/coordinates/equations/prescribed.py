@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from variantgen.methods.algebra.algebra import product
-from variantgen.methods.algebra.expression import Constant, Expression
+from variantgen.algebra.expression import Constant, Expression
+from variantgen.algebra.normal_form import product
 from variantgen.methods.vectors.given import amount
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import added, product
+from variantgen.algebra.normal_form import added, product
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Point

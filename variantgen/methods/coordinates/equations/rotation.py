@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import added
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.steps.step import Body
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
 from variantgen.mechanism.joints.guide import Guide
-from variantgen.methods.algebra.algebra import added, product
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates.equations.guide import direction
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.coordinates.heading import Heading

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.expression import Constant, Expression
+from variantgen.algebra.expression import Constant, Expression
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.vectors.given import amount

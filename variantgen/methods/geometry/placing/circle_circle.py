@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import squared, summed
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import squared, summed
 from variantgen.methods.geometry.place import Pair
 from variantgen.methods.geometry.placed import Placed
 from variantgen.methods.steps.step import Point, Segment, Statement

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.sums import positive, summed
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import positive, summed
 from variantgen.methods.geometry.place import Ray
 from variantgen.methods.geometry.placed import Placed
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Constant, Expression, Ratio, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import positive, summed
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import positive, summed
 from variantgen.methods.geometry.place import Pair, Ray
 from variantgen.methods.geometry.placed import Placed
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
+from variantgen.algebra.expression import Constant, Expression, Value, cos, sin
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import squared, summed
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
-from variantgen.methods.algebra.expression import Constant, Expression, Value, cos, sin
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import squared, summed
 from variantgen.methods.geometry.angles import AngleForm
 from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.place import ORIGIN, Pair

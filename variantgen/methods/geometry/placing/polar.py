@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.sums import positive
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import positive
 from variantgen.methods.geometry.place import Ray
 from variantgen.methods.geometry.placed import Placed
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Applied, Expression, Ratio
-from variantgen.methods.algebra.sums import Signed, positive, summed
+from variantgen.algebra.expression import Applied, Expression, Ratio
+from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.placed import Placed
 
 

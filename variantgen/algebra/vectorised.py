@@ -13,11 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.methods.algebra.expression import (
+from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
-    LinearSolution,
     Magnitude,
     Pi,
     Raised,
@@ -27,6 +26,7 @@ from variantgen.methods.algebra.expression import (
     Total,
     Value,
 )
+from variantgen.algebra.linear import LinearSolution
 
 Table = NDArray[np.float64]
 Function = Callable[..., Table]

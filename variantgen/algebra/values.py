@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
-from variantgen.methods.algebra.expression import Expression, Value
+from variantgen.algebra.expression import Expression, Value
 
 
 def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import (
+from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
@@ -17,7 +17,7 @@ from variantgen.methods.algebra.expression import (
     Total,
     Value,
 )
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 
 _FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
 _LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v", "a": "a", "radius": "r"}

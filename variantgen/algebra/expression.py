@@ -12,9 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 
 _ANGLE = "angle"
 DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
@@ -238,25 +236,6 @@ class Magnitude(Expression):
         return (self.inner,)
 
 
-@dataclass(frozen=True, slots=True)
-class LinearSolution(Expression):
-    """One unknown of a system of linear equations: ``rows`` of coefficients, right-hand sides, its number."""
-
-    rows: tuple[tuple[Expression, ...], ...]
-    right: tuple[Expression, ...]
-    index: int
-
-    def number(self, exact: bool) -> float:
-        """The unknown. Raises numpy.linalg.LinAlgError for a singular system."""
-        matrix = np.array([[item.number(exact) for item in row] for row in self.rows])
-        right = np.array([item.number(exact) for item in self.right])
-        return float(np.linalg.solve(matrix, right)[self.index])
-
-    def operands(self) -> Sequence[Expression]:
-        """The right-hand sides, then the coefficients row by row."""
-        return (*self.right, *(item for row in self.rows for item in row))
-
-
 _FUNCTIONS: dict[str, Callable[[float], float]] = {
     "cos": lambda x: math.cos(math.radians(x)),
     "sin": lambda x: math.sin(math.radians(x)),
@@ -291,11 +270,6 @@ def cos(angle: Expression) -> Expression:
 def sin(angle: Expression) -> Expression:
     """Sine of an angle in degrees."""
     return Applied("sin", angle)
-
-
-def root(inner: Expression) -> Expression:
-    """Square root."""
-    return SquareRoot(inner)
 
 
 def total(parts: Sequence[Expression]) -> Expression:

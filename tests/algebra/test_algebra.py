@@ -6,19 +6,12 @@ import math
 
 import pytest
 
-from variantgen.methods.algebra.algebra import added, derivative, linear, product, pruned, reduced, substituted
-from variantgen.methods.algebra.expression import (
-    Constant,
-    Expression,
-    Raised,
-    Ratio,
-    SquareRoot,
-    Total,
-    Value,
-    cos,
-    sin,
-)
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Total, Value, cos, sin
+from variantgen.algebra.linear import linear, reduced
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
+from variantgen.algebra.substitution import pruned, substituted
 
 
 def value(name: str, number: float, measure: str = "length") -> Value:
@@ -66,7 +59,7 @@ def test_an_absolute_value_has_no_derivative() -> None:
 
 
 def abs_of(item: Expression) -> Expression:
-    from variantgen.methods.algebra.expression import Magnitude
+    from variantgen.algebra.expression import Magnitude
 
     return Magnitude(item)
 
