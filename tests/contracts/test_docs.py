@@ -267,7 +267,7 @@ def test_the_map_names_every_room() -> None:
 def test_whoever_asks_for_kinds_of_joints_is_named() -> None:
     """Modules that know a joint or a driver by its class, outside the folders with a module for each kind."""
     own = (
-        "mechanism/|figure/symbols/|figure/alt_text/kinds/|methods/coordinates/equations/|methods/groups/laws/"
+        "mechanism/|figure/symbols/|figure/alt_text/kinds/|methods/coordinates/equations/|methods/groups/contact_laws/"
         "|accuracy/"
     )
     asking = re.compile(r"from variantgen\.mechanism\.(?:joints|drivers)\.")

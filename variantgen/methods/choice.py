@@ -7,14 +7,14 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from variantgen.errors import InputError, Problem
-from variantgen.methods.by_groups import three_rates, walk
+from variantgen.methods.by_groups import solve_groups, three_rates
 from variantgen.methods.coordinates import analytical, coordinates
 from variantgen.methods.graphical import graphical
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.method_style import Accelerations, MethodStyle, Velocities
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence
-from variantgen.methods.steps.style import Accelerations, Style, Velocities
 
 _VELOCITIES: dict[str, Velocities] = {
     "velocity_centre": "velocity_centre",
@@ -48,7 +48,7 @@ WHOLE: dict[str, WholeMethod] = {
 class Choice:
     """The style of a solution by groups, or the name of a method for the whole problem."""
 
-    style: Style = Style()
+    style: MethodStyle = MethodStyle()
     whole: str = ""
 
 
@@ -60,15 +60,17 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
     return Choice(_style(names), next((name for name in names if name in WHOLE), ""))
 
 
-def natural(task: Task) -> Style:
+def natural(task: Task) -> MethodStyle:
     """The methods of a computation group by group: those that the family names, else the usual ones."""
     return _style(task.variant.family.solution)
 
 
-def _style(names: Sequence[str]) -> Style:
-    velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), Style().velocities)
-    accelerations = next((_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), Style().accelerations)
-    return Style(velocities, accelerations)
+def _style(names: Sequence[str]) -> MethodStyle:
+    velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), MethodStyle().velocities)
+    accelerations = next(
+        (_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), MethodStyle().accelerations
+    )
+    return MethodStyle(velocities, accelerations)
 
 
 @dataclass(frozen=True)
@@ -102,10 +104,10 @@ def applicable(task: Task) -> list[str]:
     A method for groups of links applies where a solution that prefers it has a step or a sentence of it.
     """
     found = {name for name, method in WHOLE.items() if _applies(method, task)}
-    for style in (Style(), Style("projections", "acceleration_centre"), Style("pole")):
+    for style in (MethodStyle(), MethodStyle("projections", "acceleration_centre"), MethodStyle("pole")):
         try:
             keys = _keys(task, style)
-        except NO_WAY:
+        except NOT_APPLICABLE:
             continue
         found |= {name for name, starts in _MARKS.items() if any(key.startswith(starts) for key in keys)}
     return sorted(found)
@@ -114,14 +116,14 @@ def applicable(task: Task) -> list[str]:
 def _applies(method: WholeMethod, task: Task) -> bool:
     try:
         return method.applies(task)
-    except NO_WAY:
+    except NOT_APPLICABLE:
         return False
 
 
-def _keys(task: Task, style: Style) -> set[str]:
+def _keys(task: Task, style: MethodStyle) -> set[str]:
     """The keys of all sentences of a solution in a style."""
     book = Book(task, style=style)
-    walk.through(book)
+    solve_groups.solve_groups(book)
     found = {step.heading.key for step in book.steps}
     return found | {item.key for step in book.steps for item in step.items if isinstance(item, Sentence)}
 

@@ -18,9 +18,9 @@ from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.geometry.layout import Layout
 from variantgen.methods.geometry.legs import Leg, collected
-from variantgen.methods.geometry.place import ORIGIN, Pair, Place
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
 from variantgen.methods.geometry.radii import UnnamedRadii
-from variantgen.methods.geometry.ways import Ways
+from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.steps.step import Derived, Fact, Item, Segment, Sentence
 
@@ -43,14 +43,14 @@ class Geometry(Layout):
         self._coordinates: dict[str, Pair] = {}
         plan = task.form.plan
         self.read({name: self._placed(name) for name in (*plan.placing, *plan.together, *plan.later)})
-        self._ways = Ways(self, self.places)
+        self._ways = ShortestPaths(self, self.places)
 
-    def _placed(self, point: str) -> Place:
+    def _placed(self, point: str) -> LocatedPoint:
         """The point as its construction tells it; the module has the stem of the construction."""
         template = self.task.form.points[point]
         stem = template.component.__module__.rpartition(".")[2]
         module = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}")
-        found: Place = module.Construction(self, point, template.fields)
+        found: LocatedPoint = module.Construction(self, point, template.fields)
         return found
 
     # What is known.

@@ -33,7 +33,7 @@ from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
 
 Table = NDArray[np.float64]
@@ -49,7 +49,7 @@ _OF_AXES = ("x", "y", "angle")
 _TOGETHER = 64  # variants whose derivatives are computed at once
 
 
-class Worked:
+class RepeatableCalculation:
     """The computation behind a worked solution, which can be repeated with the data of other variants of its form.
 
     ``given`` are the names of given values by identity. A rounded value has its own place among the operations; those
@@ -75,13 +75,13 @@ class Worked:
         self._angles = [row for row, measure in enumerate(measures) if measure == "angle"]
 
     @staticmethod
-    def of(task: Task) -> Worked:
+    def of(task: Task) -> RepeatableCalculation:
         """That of a task. Raises LookupError where the methods do not lead to what is asked."""
         found = work_out(Book(task, style=natural(task)))
         # A datum in an unusual unit is converted first: the printed number is what that starts from.
         printed = {name: in_order([v])[0] if v.expression else v for name, v in task.given.items()}
         given = {id(leaf): name for name, leaf in printed.items()}
-        return Worked([found[quantity.name] for quantity in task.asked], given)
+        return RepeatableCalculation([found[quantity.name] for quantity in task.asked], given)
 
     def repeat(self, data: Numbers) -> Table:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
@@ -209,8 +209,8 @@ class HandCalculation:
     def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Table) -> Table:
         """The errors of a variant by its own steps; infinite for an answer to which they do not lead."""
         try:
-            worked = Worked.of(task_of(variant, motion, place, self._asked))
-        except NO_WAY:
+            worked = RepeatableCalculation.of(task_of(variant, motion, place, self._asked))
+        except NOT_APPLICABLE:
             return np.full(len(self._asked), np.inf)
         pairs = zip(self._asked, worked.repeat(data)[:, 0], exact, strict=True)
         right = [bool(_equals_solver(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
@@ -231,7 +231,7 @@ class HandCalculation:
                     self._worked.append(model)
                     yield model
 
-    def _model(self, number: int) -> Worked | None:
+    def _model(self, number: int) -> RepeatableCalculation | None:
         if self._drawn is None:
             variants = self._draw(_MODELS)
             if not any(quantity.component in _OF_AXES for quantity in self._asked):
@@ -244,8 +244,8 @@ class HandCalculation:
             return None
         assert motion is not None, "there are variants"
         try:
-            return Worked.of(task_of(variants[number], motion, number, self._asked))
-        except NO_WAY:
+            return RepeatableCalculation.of(task_of(variants[number], motion, number, self._asked))
+        except NOT_APPLICABLE:
             return None
 
     @property
@@ -290,7 +290,7 @@ class _Model:
     ``steps`` are the places of what each answer needs besides those before it.
     """
 
-    def __init__(self, worked: Worked, common: Operations) -> None:
+    def __init__(self, worked: RepeatableCalculation, common: Operations) -> None:
         self.worked, self._places = worked, common.join(worked.operations)
         self.answers = [self._places[place] for place in worked.answers]
         own, self.steps, done = list(worked.operations.listed), list[list[int]](), 0

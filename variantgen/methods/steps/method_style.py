@@ -10,7 +10,7 @@ Accelerations = Literal["pole", "acceleration_centre", "three_rates"]
 
 
 @dataclass(frozen=True, slots=True)
-class Style:
+class MethodStyle:
     """The choice of methods for bodies in plane motion.
 
     ``velocities``: by the velocity centre, by equal projections (and what these do not give by the velocity centre), or

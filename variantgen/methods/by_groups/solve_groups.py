@@ -7,17 +7,22 @@ from typing import Any, Protocol
 
 from variantgen.methods.by_groups import closed_chain
 from variantgen.methods.centres import acceleration_centre, known_centre, projections, velocity_centre
-from variantgen.methods.centres.turning import solve_composed, solve_rested, solve_rolled, solve_turned
+from variantgen.methods.centres.turning import (
+    solve_pivoted_link,
+    solve_relative_rotation,
+    solve_rolling_contact_pole,
+    solve_rolling_wheel,
+)
 from variantgen.methods.groups.group import (
-    Composed,
+    ContactGroup,
     Dyad,
-    Extended,
+    ExtendingLink,
     FloatingDyad,
     Group,
-    Joined,
     PivotedLink,
-    Rolled,
+    RelativeRotation,
     RollingContactPole,
+    RollingWheel,
     SlidingPair,
     ThirdClassGroup,
     TwoPointBody,
@@ -25,13 +30,13 @@ from variantgen.methods.groups.group import (
 from variantgen.methods.groups.route import Route
 from variantgen.methods.groups.wanted import is_accelerated
 from variantgen.methods.solution.book import Book
-from variantgen.methods.vectors import given
-from variantgen.methods.vectors.contact_motion import solve_joined
-from variantgen.methods.vectors.coupled import solve_coupled
-from variantgen.methods.vectors.cylinder import solve_extended
+from variantgen.methods.vectors import given_motion
+from variantgen.methods.vectors.contact_motion import solve_contact
+from variantgen.methods.vectors.cylinder import solve_extending_link
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.pole import solve_crossing, solve_dyad, solve_spanned
-from variantgen.methods.vectors.relative_motion import solve_slid
+from variantgen.methods.vectors.pole import solve_dyad, solve_floating_dyad, solve_two_point_body
+from variantgen.methods.vectors.relative_motion import solve_sliding_pair
+from variantgen.methods.vectors.third_class_group import solve_third_class_group
 
 Handler = Callable[[Book, Any], None]
 
@@ -47,17 +52,17 @@ class DyadMethod(Protocol):
 
 
 HANDLERS: dict[type, Handler] = {
-    PivotedLink: solve_turned,
-    Rolled: solve_rolled,
+    PivotedLink: solve_pivoted_link,
+    RollingWheel: solve_rolling_wheel,
     Dyad: solve_dyad,
-    FloatingDyad: solve_crossing,
-    SlidingPair: solve_slid,
-    Composed: solve_composed,
-    Joined: solve_joined,
-    Extended: solve_extended,
-    RollingContactPole: solve_rested,
-    TwoPointBody: solve_spanned,
-    ThirdClassGroup: solve_coupled,
+    FloatingDyad: solve_floating_dyad,
+    SlidingPair: solve_sliding_pair,
+    RelativeRotation: solve_relative_rotation,
+    ContactGroup: solve_contact,
+    ExtendingLink: solve_extending_link,
+    RollingContactPole: solve_rolling_contact_pole,
+    TwoPointBody: solve_two_point_body,
+    ThirdClassGroup: solve_third_class_group,
 }
 
 _OF_DYADS: dict[int, dict[str, DyadMethod]] = {
@@ -76,7 +81,7 @@ def at_order(book: Book, order: int) -> Book:
 def velocities(book: Book) -> list[Group]:
     """Work out the velocities that are needed; returns the groups in their order."""
     book = at_order(book, 1)
-    given.take(book)
+    given_motion.enter_given_motion(book)
     route, groups = Route(book), []
     while group := route.next():
         _solve(book, group)
@@ -89,7 +94,7 @@ def velocities(book: Book) -> list[Group]:
 def accelerations(book: Book, groups: list[Group]) -> None:
     """Work out the accelerations, group by group in the same order."""
     book = at_order(book, 2)
-    given.take(book)
+    given_motion.enter_given_motion(book)
     for group in groups:
         if is_accelerated(book.task, group):
             _solve(book, group)
@@ -97,7 +102,7 @@ def accelerations(book: Book, groups: list[Group]) -> None:
         vector(book, point)
 
 
-def through(book: Book) -> list[Group]:
+def solve_groups(book: Book) -> list[Group]:
     """Velocities and, where any are asked, accelerations; returns the groups in their order."""
     groups = velocities(book)
     if book.task.order == 2:
