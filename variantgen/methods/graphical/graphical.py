@@ -26,7 +26,6 @@ from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.variants.printed_data import shown_points
 
 ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
-DIGITS = ANSWER_DIGITS + 1  # of intermediate results
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 
