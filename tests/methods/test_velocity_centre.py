@@ -22,7 +22,7 @@ from variantgen.methods.vectors.points import vector
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
-STYLE = MethodStyle("velocity_centre", "pole")
+STYLE = MethodStyle("velocity_centre", "acceleration_pole")
 
 
 def book_of(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:

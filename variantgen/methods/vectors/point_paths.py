@@ -99,6 +99,6 @@ def directed(term: Term, size: Value) -> Known:
     return (Term(term.name, positive(size), angle, term.way),)
 
 
-def sense_of(term: Term, size: Value, assumed: int) -> int:
-    """The true sense of a rotation whose vector was assumed in the sense ``assumed``."""
-    return 0 if size.exact == 0 else assumed if size.exact > 0 else -assumed
+def sense_of(size: Value) -> int:
+    """The true sense of a rotation whose vector was assumed counter-clockwise."""
+    return 0 if size.exact == 0 else 1 if size.exact > 0 else -1

@@ -97,9 +97,9 @@ def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Ter
     return known, across(book, name.component("tau"), None, (point, pole), 1)
 
 
-def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assumed: int = 1) -> None:
+def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value) -> None:
     """The rate of a body from the vector of its rotation: ``omega = v_BA / AB``, with its sense in words."""
-    sense = sense_of(turn, size, assumed)
+    sense = sense_of(size)
     kind = "omega" if book.order == 1 else "epsilon"
     if sense == 0:
         book.rates[body] = Rate(Value(Name(kind, body), book.rate_measure, 0.0), 0)

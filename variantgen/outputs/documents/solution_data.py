@@ -14,7 +14,6 @@ from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
 
 _WORDS = ("plan", "answer", "check", "solutions")
-Problem = dict[str, Any]
 
 
 def solutions_data(
