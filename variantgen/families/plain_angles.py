@@ -17,7 +17,7 @@ from typing import TypeAlias
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.expressions import CONSTANTS, FamilyExpression
-from variantgen.families.family import Parameter
+from variantgen.families.parameter import Parameter
 
 
 class Unknown(Enum):
