@@ -21,10 +21,9 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import exams, processes
-from benchmarks.exams import FIVE_FAMILIES
+from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
 from benchmarks.measure import Clock, machine_line, write_beside
 from variantgen.builder import build
-from variantgen.exam.allocation import assemble
 from variantgen.exam.confirm import confirm
 from variantgen.exam.content import Content, PosedProblem, SolvedProblem
 from variantgen.exam.exam_file import Exam, read_exam
@@ -88,7 +87,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
 def typesetting_cost(exam: Path, students: int) -> Clock:
     """The engine alone on the sheets, the key and the solutions of an exam, everything else being prepared."""
     plan = read_exam(exam)
-    sheets = assemble(replace(plan, seed="0"), numbered(students)).sheets
+    sheets = drawn_sheets(replace(plan, seed="0"), numbered(students))
     clock = Clock()
     with typesetter() as engine:
         for target, template, data in _documents(plan, sheets):
@@ -137,10 +136,10 @@ def class_table(students: int) -> list[str]:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of(FIVE_FAMILIES, Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(students)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(students))
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
-            assemble(replace(exam, seed="0"), numbered(students))
+            drawn_sheets(replace(exam, seed="0"), numbered(students))
         _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
             sheets_data(Content(exam, sheets))
@@ -174,7 +173,7 @@ def family_row(family: str, variants: int) -> str:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of([family], Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(variants)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(variants))
         known = {item.variant.form.name: sheet for sheet in sheets for item in sheet.items}
         measure_solutions(exam, list(known.values()), Clock())
         measure_solutions(exam, sheets, clock)

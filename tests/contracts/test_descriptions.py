@@ -13,7 +13,7 @@ from tests.told import COMPASS, Told, asked_together, pattern, told, words_of
 from variantgen.families.load import family_names
 from variantgen.mechanism.component import discover
 from variantgen.variants.printed_data import shown_points
-from variantgen.wording.formula import About, letters, to_plain
+from variantgen.wording.formula import SymbolProperty, letters, to_plain
 from variantgen.wording.language import languages, load_language
 
 FAMILIES = family_names()
@@ -77,7 +77,7 @@ def test_nothing_asked_is_told(name: str) -> None:
     for each in told(name):
         for quantity in each.asked:
             formula = each.language.quantity(quantity, each.variant.form.symbols)
-            symbol = to_plain(formula.symbol if isinstance(formula, About) else formula)
+            symbol = to_plain(formula.symbol if isinstance(formula, SymbolProperty) else formula)
             assert not re.search(rf"(?<!\w){re.escape(symbol)}(?!\w)", each.figure.alt), (symbol, each.figure.alt)
 
 

@@ -17,7 +17,7 @@ from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 
 def said(family: str, form: str, ask: str, **data: float) -> list[str]:

@@ -11,9 +11,10 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
+from variantgen.resources import languages
 from variantgen.single import asked_quantities, one_variant, solution_document
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import UnexplainedError, explain
 
 

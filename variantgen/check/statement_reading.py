@@ -77,11 +77,11 @@ class StatementReading:
         return [mention.name for mention in self.mentions]
 
 
-def read_sheet(said: Statement, form: Form, language: Language) -> StatementReading:
+def read_sheet(problem_text: Statement, form: Form, language: Language) -> StatementReading:
     """Read a statement back: names as the family has them, numbers in SI."""
     words, known = vocabulary(language.name), _names(form, language)
     text, symbols = "", []
-    for part in said.text:
+    for part in problem_text.text:
         written = part if isinstance(part, str) else _written(part)
         if isinstance(part, Symbol):
             symbols.append((len(text), len(text) + len(written), known.get(part, written)))
@@ -109,7 +109,7 @@ def read_sheet(said: Statement, form: Form, language: Language) -> StatementRead
     )
     units = {to_plain(language.unit(unit)): unit for unit in UNITS.values() if unit.name != "1"}
     data: dict[str, tuple[PrintedNumber, ...]] = {}
-    for equation in said.given:
+    for equation in problem_text.given:
         if isinstance(equation.right, Measured) and isinstance(equation.left, Symbol):
             name = to_plain(equation.left)
             found = _printed_number(equation.right.number.text, to_plain(equation.right.unit), units)

@@ -17,10 +17,11 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
+from variantgen.resources import languages
 from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
-from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.language import Language, load_language
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.statement import Statement, statement
 

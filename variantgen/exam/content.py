@@ -33,7 +33,7 @@ class PosedProblem:
     """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
 
     item: Item
-    said: Statement
+    statement: Statement
     figure: Drawing
 
 
@@ -46,7 +46,7 @@ class SolvedProblem:
     """
 
     variant: Variant
-    said: Statement
+    statement: Statement
     text: SolutionText
     rows: tuple[tuple[SolutionFigure, ...], ...]
     numbers: dict[str, int]
@@ -97,7 +97,8 @@ class Content:
             text = explain(item.variant, *place, item.asked, language, self.exam.solution_options(item.task))
         except InputError as error:
             where = f"problem[{item.task.number}]."
-            raise InputError(replace(p, file=str(self.exam.path), key=where + p.key) for p in error.problems) from None
+            problems = [p if p.file else replace(p, key=where + p.key) for p in error.problems]
+            raise InputError(problems).located(str(self.exam.path)) from None
         except VerificationError as error:
             where = f"student {sheet.student.id}, problem {item.task.number}"
             raise VerificationError(f"{error} ({where})") from error
@@ -123,12 +124,12 @@ def with_figures(
     """
     from variantgen.exam.solution_figures import SolutionFigures, view_order
 
-    said = known.said if known else statement(variant, asked, language)
+    problem_text = known.statement if known else statement(variant, asked, language)
     figures = SolutionFigures(variant, asked, language, place, known.figure if known else None, text.centres)
     figures.draw(view_order(text))
-    return SolvedProblem(variant, said, text, figures.rows(), figures.numbers, explained)
+    return SolvedProblem(variant, problem_text, text, figures.rows(), figures.numbers, explained)
 
 
 def _posed(item: Item, motion: Motion, place: int, language: Language) -> PosedProblem:
-    said = statement(item.variant, item.asked, language)
-    return PosedProblem(item, said, statement_figure(item.variant, motion, place, item.asked, language))
+    problem_text = statement(item.variant, item.asked, language)
+    return PosedProblem(item, problem_text, statement_figure(item.variant, motion, place, item.asked, language))

@@ -24,8 +24,9 @@ from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
+from variantgen.resources import languages
 from variantgen.tables import Table, parse_toml, read_text
-from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.language import Language, load_language
 from variantgen.wording.notation import CHOICES, USUAL, Notation
 
 SCHEMA = 1

@@ -68,8 +68,8 @@ class SolutionFigures:
                 shown = self.asked if name == STATEMENT else self._shown
                 try:
                     self._drawn[name] = view(name).draw(self.variant, *self._place, shown, self.language)
-                except InputError:
-                    if name == STATEMENT:
+                except InputError as error:
+                    if name == STATEMENT or error.problems[0].file:  # a word is missing in a file of the language
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)

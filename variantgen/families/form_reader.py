@@ -12,10 +12,11 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
 from variantgen.families.dimensions import Dimension, dimension_name
 from variantgen.families.expressions import FamilyExpression, parse
-from variantgen.families.family import ComponentTemplate, Form, Parameter
+from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.nice import read_nice
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names

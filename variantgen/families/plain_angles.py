@@ -18,7 +18,7 @@ from variantgen.algebra.expression import Applied, Expression, Magnitude, Ratio,
 from variantgen.errors import InputError, Problem
 from variantgen.families.dimensions import CONSTANTS
 from variantgen.families.expressions import FamilyExpression
-from variantgen.families.family import Parameter
+from variantgen.families.parameter import Parameter
 
 
 class Unknown(Enum):

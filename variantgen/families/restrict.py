@@ -9,8 +9,9 @@ from functools import lru_cache
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.family import Family, Form, Parameter
+from variantgen.families.family import Family, Form
 from variantgen.families.nice import hand_friendly, no_nice_forms
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words
 from variantgen.families.units import UNITS, checked, parse_value
 

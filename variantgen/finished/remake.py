@@ -18,7 +18,7 @@ from variantgen.exam.sheets import Sheet
 from variantgen.finished.pdf_comparison import compared, destination, is_used
 from variantgen.finished.restore import Finished
 from variantgen.outputs.files.file_names import file_stem
-from variantgen.outputs.files.groups import GroupFiles
+from variantgen.outputs.files.student_groups import GroupFiles
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, options, pdf
 from variantgen.outputs.typst.typesetter import Typesetter
 

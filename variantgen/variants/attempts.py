@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.family import Family, Form, Screens, frame
+from variantgen.families.draw_rules import Screens, frame
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve

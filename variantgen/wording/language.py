@@ -17,9 +17,9 @@ from math import isfinite
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
-from variantgen.resources import templates_dir
+from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import GREEK, About, Index, Number, Symbol, UnitText
+from variantgen.wording.formula import GREEK, Index, Number, Symbol, SymbolProperty, UnitText
 from variantgen.wording.notation import USUAL, Notation
 from variantgen.wording.plurals import plural_category
 from variantgen.wording.words import Words
@@ -105,13 +105,13 @@ class Language:
             index.append(Index(component))
         return Symbol(self.letter(kind), tuple(index))
 
-    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | About:
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty:
         """The symbol of an asked quantity."""
         if quantity.is_centre:
             body = bodies.get(quantity.target, quantity.target)
             return Symbol(quantity.component + quantity.kind, (Index(body),) if body else ())
         if quantity.component in _ABOUT:
-            return About(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
+            return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
 
 
@@ -134,11 +134,6 @@ def _unit_text(text: str) -> UnitText:
     """A unit as words with powers, from ``cm/s^2``."""
     parts = re.findall(r"([^\^\s]+?)(?:\^(-?\d+))?(?:\s|$)", text)
     return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
-
-
-def languages() -> list[str]:
-    """Names of the available languages."""
-    return sorted(path.stem for path in (templates_dir() / "words").glob("*.toml"))
 
 
 @cache

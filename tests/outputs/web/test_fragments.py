@@ -9,18 +9,18 @@ import pytest
 from variantgen.exam.content import with_figures
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
-from variantgen.outputs.html.fragments import Style, blocks_html, solution_html, statement_html
+from variantgen.outputs.html.fragments import HtmlStyle, blocks_html, solution_html, statement_html
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Formula, Fraction, Number, Product, Sum, Symbol, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.mathml import to_mathml
-from variantgen.wording.solution.document import Line, Lines
+from variantgen.wording.solution.document import FormulaLine, FormulaLines
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.text import Text
 
 A, B = Symbol("A"), Symbol("B")
-STYLE = Style(lambda formula, display: f"<m>{to_plain(formula)}</m>", lambda drawing, millimetres: "<svg/>")
+STYLE = HtmlStyle(lambda formula, display: f"<m>{to_plain(formula)}</m>", lambda drawing, millimetres: "<svg/>")
 
 
 def runs(text: Text) -> list[str]:
@@ -57,7 +57,7 @@ def test_formulas_have_commas_and_an_end() -> None:
 
 
 def test_signs_stand_in_the_pieces_that_they_end() -> None:
-    lines = Lines((Line((("", A), ("=", B))), Line((("", B), ("\N{ALMOST EQUAL TO}", A)))))
+    lines = FormulaLines((FormulaLine((("", A), ("=", B))), FormulaLine((("", B), ("\N{ALMOST EQUAL TO}", A)))))
     tree = ET.fromstring("".join(blocks_html([lines], STYLE)))
     formulas = [["".join(piece.itertext()) for piece in formula] for formula in tree]
     assert formulas == [["A", "=\xa0B;"], ["B", "≈\xa0A."]]
@@ -78,9 +78,9 @@ def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> N
         captions.append(caption)
         return "<svg/>"
 
-    style = Style(to_mathml, lambda drawing, width: "<b/>", "h5", captioned)
+    style = HtmlStyle(to_mathml, lambda drawing, width: "<b/>", "h5", captioned)
     tree = ET.fromstring(
-        f"<div>{statement_html(solved.said, language, style)}{solution_html(solved, language, style)}</div>"
+        f"<div>{statement_html(solved.statement, language, style)}{solution_html(solved, language, style)}</div>"
     )
     assert len(list(tree.iter("h5"))) == len(written.sections) + (1 if written.check else 0)
     shown = [one for row in solved.rows for one in row]
@@ -88,7 +88,7 @@ def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> N
     assert all(caption.startswith({"en": "Fig.", "ru": "Рис."}[lang]) for caption in captions)
     assert not list(tree.iter("b"))
     said = "".join(tree.itertext())
-    assert all(part in said for part in solved.said.text if isinstance(part, str))
+    assert all(part in said for part in solved.statement.text if isinstance(part, str))
 
 
 def long(letters: int) -> Formula:
@@ -99,7 +99,7 @@ def long(letters: int) -> Formula:
 @pytest.mark.parametrize(("letters", "kind"), [(40, "piece"), (60, "piece long"), (90, "piece longer")])
 def test_fractions_too_long_for_a_line_are_marked(letters: int, kind: str) -> None:
     for formula in (Fraction(long(letters), A), Fraction(A, long(letters))):
-        (written,) = blocks_html([Lines((Line((("=", formula),)),))], STYLE)
+        (written,) = blocks_html([FormulaLines((FormulaLine((("=", formula),)),))], STYLE)
         ((piece,),) = ET.fromstring(written)
         assert piece.get("class") == kind
 

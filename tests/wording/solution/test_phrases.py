@@ -8,11 +8,11 @@ import pytest
 
 from variantgen.resources import templates_dir
 from variantgen.wording.language import languages
-from variantgen.wording.solution.phrases import Field, Letter, Phrases, cut, load_phrases
+from variantgen.wording.solution.phrases import Letter, Phrases, SentenceField, cut, load_phrases
 
 
 def fields(phrases: Phrases, key: str) -> set[str]:
-    return {part.name for part in phrases.sentences[key] if isinstance(part, Field)}
+    return {part.name for part in phrases.sentences[key] if isinstance(part, SentenceField)}
 
 
 def plain(key: str) -> str:
@@ -58,7 +58,7 @@ def test_names_have_every_form_that_a_sentence_asks_for(name: str) -> None:
     phrases = load_phrases(name)
     asked: dict[bool, set[str]] = {True: set(), False: set()}  # of places of a plan, of bodies
     for key, phrase in phrases.sentences.items():
-        asked[key.startswith("graphical.")] |= {part.form for part in phrase if isinstance(part, Field)} - {""}
+        asked[key.startswith("graphical.")] |= {part.form for part in phrase if isinstance(part, SentenceField)} - {""}
     for place in ("graphical.image", "graphical.end", "graphical.start"):
         assert {place, *(f"{place}.{form}" for form in asked[True])} == {
             k for k in phrases.sentences if plain(k) == place
@@ -70,6 +70,6 @@ def test_names_have_every_form_that_a_sentence_asks_for(name: str) -> None:
 
 
 def test_a_sentence_is_cut_at_its_fields() -> None:
-    assert cut("a {b} c{d.of}.") == ("a ", Field("b"), " c", Field("d", "of"), ".")
+    assert cut("a {b} c{d.of}.") == ("a ", SentenceField("b"), " c", SentenceField("d", "of"), ".")
     assert cut("axis {=x}") == ("axis ", Letter("x"))
     assert cut("plain") == ("plain",)

@@ -8,7 +8,8 @@ from functools import cache
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.limits import TITLE_ROWS
-from variantgen.wording.language import languages, load_language
+from variantgen.resources import languages
+from variantgen.wording.language import load_language
 
 NAME_PARTS = ("surname", "first", "middle")
 _SHOWN = 60

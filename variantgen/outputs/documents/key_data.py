@@ -7,7 +7,7 @@ from typing import Any
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.documents.key_content import equation, group, mark, place, remarks, tolerance_note
+from variantgen.outputs.documents.key_content import equation, key_table, mark, place, remarks, tolerance_note
 from variantgen.outputs.documents.writing import TYPST, Writing
 from variantgen.wording.language import Language
 
@@ -47,7 +47,7 @@ def key_by_problem(exam: Exam, sheets: Sequence[Sheet], first: bool, writing: Wr
     for sheet in sheets:
         for item in sheet.items:
             if place(item) not in tables:
-                found = group(item, exam, language)
+                found = key_table(item, exam, language)
                 symbols = [writing.heading(symbol, unit) for symbol, unit in found.heads]
                 tables[place(item)] = {"title": found.title, "symbols": symbols, "rows": []}
             table = tables[place(item)]

@@ -113,7 +113,7 @@ def group_text(student: Student, language: Language) -> str:
 
 
 def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
-    item, said = posed.item, posed.said
+    item, said = posed.item, posed.statement
     drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {
         "number": str(item.task.number),

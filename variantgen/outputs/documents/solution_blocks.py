@@ -7,7 +7,7 @@ from typing import Any
 
 from variantgen.outputs.documents.formula_rows import rows
 from variantgen.outputs.documents.writing import TYPST, Writing
-from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, VectorTable
+from variantgen.wording.solution.document import Block, FormulaLines, Paragraph, Program, VectorTable
 
 
 def blocks_data(blocks: Sequence[Block], writing: Writing = TYPST) -> list[dict[str, Any]]:
@@ -30,7 +30,7 @@ def _block(item: Block, writing: Writing) -> dict[str, Any]:
     match item:
         case Paragraph(text):
             return {"kind": "text", "text": writing.text(text)}
-        case Lines(lines):
+        case FormulaLines(lines):
             found = [
                 [[[writing.sign(sign), writing.formula(f)] for sign, f in pieces] for pieces in row]
                 for row in rows(lines)

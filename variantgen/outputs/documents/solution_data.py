@@ -14,7 +14,6 @@ from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
 
 _WORDS = ("plan", "answer", "check", "solutions")
-Problem = dict[str, Any]
 
 
 def solutions_data(
@@ -53,7 +52,7 @@ def problem_data(
     text = solved.text
     return {
         "title": solved.variant.family.title(language.name),
-        **statement_data(solved.said, writing),
+        **statement_data(solved.statement, writing),
         "figures": [[_shown(shown, figures or {}, writing) for shown in row] for row in solved.rows],
         "plan": writing.text(text.plan),
         "sections": [_section(section, solved, language, writing) for section in text.sections],

@@ -25,12 +25,12 @@ from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.html.fragments import HtmlStyle, notes_html, solution_html, statement_html
 from variantgen.outputs.html.mathjax import to_mathjax
 from variantgen.outputs.platforms.figure_files import FORMS, FigureFiles
 from variantgen.outputs.platforms.numbers import plain
-from variantgen.outputs.platforms.questions import Asked, Question, questions
+from variantgen.outputs.platforms.questions import AnswerField, Question, questions
 from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.resources import templates_dir
 from variantgen.tables import Table
@@ -48,15 +48,15 @@ _NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "variantgen/prairielearn")
 
 
 @dataclass(frozen=True)
-class Options:
+class PrairieLearnOptions:
     """``figures``: ``svg`` or ``png``."""
 
     figures: str = FORMS[0]
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> PrairieLearnOptions:
     """The table ``[prairielearn]``."""
-    options = Options(table.choice("figures", FORMS))
+    options = PrairieLearnOptions(table.choice("figures", FORMS))
     table.finish()
     return options
 
@@ -80,7 +80,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield Fragment(qid, ",\n".join(variants).encode(), ".json")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The folders of the questions, and how to use them."""
     templates = templates_dir() / "prairielearn"
     build = whole.exam.build_id
@@ -125,7 +125,7 @@ def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
 def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any]:
     """What ``server.py`` and ``question.html`` know of a variant."""
     posed = question.posed
-    style = Style(to_mathjax, figures.element)
+    style = HtmlStyle(to_mathjax, figures.element)
     solved = question.solved and {
         "lang": exam.solutions.language,
         "html": storable(solution_html(question.solved, exam.explained, style)),
@@ -133,7 +133,7 @@ def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any
     return {
         "code": question.sheet.code,
         "lang": exam.language,
-        "statement": storable(statement_html(posed.said, exam.spoken, style)),
+        "statement": storable(statement_html(posed.statement, exam.spoken, style)),
         "figure": figures.shown(posed.figure),
         "parts": [_part(asked) for asked in question.parts],
         "notes": notes_html(question.notes),
@@ -142,7 +142,7 @@ def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any
     }
 
 
-def _part(asked: Asked) -> dict[str, Any]:
+def _part(asked: AnswerField) -> dict[str, Any]:
     """One number to be entered; ``also`` are other intervals of right answers than that around the answer.
 
     PrairieLearn compares the difference of two doubles with the tolerance: what stands right at the end of the interval

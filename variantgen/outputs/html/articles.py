@@ -12,11 +12,11 @@ from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.documents.key_content import Group, equation, mark, tolerance_note
+from variantgen.outputs.documents.key_content import KeyTable, equation, mark, tolerance_note
 from variantgen.outputs.documents.sheet_data import blank_labels, points_text, sheet_notes, variant_number
 from variantgen.outputs.documents.solution_data import solution_words
 from variantgen.outputs.figures.svg import svg
-from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
+from variantgen.outputs.html.fragments import HtmlStyle, notes_html, solution_html, statement_html
 from variantgen.outputs.html.pages import rendered
 from variantgen.wording.formula import Formula, Relation, UnitText
 from variantgen.wording.language import Language
@@ -25,7 +25,7 @@ from variantgen.wording.mathml import to_mathml
 _FIGURE, _UNIT = 80.0, 0.8  # the figure on a sheet, in millimetres: at most this wide; of one of its units
 
 
-def page_style(code: str) -> Style:
+def page_style(code: str) -> HtmlStyle:
     """Formulas as MathML, figures as SVG; ids of figures are numbered after the code of the sheet."""
     numbers = count(1)
 
@@ -33,7 +33,7 @@ def page_style(code: str) -> Style:
         title = "" if drawing.alt else caption
         return svg(drawing, title, millimetres, name=f"-{code}-{next(numbers)}")
 
-    return Style(to_mathml, figure, captioned=figure)
+    return HtmlStyle(to_mathml, figure, captioned=figure)
 
 
 def sheet_article(content: Content, number: int) -> bytes:
@@ -51,7 +51,7 @@ def sheet_article(content: Content, number: int) -> bytes:
     )
 
 
-def _notices(exam: Exam, language: Language, style: Style) -> dict[str, Any]:
+def _notices(exam: Exam, language: Language, style: HtmlStyle) -> dict[str, Any]:
     """What the exam says at the head of its sheets."""
     words, notices = language.words("notices"), exam.notices
     return {
@@ -60,16 +60,16 @@ def _notices(exam: Exam, language: Language, style: Style) -> dict[str, Any]:
     }
 
 
-def _problem(posed: PosedProblem, language: Language, style: Style) -> dict[str, Any]:
+def _problem(posed: PosedProblem, language: Language, style: HtmlStyle) -> dict[str, Any]:
     item, figure = posed.item, posed.figure
     return {
         "number": item.task.number,
         "points": points_text(item.task.points, language),
-        "statement": _markup(statement_html(posed.said, language, style)),
+        "statement": _markup(statement_html(posed.statement, language, style)),
         "figure": _markup(style.figure(figure, min(_FIGURE, _UNIT * figure.width))),
         "heads": [
             head(symbol, language.unit(answer.unit))
-            for symbol, answer in zip(posed.said.asked, item.answers, strict=True)
+            for symbol, answer in zip(posed.statement.asked, item.answers, strict=True)
         ],
     }
 
@@ -82,7 +82,7 @@ def solution_article(content: Content, number: int) -> bytes:
         {
             "number": item.task.number,
             "title": solved.variant.family.title(language.name),
-            "statement": _markup(statement_html(solved.said, language, style)),
+            "statement": _markup(statement_html(solved.statement, language, style)),
             "solution": _markup(solution_html(solved, language, style)),
         }
         for item, solved in zip(sheet.items, content.solved[number], strict=True)
@@ -128,7 +128,7 @@ def problem_key(exam: Exam, owners: Sequence[tuple[Sheet, Item]]) -> bytes:
     return rendered("key_rows.html.j2", rows=rows)
 
 
-def table_heads(group: Group) -> list[Markup]:
+def table_heads(group: KeyTable) -> list[Markup]:
     """The heads of the columns of answers."""
     return [head(symbol, unit) for symbol, unit in group.heads]
 

@@ -18,7 +18,7 @@ from variantgen.outputs.documents.formula_rows import Pieces, breadth, rows
 from variantgen.outputs.documents.solution_data import see, solution_words
 from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
-from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, Section, VectorTable
+from variantgen.wording.solution.document import Block, FormulaLines, Paragraph, Program, Section, VectorTable
 from variantgen.wording.solution.plain import plain_text
 from variantgen.wording.statement import Statement
 from variantgen.wording.text import Text
@@ -30,7 +30,7 @@ _LONG = ((100, "piece longer"), (74, "piece long"), (0, "piece"))
 
 
 @dataclass(frozen=True)
-class Style:
+class HtmlStyle:
     """How an output writes what is not text.
 
     ``math(formula, display)`` is a formula inside a line (``display``: fractions of full size); ``figure(drawing,
@@ -77,15 +77,19 @@ def _held(run: Sequence[str | Formula]) -> Iterator[list[str | Formula]]:
         yield kept
 
 
-def statement_html(said: Statement, language: Language, style: Style) -> str:
+def statement_html(problem_text: Statement, language: Language, style: HtmlStyle) -> str:
     """What a problem says, what is given and what is asked, as paragraphs."""
     words = language.words("sheet")
-    given = f"<p><strong>{escape(words['given'])}</strong> {style.formulas(said.given, '.')}</p>" if said.given else ""
-    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(said.asked, '.')}</p>"
-    return f"<p>{style.text(said.text)}</p>{given}{found}"
+    given = (
+        f"<p><strong>{escape(words['given'])}</strong> {style.formulas(problem_text.given, '.')}</p>"
+        if problem_text.given
+        else ""
+    )
+    found = f"<p><strong>{escape(words['find'])}</strong> {style.formulas(problem_text.asked, '.')}</p>"
+    return f"<p>{style.text(problem_text.text)}</p>{given}{found}"
 
 
-def notices_html(notices: Notices, language: Language, style: Style) -> str:
+def notices_html(notices: Notices, language: Language, style: HtmlStyle) -> str:
     """What an exam says at the head of its sheets, as paragraphs; nothing where it says nothing."""
     words = language.words("notices")
     facts = (f"<p><strong>{escape(words[name])}</strong> {style.text(text)}</p>" for name, text in notices.facts)
@@ -97,7 +101,7 @@ def notes_html(notes: Sequence[str]) -> str:
     return f'<p class="notes"><small>{escape(" ".join(notes))}</small></p>' if notes else ""
 
 
-def solution_html(solved: SolvedProblem, language: Language, style: Style) -> str:
+def solution_html(solved: SolvedProblem, language: Language, style: HtmlStyle) -> str:
     """A worked solution: figures, plan, numbered steps, answer, check."""
     words, text = solution_words(language), solved.text
     parts = [_figures(row, style) for row in solved.rows]
@@ -112,13 +116,13 @@ def solution_html(solved: SolvedProblem, language: Language, style: Style) -> st
     return "".join(parts)
 
 
-def _figures(row: Sequence[SolutionFigure], style: Style) -> str:
+def _figures(row: Sequence[SolutionFigure], style: HtmlStyle) -> str:
     """Figures beside each other, with captions."""
     shown = (f"<figure>{_drawn(one, style)}<figcaption>{style.text(one.caption)}</figcaption></figure>" for one in row)
     return f'<div class="figures d-flex flex-wrap">{"".join(shown)}</div>'
 
 
-def _drawn(shown: SolutionFigure, style: Style) -> str:
+def _drawn(shown: SolutionFigure, style: HtmlStyle) -> str:
     """A figure without its caption."""
     width = shown.drawing.width * shown.unit
     if style.captioned is None:
@@ -127,20 +131,22 @@ def _drawn(shown: SolutionFigure, style: Style) -> str:
     return style.captioned(shown.drawing, width, plain_text(shown.caption))
 
 
-def _section(number: int, section: Section, solved: SolvedProblem, language: Language, style: Style) -> Iterator[str]:
+def _section(
+    number: int, section: Section, solved: SolvedProblem, language: Language, style: HtmlStyle
+) -> Iterator[str]:
     reference = see(section, solved, language)
     after = f' <span class="see">{escape(reference)}</span>' if reference else ""
     yield f"<{style.heading}>{number}. {style.text(section.heading)}.{after}</{style.heading}>"
     yield from blocks_html(section.blocks, style)
 
 
-def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
+def blocks_html(blocks: Sequence[Block], style: HtmlStyle) -> Iterator[str]:
     """Paragraphs, rows of formulas, tables of vectors, listings."""
     for block in blocks:
         match block:
             case Paragraph(text):
                 yield f"<p>{style.text(text)}</p>"
-            case Lines(lines):
+            case FormulaLines(lines):
                 every = list(rows(lines))
                 for number, row in enumerate(every, start=1):
                     end = ";" if number < len(every) else "."
@@ -153,7 +159,7 @@ def blocks_html(blocks: Sequence[Block], style: Style) -> Iterator[str]:
                 yield f"<pre><code>{escape(code.strip(chr(10)))}</code></pre>"
 
 
-def _pieces(pieces: Pieces, end: str, style: Style) -> str:
+def _pieces(pieces: Pieces, end: str, style: HtmlStyle) -> str:
     """A formula that may be broken before the signs between its pieces, and what stands at its end."""
     found = []
     for number, (sign, formula) in enumerate(pieces, start=1):
@@ -164,7 +170,7 @@ def _pieces(pieces: Pieces, end: str, style: Style) -> str:
     return f'<span class="formula">{" ".join(found)}</span>'
 
 
-def _table(table: VectorTable, style: Style) -> str:
+def _table(table: VectorTable, style: HtmlStyle) -> str:
     """The vectors of an equation with what is known of them."""
     heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in table.heads)
     body = "".join(

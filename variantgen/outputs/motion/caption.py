@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from variantgen.mechanism.sweep import SweepEnd
-from variantgen.outputs.motion.curves import Curve, origin
+from variantgen.outputs.motion.plotted_curves import PlottedCurve, origin
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Measured, Symbol
 from variantgen.wording.mathtext import to_mathtext
@@ -15,7 +15,7 @@ from variantgen.wording.mathtext import to_mathtext
 SIZE = 8.5  # of the letters, points
 
 
-def caption_lines(subject: Subject, constants: Sequence[Curve], clipped: bool, width: float) -> list[str]:
+def caption_lines(subject: Subject, constants: Sequence[PlottedCurve], clipped: bool, width: float) -> list[str]:
     """The caption in lines of at most ``width`` inches, formulas in mathtext."""
     words, language = subject.language.words("motion"), subject.language
     symbols, sweep = subject.variant.form.symbols, subject.driver_sweep.sweep

@@ -11,7 +11,7 @@ from variantgen.families.units import unit
 from variantgen.figure.drawing import LETTER, Drawing, Layer
 from variantgen.figure.moving import Paper
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
-from variantgen.outputs.motion.curves import Panel, origin
+from variantgen.outputs.motion.plotted_curves import Panel, origin
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Symbol

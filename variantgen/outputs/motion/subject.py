@@ -12,7 +12,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
 from variantgen.figure.moving import Moving
 from variantgen.mechanism.sweep import SweepEnd
-from variantgen.outputs.motion.curves import Panel
+from variantgen.outputs.motion.plotted_curves import Panel
 from variantgen.outputs.motion.ranges import visible_range
 from variantgen.variants.driver_sweep import DriverSweep
 from variantgen.variants.printed_data import shown_points

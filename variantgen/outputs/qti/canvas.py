@@ -15,16 +15,16 @@ from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.platforms.point_shares import shares
 from variantgen.outputs.platforms.questions import Question, questions
 from variantgen.outputs.qti import canvas_quiz as quiz
-from variantgen.outputs.qti.canvas_item import Items
-from variantgen.outputs.qti.figures import FOLDER, Figures
-from variantgen.outputs.qti.options import HTML, Options, read_options
+from variantgen.outputs.qti.canvas_item import CanvasItems
+from variantgen.outputs.qti.options import HTML, PackageOptions, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
-from variantgen.outputs.qti.tree import document, line
+from variantgen.outputs.qti.package_images import FOLDER, PackageImages
+from variantgen.outputs.qti.xml_tree import document, line
 from variantgen.tables import Table
 
 NAME = "canvas"
@@ -33,7 +33,7 @@ _ROOT = quote("$IMS-CC-FILEBASE$")  # what Canvas takes for the root of the file
 
 
 @dataclass(frozen=True)
-class CanvasOptions(Options):
+class CanvasOptions(PackageOptions):
     """``once``: the statement is a text before the questions of a problem, not a part of each of them."""
 
     once: bool = False
@@ -41,7 +41,7 @@ class CanvasOptions(Options):
 
 def read_table(table: Table) -> CanvasOptions:
     """The table ``[canvas]``."""
-    shared = read_options(table, "quizzes", ("draw", "students"), Options(formulas=HTML, drawn=False))
+    shared = read_options(table, "quizzes", ("draw", "students"), PackageOptions(formulas=HTML, drawn=False))
     once = table.choice("statement", ("each", "once"), "each") == "once"
     if once and shared.drawn:
         table.problem(
@@ -77,8 +77,8 @@ def _numbers(task: ExamProblem) -> int:
 def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students with their figures."""
     options: CanvasOptions = formats.options(part.exam, NAME)
-    figures = Figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
-    items = Items(part.exam, figures, options, options.once)
+    figures = PackageImages(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
+    items = CanvasItems(part.exam, figures, options, options.once)
     files: dict[str, bytes] = {}
     quizzes: list[str] = []
     for _, own in groupby(questions(part), lambda question: question.sheet.code):
@@ -95,7 +95,7 @@ def _quiz_name(exam: Exam, sheet: Sheet) -> str:
     return f"i{exam.build_id}-{sheet.code}"
 
 
-def _questions(sheet: Sequence[Question], items: Items) -> Iterator[tuple[str, bytes]]:
+def _questions(sheet: Sequence[Question], items: CanvasItems) -> Iterator[tuple[str, bytes]]:
     """Each question of a sheet as a document of its own, in the folder of its problem."""
     for question in sheet:
         for item in items.items(question):
@@ -106,7 +106,9 @@ def _group(task: ExamProblem) -> str:
     return f"problem-{task.number}/"
 
 
-def _quiz(name: str, sheet: Sequence[Question], items: Items, options: CanvasOptions) -> Iterator[tuple[str, bytes]]:
+def _quiz(
+    name: str, sheet: Sequence[Question], items: CanvasItems, options: CanvasOptions
+) -> Iterator[tuple[str, bytes]]:
     """The documents of the quiz of a student."""
     exam, student = items.exam, sheet[0].sheet.student
     named = f", {student.name}" if options.names and student.name else ""
@@ -121,7 +123,7 @@ def _points(problems: Iterator[tuple[ExamProblem, int]]) -> Decimal:
     return sum((share for task, parts in problems for share in shares(task.points, parts)), Decimal(0))
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The package."""
     exam, pieces = whole.exam, whole.pieces[_PACKAGE]
     options: CanvasOptions = formats.options(exam, NAME)

@@ -16,13 +16,13 @@ from xml.etree.ElementTree import Element
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
-from variantgen.outputs.html.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.platforms.points import shares
-from variantgen.outputs.platforms.questions import Asked, Question
-from variantgen.outputs.qti.figures import Figures
+from variantgen.outputs.html.fragments import HtmlStyle, notes_html, solution_html, statement_html
+from variantgen.outputs.platforms.point_shares import shares
+from variantgen.outputs.platforms.questions import AnswerField, Question
 from variantgen.outputs.qti.item import accepted, identifier
-from variantgen.outputs.qti.options import Options, in_text
-from variantgen.outputs.qti.tree import element, fragment, html, line, number
+from variantgen.outputs.qti.options import PackageOptions, in_text
+from variantgen.outputs.qti.package_images import PackageImages
+from variantgen.outputs.qti.xml_tree import element, fragment, html, line, number
 from variantgen.wording.html import to_html
 
 _RESPONSE = {"respident": "response1"}
@@ -30,12 +30,12 @@ _FEEDBACK = "general_fb"
 
 
 @dataclass(frozen=True)
-class Items:
+class CanvasItems:
     """Makes the questions of an exam; ``once``: the statement is a text before them."""
 
     exam: Exam
-    figures: Figures
-    options: Options
+    figures: PackageImages
+    options: PackageOptions
     once: bool
 
     def items(self, question: Question) -> Iterator[Element]:
@@ -68,15 +68,15 @@ class Items:
         return element("item", {"ident": name, "title": title}, *content)
 
     @property
-    def _style(self) -> Style:
-        return Style(in_text, self.figures.image)
+    def _style(self) -> HtmlStyle:
+        return HtmlStyle(in_text, self.figures.image)
 
     def _statement(self, question: Question) -> str:
         posed = question.posed
-        said = statement_html(posed.said, self.exam.spoken, self._style)
+        said = statement_html(posed.statement, self.exam.spoken, self._style)
         return said + self.figures.statement(posed.figure) + notes_html(question.notes)
 
-    def _asked(self, question: Question, part: Asked, place: int) -> str:
+    def _asked(self, question: Question, part: AnswerField, place: int) -> str:
         """Which number is to be entered, in which unit, and how."""
         words, count = self.exam.spoken.words("platform"), len(question.parts)
         which = f"{escape(words['answer'].format(number=place, count=count))} " if count > 1 else ""

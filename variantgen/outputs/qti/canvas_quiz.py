@@ -15,7 +15,7 @@ from variantgen.outputs.qti.canvas_item import field
 from variantgen.outputs.qti.dialect import XSI
 from variantgen.outputs.qti.options import introduction
 from variantgen.outputs.qti.outline import Outline
-from variantgen.outputs.qti.tree import element, number
+from variantgen.outputs.qti.xml_tree import element, number
 
 QTI = {
     "xmlns": "http://www.imsglobal.org/xsd/ims_qtiasiv1p2",

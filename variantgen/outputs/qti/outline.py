@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 from xml.parsers import expat
 from xml.sax.saxutils import XMLGenerator
 
-from variantgen.outputs.qti.tree import clean
+from variantgen.outputs.qti.xml_tree import clean
 
 
 class Outline:

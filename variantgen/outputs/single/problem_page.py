@@ -36,19 +36,19 @@ def write_single(
     """Write one problem; the format follows the ending of the path. Raises InputError for another ending."""
     form = page_format(path)
     language = load_language(language_name)
-    said = statement(variant, asked, language)
+    problem_text = statement(variant, asked, language)
     found = [
         equals_data(Equation(symbol, Measured(language.answer(a.quantity, a.value), language.unit(a.unit))), a.surd)
-        for symbol, a in zip(said.asked, answers, strict=True)
+        for symbol, a in zip(problem_text.asked, answers, strict=True)
     ]
     data = {
         "lang": language_name,
         "title": variant.family.title(language_name),
         "remark": remark,
         "words": dict(language.words("sheet")),
-        "text": TYPST.text(said.text),
-        "given": [equals_data(equation) for equation in said.given],
-        "asked": [TYPST.formula(symbol) for symbol in said.asked],
+        "text": TYPST.text(problem_text.text),
+        "given": [equals_data(equation) for equation in problem_text.given],
+        "asked": [TYPST.formula(symbol) for symbol in problem_text.asked],
         "answers-title": language.words("key")["title"] + ":",
         "answers": found,
         "notes": sign_notes(asked, language),

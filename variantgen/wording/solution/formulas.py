@@ -35,7 +35,7 @@ from variantgen.wording.formula import (
     UnitText,
 )
 from variantgen.wording.language import Language
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 
 class Formulas:

@@ -23,7 +23,7 @@ TABLES = ("words", "bodies", "functions")
 
 
 @dataclass(frozen=True, slots=True)
-class Field:
+class SentenceField:
     """A place in a sentence that a fact fills, perhaps in a form."""
 
     name: str
@@ -37,17 +37,17 @@ class Letter:
     name: str
 
 
-Phrase = tuple[str | Field | Letter, ...]
+Phrase = tuple[str | SentenceField | Letter, ...]
 
 
 def cut(text: str) -> Phrase:
     """A sentence as text, fields and letters."""
-    parts: list[str | Field | Letter] = []
+    parts: list[str | SentenceField | Letter] = []
     last = 0
     for match in _FIELD.finditer(text):
         if match.start() > last:
             parts.append(text[last : match.start()])
-        parts.append(Letter(match[2]) if match[1] else Field(match[2], match[3] or ""))
+        parts.append(Letter(match[2]) if match[1] else SentenceField(match[2], match[3] or ""))
         last = match.end()
     if last < len(text):
         parts.append(text[last:])

@@ -17,7 +17,7 @@ from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.methods.graphical.vector_chain import SlidingPoint, VectorChain
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.vectors.given import as_stated, unsigned
+from variantgen.methods.vectors.given_motion import as_stated, unsigned
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import absolute
@@ -25,7 +25,7 @@ from variantgen.wording.vector_names import absolute
 _LETTERS = {1: ("v", "omega"), 2: ("a", "epsilon")}
 
 
-def stated_vectors(task: Task, chain: VectorChain, order: int, language: Language) -> dict[str, Symbol]:
+def given_vectors(task: Task, chain: VectorChain, order: int, language: Language) -> dict[str, Symbol]:
     """The symbols of given vectors by point: ``v``, where the statement does not call it ``v_F``."""
     kind, _ = _LETTERS[order]
     found = {}
@@ -39,7 +39,7 @@ def stated_vectors(task: Task, chain: VectorChain, order: int, language: Languag
     return {point: symbol for point, symbol in found.items() if symbol is not None}
 
 
-def stated_rates(task: Task, order: int, language: Language) -> dict[str, Symbol]:
+def given_rates(task: Task, order: int, language: Language) -> dict[str, Symbol]:
     """The symbols of given rates by body: ``omega``, where the statement does not call it ``omega_ABD``."""
     _, kind = _LETTERS[order]
     found = {}
@@ -58,22 +58,22 @@ def _symbol(task: Task, template: ComponentTemplate, field: str, usual: Name, la
 
 
 def transport_name(
-    task: Task, chain: VectorChain, slip: SlidingPoint, kind: str, stated: dict[str, Symbol]
+    task: Task, chain: VectorChain, sliding_point: SlidingPoint, kind: str, stated: dict[str, Symbol]
 ) -> Symbol | None:
     """The vector of a translating carrier under the name of the point by which it is known; None for other carriers."""
-    lead = _lead(task, chain, slip)
-    return None if lead is None else stated.get(lead, absolute(kind, lead))
+    leading_point = _leading_point(task, chain, sliding_point)
+    return None if leading_point is None else stated.get(leading_point, absolute(kind, leading_point))
 
 
-def _lead(task: Task, chain: VectorChain, slip: SlidingPoint) -> str | None:
+def _leading_point(task: Task, chain: VectorChain, sliding_point: SlidingPoint) -> str | None:
     """The point of a translating carrier whose motion is given, led by a guide or by a crank, or else its pole."""
-    if slip.body not in task.translating:
+    if sliding_point.body not in task.translating:
         return None
     driven = _driven(task)
-    members = [name for name in task.scene.bodies[slip.body] if name not in task.form.figure.hidden]
+    members = [name for name in task.scene.bodies[sliding_point.body] if name not in task.form.figure.hidden]
     led = {turn.point for turn in chain.turns if turn.pole in chain.resting}
     known = [name for names in (driven, chain.guides, led) for name in members if name in names]
-    return next(iter(known), slip.pole)
+    return next(iter(known), sliding_point.pole)
 
 
 def _driven(task: Task) -> set[str]:
@@ -82,11 +82,19 @@ def _driven(task: Task) -> set[str]:
     return {point for shape in shapes for point in shape.points}
 
 
-def telling_points(task: Task, chain: VectorChain, points: Sequence[str]) -> list[str]:
+def distinct_points(task: Task, chain: VectorChain, points: Sequence[str]) -> list[str]:
     """Points without those that only repeat what another point of the same translating body shows."""
     driven = _driven(task)
-    vital = driven | {quantity.point for quantity in task.asked} | {slip.point for slip in chain.slips}
-    vital |= {lead for slip in chain.slips if (lead := _lead(task, chain, slip))}
+    vital = (
+        driven
+        | {quantity.point for quantity in task.asked}
+        | {sliding_point.point for sliding_point in chain.sliding_points}
+    )
+    vital |= {
+        leading_point
+        for sliding_point in chain.sliding_points
+        if (leading_point := _leading_point(task, chain, sliding_point))
+    }
     repeated: set[str] = set()
     for body in task.translating:
         alone = [name for name in points if _owners(task, name) == [body]]

@@ -26,7 +26,7 @@ _MEASURES = ("velocity", "angular velocity", "acceleration", "angular accelerati
 
 
 @dataclass(frozen=True)
-class Curve:
+class PlottedCurve:
     """A quantity along the course, shape (K,), in its printed unit; ``now`` at the instant of the problem.
 
     Where the quantity has no finite value there is NaN; one that has none at the instant is left out.
@@ -44,13 +44,13 @@ class Panel:
     """Curves of one unit; ``letters`` are what the axis is called: (x, y), or () where the unit says enough."""
 
     unit: Unit
-    curves: tuple[Curve, ...]
+    curves: tuple[PlottedCurve, ...]
     letters: tuple[str, ...] = ()
 
 
 def panels(
     variant: Variant, driver_sweep: DriverSweep, asked: Sequence[Quantity], language: Language
-) -> tuple[list[Panel], list[Curve]]:
+) -> tuple[list[Panel], list[PlottedCurve]]:
     """Panels of what varies (positions of the asked points first), and the curves that are constant."""
     length = variant.family.length_unit
     positions = _positions(variant, driver_sweep, asked, language)
@@ -73,7 +73,7 @@ def origin(variant: Variant, motion: Motion, asked: Sequence[Quantity], instant:
     return name, complex(motion.z[name][instant])
 
 
-def _letters(curves: Sequence[Curve]) -> tuple[str, ...]:
+def _letters(curves: Sequence[PlottedCurve]) -> tuple[str, ...]:
     """The letters of the coordinates, each once, in their order."""
     bases = [curve.formula.base for curve in curves if isinstance(curve.formula, Symbol)]
     return tuple(sorted(set(bases)))
@@ -81,7 +81,7 @@ def _letters(curves: Sequence[Curve]) -> tuple[str, ...]:
 
 def _positions(
     variant: Variant, driver_sweep: DriverSweep, asked: Sequence[Quantity], language: Language
-) -> list[Curve]:
+) -> list[PlottedCurve]:
     """Coordinates of the asked points that change."""
     motion, at = driver_sweep.sweep.motion, driver_sweep.sweep.instant
     _, zero = origin(variant, motion, asked, at)
@@ -95,11 +95,11 @@ def _positions(
         for letter, values in (("x", place.real), ("y", place.imag)):
             if np.ptp(values) > _CONSTANT * size:
                 shown = np.array([measured.from_si(value) for value in values])
-                found.append(Curve(Symbol(letter, index), measured, shown, float(shown[at]), False))
+                found.append(PlottedCurve(Symbol(letter, index), measured, shown, float(shown[at]), False))
     return found
 
 
-def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, language: Language) -> Curve:
+def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, language: Language) -> PlottedCurve:
     """An asked quantity along the way, ``now`` as it is printed; over a dead position that is passed it goes on."""
     measured = quantity.unit(variant.family.length_unit)
     values = np.array(quantity.value(sweep.motion), dtype=np.float64)
@@ -118,7 +118,7 @@ def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, langu
     constant = bool(np.nanmax(values) - np.nanmin(values) <= _CONSTANT * _scale(sweep, quantity))
     shown = np.array([measured.from_si(float(value)) for value in values])
     name = language.quantity(quantity, variant.form.symbols)
-    return Curve(name, measured, shown, now, constant)
+    return PlottedCurve(name, measured, shown, now, constant)
 
 
 def _scale(sweep: Sweep, quantity: Quantity) -> float:

@@ -14,33 +14,33 @@ from xml.etree.ElementTree import Element
 
 from variantgen.exam.exam_file import Exam
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.platforms.questions import questions
 from variantgen.outputs.qti.dialect import Dialect
-from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.item import Items, identifier
-from variantgen.outputs.qti.options import Options, introduction, read_options
+from variantgen.outputs.qti.item import QtiItems, identifier
+from variantgen.outputs.qti.options import PackageOptions, introduction, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, pack, package
-from variantgen.outputs.qti.tree import document, element, images, line
+from variantgen.outputs.qti.package_images import PackageImages
+from variantgen.outputs.qti.xml_tree import document, element, images, line
 from variantgen.tables import Table
 
 _PACKAGE = "package"  # the target of the pieces
 Sheet = dict[str, Any]  # of the index: its code, the name of the student, the items with their files
 
 
-def read_table(table: Table) -> Options:
+def read_table(table: Table) -> PackageOptions:
     """The table of a format of QTI."""
-    found = read_options(table, "tests", ("draw", "students"), Options())
+    found = read_options(table, "tests", ("draw", "students"), PackageOptions())
     table.finish()
     return found
 
 
 def make(part: Chunk, dialect: Dialect) -> Iterator[Fragment]:
     """The items of a few students with their figures."""
-    options: Options = formats.options(part.exam, dialect.name)
-    figures = Figures(part.engine, options.figures)
-    items = Items(dialect, part.exam, figures, options)
+    options: PackageOptions = formats.options(part.exam, dialect.name)
+    figures = PackageImages(part.engine, options.figures)
+    items = QtiItems(dialect, part.exam, figures, options)
     files: dict[str, bytes] = {}
     sheets: dict[str, Sheet] = {}
     for question in questions(part):
@@ -52,9 +52,9 @@ def make(part: Chunk, dialect: Dialect) -> Iterator[Fragment]:
     yield Fragment(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
 
 
-def finish(whole: Whole, dialect: Dialect) -> None:
+def finish(whole: WholeExam, dialect: Dialect) -> None:
     """The package."""
-    options: Options = formats.options(whole.exam, dialect.name)
+    options: PackageOptions = formats.options(whole.exam, dialect.name)
     writer = _Writer(dialect, whole.exam, whole.exam.build_id, options, whole.pieces[_PACKAGE])
     with package(whole.folder / f"{dialect.name}.zip") as made:
         writer.write(made)
@@ -67,7 +67,7 @@ class _Writer:
     dialect: Dialect
     exam: Exam
     build: str
-    options: Options
+    options: PackageOptions
     pieces: Sequence[Path]
 
     def write(self, made: Package) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
-from variantgen.wording.formula import Dotted, Formula, Function, Index, Listing, Symbol, Vector
+from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
@@ -33,7 +33,7 @@ class Symbols:
             return Function(self.phrases.functions["projection"], Vector(vector))
         if name.kind == "cosine":
             vector = self._vector(Name(name.body, name.of))
-            return Function(self.phrases.functions["cos"], Listing((Vector(vector), Symbol(name.part))))
+            return Function(self.phrases.functions["cos"], FormulaList((Vector(vector), Symbol(name.part))))
         return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
 
     def letter(self, name: Name) -> Symbol:

@@ -20,7 +20,7 @@ _NOTHING = 1e-9  # of the largest vector
 
 
 @dataclass(frozen=True)
-class Solved:
+class MotionData:
     """One variant with its chain, its numbers, the unit of its vectors, and the task of its solution."""
 
     chain: VectorChain
@@ -29,7 +29,7 @@ class Solved:
     task: Task
 
 
-def solved(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], order: int) -> Solved:
+def motion_data(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], order: int) -> MotionData:
     """The chain and the numbers for a figure of velocities (``order`` 1) or accelerations (2).
 
     Raises InputError where the variant has no motion, accelerations are not asked, or nothing moves.
@@ -55,4 +55,4 @@ def solved(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantit
         kind = "velocity" if order == 1 else "acceleration"
         raise InputError(Problem(f"no shown point has a {kind}", key="view", value=name))
     measure = unit(variant.family.length_unit + ("/s" if order == 1 else "/s^2"))
-    return Solved(chain, now, measure, task_of(variant, motion, index, asked))
+    return MotionData(chain, now, measure, task_of(variant, motion, index, asked))

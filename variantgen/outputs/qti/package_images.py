@@ -7,14 +7,14 @@ from xml.etree import ElementTree
 
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.platforms.figure_files import FigureFiles
-from variantgen.outputs.qti.tree import element, line
+from variantgen.outputs.qti.xml_tree import element, line
 from variantgen.outputs.typst.typesetter import Typesetter
 
 FORMS = ("png", "svg")
 FOLDER = "images"
 
 
-class Figures:
+class PackageImages:
     """Figures of the form ``png`` or ``svg``; ``source`` makes of a name what an image points to."""
 
     def __init__(self, engine: Typesetter, form: str, source: Callable[[str], str] = lambda name: name) -> None:

@@ -42,7 +42,7 @@ _MANY_STUDENTS = 1000
 class Page:
     """A sheet of a workbook."""
 
-    def __init__(self, book: Book, sheet: Any) -> None:
+    def __init__(self, book: Workbook, sheet: Any) -> None:
         self.book, self.sheet = book, sheet
 
     def text(self, row: int, column: int, text: str, style: Style = PLAIN) -> None:
@@ -100,7 +100,7 @@ class Page:
         self.sheet.set_footer(f"&L{_footer(self.book.title)}&C&A&R&P / &N")
 
 
-class Book:
+class Workbook:
     """A workbook. ``folder`` is where large ones keep their sheets while they are made."""
 
     def __init__(self, path: Path, title: str, students: int, folder: Path) -> None:
@@ -141,9 +141,9 @@ class Book:
 
 
 @contextmanager
-def open_book(path: Path, title: str, students: int, folder: Path) -> Iterator[Book]:
+def open_workbook(path: Path, title: str, students: int, folder: Path) -> Iterator[Workbook]:
     """A workbook that is written at the end of the block."""
-    book = Book(path, title, students, folder)
+    book = Workbook(path, title, students, folder)
     yield book
     book.close()
 

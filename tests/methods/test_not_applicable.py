@@ -9,7 +9,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.methods import compose
-from variantgen.methods.steps.no_way import NoWayError
+from variantgen.methods.steps.not_applicable import NotApplicableError
 
 # A body on a level line, its three points driven and guided upright: no velocity tells a second direction.
 LEVEL = """
@@ -125,7 +125,7 @@ def test_tolerances_follow_the_data_where_no_method_leads(tmp_path, capsys):
 
 def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
@@ -148,7 +148,7 @@ def test_two_names_for_one_place(tmp_path, capsys, words):
 
 def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
@@ -158,7 +158,7 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
 
 def test_build_and_show_without_any_method(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)

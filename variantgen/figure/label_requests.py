@@ -26,7 +26,7 @@ def label_size(formula: Formula) -> tuple[float, float]:
 
 
 @dataclass(eq=False)
-class Request:
+class LabelRequest:
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
     ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
@@ -88,9 +88,9 @@ def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
     return result
 
 
-def around(formula: Formula, point: complex, clear: float) -> Request:
+def around(formula: Formula, point: complex, clear: float) -> LabelRequest:
     """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
-    return Request(formula, point, point + _offsets(formula, clear), _AROUND_COSTS, clear=clear)
+    return LabelRequest(formula, point, point + _offsets(formula, clear), _AROUND_COSTS, clear=clear)
 
 
 @lru_cache(maxsize=1000)
@@ -102,7 +102,7 @@ def _offsets(formula: Formula, clear: float) -> Places:
     return found
 
 
-def far_from(request: Request) -> tuple[Places, Costs]:
+def far_from(request: LabelRequest) -> tuple[Places, Costs]:
     """Candidates from which only a leader can lead to what is named, with their distances as costs."""
     support = _support(request.box, _FAR_WAYS)
     places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
@@ -110,7 +110,7 @@ def far_from(request: Request) -> tuple[Places, Costs]:
     return places.ravel(), costs.ravel()
 
 
-def along_line(formula: Formula, start: complex, end: complex, clear: float = _OFF) -> Request:
+def along_line(formula: Formula, start: complex, end: complex, clear: float = _OFF) -> LabelRequest:
     """Candidates on both sides of a line, best near its middle."""
     width, height = label_size(formula)
     normal = 1j * (end - start) / abs(end - start)
@@ -119,10 +119,10 @@ def along_line(formula: Formula, start: complex, end: complex, clear: float = _O
     costs = 10 * np.abs(_PARTS - 0.5)
     places = np.concatenate((middle + support * normal, middle - support * normal))
     extent = (start + 0.25 * (end - start), start + 0.75 * (end - start))
-    return Request(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)), extent)
+    return LabelRequest(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)), extent)
 
 
-def along_radius(formula: Formula, centre: complex, rim: complex, start: complex) -> Request:
+def along_radius(formula: Formula, centre: complex, rim: complex, start: complex) -> LabelRequest:
     """Candidates beside a radius from ``start`` on, and before its head outside the rim."""
     beside = along_line(formula, start, rim)
     way = (rim - centre) / abs(rim - centre)
@@ -130,10 +130,10 @@ def along_radius(formula: Formula, centre: complex, rim: complex, start: complex
     support = half_width * abs(way.real) + half_height * abs(way.imag)
     ahead = rim + way * (np.array([_OFF, 2.4]) + support)
     places = np.concatenate((beside.places, ahead))
-    return Request(formula, rim, places, np.concatenate((beside.costs, [3.0, 5.0])), (0.5 * (start + rim),))
+    return LabelRequest(formula, rim, places, np.concatenate((beside.costs, [3.0, 5.0])), (0.5 * (start + rim),))
 
 
-def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
+def along_arrow(formula: Formula, start: complex, end: complex) -> LabelRequest:
     """Candidates beside an arrow, best near its head, and before its head; less good ones farther aside."""
     width, height = label_size(formula)
     step = end - start
@@ -143,12 +143,12 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> Request:
     beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
     places = np.concatenate((beside.ravel(), ahead))
     extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
-    return Request(formula, end, places, _ARROW_COSTS, extent, vector=True)
+    return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True)
 
 
 def along_arc(
     formula: Formula, centre: complex, radius: float, start: float, sweep: float, inner: bool = False
-) -> Request:
+) -> LabelRequest:
     """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
     width, height = label_size(formula)
     ways = np.exp(1j * (start + _ARC_PARTS * sweep))
@@ -160,4 +160,4 @@ def along_arc(
     if inner and abs(sweep) > _WIDE:
         found = np.concatenate((found, centre + 0.6 * radius * ways))
         costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
-    return Request(formula, middle, found, costs, extent)
+    return LabelRequest(formula, middle, found, costs, extent)

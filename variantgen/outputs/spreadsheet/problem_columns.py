@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.spreadsheet.asked import Headings
+from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.wording.language import Language
 
 PER_ANSWER = 3  # columns on the sheet of answers: value and bounds
 
 
 @dataclass(frozen=True)
-class Block:
+class ProblemColumns:
     """A problem and its columns: what is asked (where students differ), what is typed, points, a correction.
 
     ``place`` is the index of the problem on a sheet, ``most`` the largest number of answers. ``names`` are symbols and
@@ -71,15 +71,15 @@ class Block:
         return sheet.items[self.place].answers
 
 
-def blocks(exam: Exam, sheets: Sequence[Sheet], headings: Headings, first: int, answers: int) -> list[Block]:
+def blocks(exam: Exam, sheets: Sequence[Sheet], headings: Headings, first: int, answers: int) -> list[ProblemColumns]:
     """The problems of an exam in order, from the columns ``first`` and ``answers`` of the two sheets on."""
-    found: list[Block] = []
+    found: list[ProblemColumns] = []
     for place, task in enumerate(exam.tasks):
         items = [sheet.items[place] for sheet in sheets]
         asked = {tuple((headings.symbol(i, a), headings.heading(i, a)) for a in i.answers) for i in items}
         most = max(len(names) for names in asked)
         names = asked.pop() if len(asked) == 1 else ()
         numbers = tuple((str(number), str(number)) for number in range(1, most + 1))
-        found.append(Block(task, place, most, names or numbers, bool(names), first, answers))
+        found.append(ProblemColumns(task, place, most, names or numbers, bool(names), first, answers))
         first, answers = found[-1].correction + 1, found[-1].answers_end
     return found
