@@ -18,7 +18,7 @@ from variantgen.errors import VariantgenError
 from variantgen.exam.roster import Student
 from variantgen.outputs.formats.moodle import check_xml
 from variantgen.outputs.platforms.cloze import weights
-from variantgen.outputs.platforms.numbers import plain
+from variantgen.outputs.platforms.numbers import number
 
 TWO = '[[problem]]\nfamily = "four_bar"\npoints = 10\n[[problem]]\nfamilies = ["spool", "rolling_wheel"]\n'
 MOODLE = 'formats = ["moodle"]\n'
@@ -288,4 +288,4 @@ def test_weights_keep_the_points() -> None:
 
 def test_numbers_are_plain() -> None:
     numbers = ["1E+2", "1e-7", "-0.0", "12.500", "-3", "100"]
-    assert [plain(Decimal(text)) for text in numbers] == ["100", "0.0000001", "0", "12.5", "-3", "100"]
+    assert [number(Decimal(text)) for text in numbers] == ["100", "0.0000001", "0", "12.5", "-3", "100"]
