@@ -281,9 +281,9 @@ def test_a_file_that_is_no_xml_is_refused(tmp_path: Path) -> None:
 
 
 def test_weights_keep_the_points() -> None:
-    assert weights(10, 4) == [3, 3, 2, 2]
-    assert weights(6, 3) == [2, 2, 2]
-    assert weights(3, 3) == weights(2, 3) == weights(None, 3) == [1, 1, 1]
+    assert weights(10, 4) == (3, 3, 2, 2)
+    assert weights(6, 3) == (2, 2, 2)
+    assert weights(3, 3) == weights(2, 3) == weights(None, 3) == (1, 1, 1)
 
 
 def test_numbers_are_plain() -> None:
