@@ -25,8 +25,8 @@ from variantgen.figure.faults import inspect_labels
 from variantgen.figure.sketch import HINGE
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import figure_data
-from variantgen.variants.draw import Drawing as Draws
-from variantgen.variants.needed import shown_points
+from variantgen.variants.draw import FamilySampler as Draws
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import load_language

@@ -21,16 +21,15 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import exams, processes
-from benchmarks.exams import FIVE_FAMILIES
+from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
 from benchmarks.measure import Clock, machine_line, write_beside
 from variantgen.builder import build
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
-from variantgen.exam.content import Content, PosedProblem, Solved
+from variantgen.exam.content import Content, PosedProblem, SolvedProblem
+from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.exam.shown import Figures, view_order
+from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
@@ -76,11 +75,11 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
         with clock.measuring(TEXT):
             text = written(task, found, language)
         posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
-        figures = Figures(item.variant, item.asked, language, (motion, place), drawing)
+        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            solved = Solved(item.variant, posed.said, text, figures.rows(), figures.numbers)
+            solved = SolvedProblem(item.variant, posed.statement, text, figures.rows(), figures.numbers)
             made.append(problem_data(solved, language, TYPST, known))
     with clock.measuring(JSON):
         json.dumps(made, ensure_ascii=False, separators=(",", ":"))
@@ -89,7 +88,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
 def typesetting_cost(exam: Path, students: int) -> Clock:
     """The engine alone on the sheets, the key and the solutions of an exam, everything else being prepared."""
     plan = read_exam(exam)
-    sheets = assemble(replace(plan, seed="0"), numbered(students)).sheets
+    sheets = drawn_sheets(replace(plan, seed="0"), numbered(students))
     clock = Clock()
     with typesetter() as engine:
         for target, template, data in _documents(plan, sheets):
@@ -138,10 +137,10 @@ def class_table(students: int) -> list[str]:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of(FIVE_FAMILIES, Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(students)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(students))
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
-            assemble(replace(exam, seed="0"), numbered(students))
+            drawn_sheets(replace(exam, seed="0"), numbered(students))
         _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
             sheets_data(Content(exam, sheets), TYPST)
@@ -175,7 +174,7 @@ def family_row(family: str, variants: int) -> str:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of([family], Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(variants)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(variants))
         known = {item.variant.form.name: sheet for sheet in sheets for item in sheet.items}
         measure_solutions(exam, list(known.values()), Clock())
         measure_solutions(exam, sheets, clock)

@@ -13,7 +13,7 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.mechanism.motion import Motion
-from variantgen.variants.draw import Drawing as VariantDrawing
+from variantgen.variants.draw import FamilySampler as VariantDrawing
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import letters, to_plain
 from variantgen.wording.language import Language, languages, load_language
@@ -79,7 +79,8 @@ def pattern(phrase: str, **groups: str) -> re.Pattern[str]:
     for text, slot, _, _ in string.Formatter().parse(phrase):
         parts.append(re.escape(text))
         if slot:
-            parts.append(f"(?P<{slot}>{groups.get(slot, '.+?')})")
+            name = slot.partition(".")[0]
+            parts.append(f"(?P<{name}>{groups.get(name, '.+?')})")
     return re.compile("".join(parts) + r"\Z")
 
 

@@ -19,7 +19,7 @@ from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.motion import take_scene
 from variantgen.mechanism.relative import relative_motion
-from variantgen.variants.needed import given_names, shown_points
+from variantgen.variants.printed_data import given_names, shown_points
 
 FAMILIES = family_names()
 

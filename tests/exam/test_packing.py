@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from tests.builder.small_exams import exam
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item
@@ -46,7 +46,7 @@ Packed = tuple[Exam, list[Item], bytes]
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory: pytest.TempPathFactory) -> Packed:
     found = exam(tmp_path_factory.mktemp("exam"), TEXT)
-    items = [item for sheet in assemble(replace(found, seed="1"), numbered(6)).sheets for item in sheet.items]
+    items = [item for sheet in drawn_sheets(replace(found, seed="1"), numbered(6)) for item in sheet.items]
     return found, items, pack(found, items)
 
 
@@ -97,7 +97,7 @@ def test_no_field_is_forgotten() -> None:
         "unit",
         "value",
         "tolerance",
-        "margin",
+        "relative_tolerance",
         "surd",
         "unnoticed",
     ]

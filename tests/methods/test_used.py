@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.forms import tasks
+from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import Body, Derived, Point, Sentence, Step

@@ -9,7 +9,7 @@ from decimal import Decimal
 from math import degrees
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.blueprint import Task
+from variantgen.exam.exam_file import ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
@@ -66,7 +66,7 @@ class Answer:
 class Item:
     """One problem of one student."""
 
-    task: Task
+    task: ExamProblem
     variant: Variant
     answers: tuple[Answer, ...]
 

@@ -28,7 +28,7 @@ def rounding(x: Real) -> float:
     return EPS if kind.kind not in "fc" else float(np.finfo(kind).eps)
 
 
-def unit(angle: Real) -> Complex:
+def unit_vector(angle: Real) -> Complex:
     """Unit vector ``exp(i*angle)`` (rad), exact at multiples of a right angle.
 
     The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings
@@ -53,13 +53,13 @@ def from_parts(x: Real, y: Real) -> Complex:
     return result
 
 
-def along(a: Complex, b: Complex) -> Real:
+def dot(a: Complex, b: Complex) -> Real:
     """Scalar product ``Re(conj(a) b)`` of two vectors."""
     result: Real = np.real(a) * np.real(b) + np.imag(a) * np.imag(b)
     return result
 
 
-def across(a: Complex, b: Complex) -> Real:
+def cross(a: Complex, b: Complex) -> Real:
     """Vector product ``Im(conj(a) b)``: positive when b lies to the left of a."""
     result: Real = np.real(a) * np.imag(b) - np.imag(a) * np.real(b)
     return result

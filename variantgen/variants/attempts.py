@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.family import Family, Form, Screens, frame
+from variantgen.families.draw_rules import Screens, frame
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
-from variantgen.variants.batch import Attempts, MakeScreening, Tally, starts
+from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
@@ -46,7 +47,7 @@ _FIXED = (
 )
 
 
-class FormDrawing:
+class FormSampler:
     """Attempts of many students at one form."""
 
     def __init__(
@@ -54,7 +55,7 @@ class FormDrawing:
         family: Family,
         form: Form,
         asked: Sequence[Quantity],
-        tally: Tally,
+        tally: RejectionCounts,
         where: str,
         screening: MakeScreening | None = None,
     ) -> None:
@@ -137,11 +138,11 @@ class FormDrawing:
             heads = promising.take(chosen)
             good = np.flatnonzero(self._conditioned(heads))
             accepted = self._screened(heads.take(good)) if self.screening else self._firsts(heads.take(good))
-            settled = []
+            accepted_owners = []
             for variant, owner in accepted:
-                settled.append(owner)
+                accepted_owners.append(owner)
                 yield variant, owner
-            left = ~np.isin(promising.owner, settled)
+            left = ~np.isin(promising.owner, accepted_owners)
             left[chosen] = False
             promising = promising.take(np.flatnonzero(left))
 

@@ -37,7 +37,7 @@ MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Mo
 
 
 @dataclass
-class Tally:
+class RejectionCounts:
     """How many attempts were made, and how many each screen was the first to reject."""
 
     attempts: int = 0

@@ -31,9 +31,9 @@ from tests.outputs.formats.packages import (
     unpacked,
 )
 from variantgen.cli import main
-from variantgen.outputs.qti.canvas_item import Items
-from variantgen.outputs.qti.figures import package_figures
-from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.canvas_item import CanvasItems
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import package_figures
 
 QTI = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
 SEEN = re.sub(r"\s+", " ", TITLE)
@@ -221,7 +221,7 @@ def test_right_numbers_of_the_key_score_and_others_do_not(out: Path) -> None:
 
 def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(tmp_path: Path) -> None:
     with direction(tmp_path) as (part, answered):
-        make = Items(part.exam, package_figures(part.engine, "svg"), Options(formulas="html"), once=False)
+        make = CanvasItems(part.exam, package_figures(part.engine, "svg"), PackageOptions(formulas="html"), once=False)
         for value, right, wrong in SEAM:
             (item,) = make.items(answered(value))
             assert [score(item, given) for given in right] == [100] * len(right)

@@ -16,7 +16,7 @@ import pytest
 from tests.pdf_text import page_texts
 from tests.verapdf import failures
 from variantgen.cli import main
-from variantgen.outputs.pdf_options import STANDARDS, Options, read_options
+from variantgen.outputs.pdf_options import STANDARDS, PdfOptions, read_options
 from variantgen.outputs.typst.typesetter import TypesettingError, typesetter
 from variantgen.tables import Table
 
@@ -247,7 +247,7 @@ def test_options(table: dict[str, Any], wanted: Any) -> None:
     found = read_options(Table(table, "pdf", mistakes))
     if isinstance(wanted, str):
         assert [problem.key for problem in mistakes] == [f"pdf.{wanted}"]
-        assert found == Options()
+        assert found == PdfOptions()
     else:
         assert (found.standards, mistakes) == (wanted, [])
 

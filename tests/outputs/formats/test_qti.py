@@ -31,14 +31,14 @@ from tests.outputs.formats.packages import (
 )
 from tests.outputs.formats.qti_reading import MATHML, Attempt, check
 from variantgen.cli import main
-from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.point_shares import shares
 from variantgen.outputs.qti.dialect import QTI21, QTI30, Dialect
-from variantgen.outputs.qti.figures import package_figures
-from variantgen.outputs.qti.item import Items
-from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.item import QtiItems
+from variantgen.outputs.qti.options import PackageOptions
 from variantgen.outputs.qti.package import contents, indexes, names, pack
 from variantgen.outputs.qti.package import package as zip_package
-from variantgen.outputs.qti.tree import document
+from variantgen.outputs.qti.package_images import package_figures
+from variantgen.outputs.qti.xml_tree import document
 
 NAMESPACES = {
     "qti21": ("http://www.imsglobal.org/xsd/imsqti_v2p1", "http://www.imsglobal.org/xsd/imscp_v1p1"),
@@ -291,7 +291,7 @@ def test_same_bytes_for_any_number_of_processes(tmp_path: Path) -> None:
 @pytest.mark.parametrize("dialect", [QTI21, QTI30])
 def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(dialect: Dialect, tmp_path: Path) -> None:
     with direction(tmp_path) as (part, answered):
-        items_of = Items(dialect, part.exam, package_figures(part.engine, "svg"), Options())
+        items_of = QtiItems(dialect, part.exam, package_figures(part.engine, "svg"), PackageOptions())
         for value, right, wrong in SEAM:
             item = plain(parsed(document(items_of.item(answered(value)))))
             check(item, dialect is QTI30)

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.exam.content import Solved, with_figures
+from variantgen.exam.content import SolvedProblem, with_figures
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
 from variantgen.outputs.html.fragments import solution_html, statement_html
@@ -16,7 +16,7 @@ from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Formula, Fraction, Number, Product, Sum, Symbol, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.mathml import to_mathml
-from variantgen.wording.solution.document import Line, Lines, SolutionText
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, SolutionText
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import Statement
 from variantgen.wording.text import Text
@@ -61,11 +61,11 @@ def test_formulas_have_commas_and_an_end() -> None:
     assert ["".join(node.itertext()) for node in asked] == ["Find:", "A,", "B."]
 
 
-def rows_of(lines: Lines) -> list[ET.Element]:
+def rows_of(lines: FormulaLines) -> list[ET.Element]:
     """The rows of formulas of a solution whose check is nothing else."""
     language, variant = load_language("en"), one_variant("four_bar")
     text = SolutionText((), (), ("none",), check=(lines,))
-    html = solution_html(Solved(variant, Statement((), (), ()), text, (), {}), language, WRITING)
+    html = solution_html(SolvedProblem(variant, Statement((), (), ()), text, (), {}), language, WRITING)
     answer, heading, *found = ET.fromstring(f"<div>{html}</div>")
     assert (answer.get("class"), heading.tag) == ("answer", "h4")
     assert all(row.get("class") == "formulas" for row in found)
@@ -73,7 +73,7 @@ def rows_of(lines: Lines) -> list[ET.Element]:
 
 
 def test_signs_stand_in_the_pieces_that_they_end() -> None:
-    lines = Lines((Line((("", A), ("=", B))), Line((("", B), ("\N{ALMOST EQUAL TO}", A)))))
+    lines = FormulaLines((FormulaLine((("", A), ("=", B))), FormulaLine((("", B), ("\N{ALMOST EQUAL TO}", A)))))
     (row,) = rows_of(lines)
     formulas = [["".join(piece.itertext()) for piece in formula] for formula in row]
     assert formulas == [["A", "=\xa0B;"], ["B", "≈\xa0A."]]
@@ -96,14 +96,14 @@ def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> N
 
     writing = HtmlWriting(to_mathml, captioned)
     tree = ET.fromstring(
-        f"<div>{statement_html(solved.said, language, writing)}{solution_html(solved, language, writing)}</div>"
+        f"<div>{statement_html(solved.statement, language, writing)}{solution_html(solved, language, writing)}</div>"
     )
     assert len(list(tree.iter("h4"))) == len(written.sections) + (1 if written.check else 0)
     shown = [one for row in solved.rows for one in row]
     assert len(list(tree.iter("svg"))) == len(captions) == len(shown)
     assert all(caption.startswith({"en": "Fig.", "ru": "Рис."}[lang]) for caption in captions)
     said = "".join(tree.itertext())
-    assert all(part in said for part in solved.said.text if isinstance(part, str))
+    assert all(part in said for part in solved.statement.text if isinstance(part, str))
 
 
 def long(letters: int) -> Formula:
@@ -114,7 +114,7 @@ def long(letters: int) -> Formula:
 @pytest.mark.parametrize(("letters", "kind"), [(40, "piece"), (60, "piece long"), (90, "piece longer")])
 def test_fractions_too_long_for_a_line_are_marked(letters: int, kind: str) -> None:
     for formula in (Fraction(long(letters), A), Fraction(A, long(letters))):
-        (((piece,),),) = rows_of(Lines((Line((("=", formula),)),)))
+        (((piece,),),) = rows_of(FormulaLines((FormulaLine((("=", formula),)),)))
         assert piece.get("class") == kind
 
 

@@ -10,7 +10,7 @@ from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.solution.document import Lines, Paragraph, SolutionText
+from variantgen.wording.solution.document import FormulaLines, Paragraph, SolutionText
 from variantgen.wording.solution.explain import explain
 
 EN = load_language("en")
@@ -27,7 +27,7 @@ def lines(text: SolutionText) -> list[str]:
     found = []
     for section in text.sections:
         for block in section.blocks:
-            if isinstance(block, Lines):
+            if isinstance(block, FormulaLines):
                 found += ["".join(f" {s} {to_plain(f)}" for s, f in line.pieces) for line in block.lines]
     return found
 

@@ -151,7 +151,7 @@ def _what_is_kept(out: Path) -> Iterator[None]:
 
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
-    from variantgen.exam.order import natural
+    from variantgen.exam.student_order import natural
 
     if made.redrawn:
         redrawn = some_of(natural(made.redrawn), listed=f"listed as redrawn in {made.folder / 'manifest.json'}")

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_choice, add_explaining, explained, settings
+from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "show one problem of a family"
@@ -18,7 +18,7 @@ DESCRIPTION = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
-    parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    add_language(parser)
     add_explaining(parser)
     parser.add_argument(
         "--motion",

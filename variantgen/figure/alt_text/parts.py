@@ -33,7 +33,7 @@ def hinges(alt_text: AltText) -> list[str]:
         if len(owners) < 2 or point in alt_text.hinged:
             continue
         key = "shared_axis" if point in alt_text.fixed else "hinge"
-        names = alt_text.listed([alt_text.part(body) for body in owners])
+        names = alt_text.parts(owners)
         found.append(alt_text.say(key, point=alt_text.name(point), bodies=names))
     return found
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from variantgen.wording.formula import GREEK, Formula, Fraction, Sum, to_plain, to_typst
-from variantgen.wording.solution.document import Line
+from variantgen.wording.solution.document import FormulaLine
 
 Pieces = list[tuple[str, Formula]]  # a formula as pieces that hold together, with the sign before each
 
@@ -20,7 +20,7 @@ _NAMES = re.compile("|".join((*GREEK, "angle", "perp", "parallel")))
 _SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
 
 
-def rows(lines: Sequence[Line]) -> Iterator[list[Pieces]]:
+def rows(lines: Sequence[FormulaLine]) -> Iterator[list[Pieces]]:
     """Rows of formulas; those that fit beside each other share a row."""
     row: list[Pieces] = []
     room = _ROW
@@ -48,7 +48,7 @@ def breadth(formula: Formula) -> int:
     return max(sum(1 for letter in to_plain(part) if letter not in "_^" and not letter.isspace()) for part in parts)
 
 
-def _pieces(line: Line) -> tuple[Pieces, int]:
+def _pieces(line: FormulaLine) -> tuple[Pieces, int]:
     """The pieces of a formula and their width in letters. A long sum may be broken before each of its terms."""
     found: Pieces = []
     length = _GAP

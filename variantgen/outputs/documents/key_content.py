@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.wording.formula import Equation, Formula, Measured, UnitText
 from variantgen.wording.language import Language
@@ -16,7 +16,7 @@ Place = tuple[int, str, str]  # number of a problem, names of the family and of 
 
 
 @dataclass(frozen=True)
-class Group:
+class KeyTable:
     """The problems of one form that stand under one number: a table of the key. ``heads`` are symbols with units.
 
     ``form`` is the name of the form as words, where the family has several.
@@ -32,19 +32,19 @@ def place(item: Item) -> Place:
     return item.task.number, item.variant.family.name, item.variant.form.name
 
 
-def group(item: Item, exam: Exam, language: Language) -> Group:
+def key_table(item: Item, exam: Exam, language: Language) -> KeyTable:
     """The table that a problem belongs to."""
     symbols = item.variant.form.symbols
     title = f"{language.words('key')['problem']} {item.task.number}. {item.variant.family.title(exam.language)}"
     heads = ((language.quantity(a.quantity, symbols), language.unit(a.unit)) for a in item.answers)
     form = item.variant.form.name.replace("_", " ") if len(item.variant.family.forms) > 1 else ""
-    return Group(title, form, tuple(heads))
+    return KeyTable(title, form, tuple(heads))
 
 
-def groups(sheets: Sequence[Sheet], exam: Exam, language: Language) -> dict[Place, Group]:
+def key_tables(sheets: Sequence[Sheet], exam: Exam, language: Language) -> dict[Place, KeyTable]:
     """All tables in their order."""
     first = {place(item): item for sheet in reversed(sheets) for item in sheet.items}
-    return {where: group(first[where], exam, language) for where in sorted(first)}
+    return {where: key_table(first[where], exam, language) for where in sorted(first)}
 
 
 def equation(answer: Answer, language: Language, symbols: Mapping[str, str]) -> Equation:

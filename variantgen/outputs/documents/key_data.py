@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.documents.key_content import Place, equation, group, mark, place, remarks, tolerance_note
+from variantgen.outputs.documents.key_content import Place, equation, key_table, mark, place, remarks, tolerance_note
 from variantgen.outputs.documents.writing import Writing
 
 
@@ -54,7 +54,7 @@ def problem_tables(exam: Exam, sheets: Sequence[Sheet], writing: Writing) -> dic
     for sheet in sheets:
         for item in sheet.items:
             if place(item) not in tables:
-                found = group(item, exam, language)
+                found = key_table(item, exam, language)
                 symbols = [writing.heading(symbol, unit) for symbol, unit in found.heads]
                 tables[place(item)] = {"title": found.title, "symbols": symbols, "rows": []}
             values = [{"value": language.answer(a.quantity, a.value).text, **_remarks(a, exam)} for a in item.answers]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
 from variantgen.exam.content import Content, PosedProblem
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import Writing
@@ -109,7 +109,7 @@ def group_text(student: Student, language: Language) -> str:
 
 
 def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
-    item, said = posed.item, posed.said
+    item, said = posed.item, posed.statement
     drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {
         "number": str(item.task.number),

@@ -7,7 +7,7 @@ from typing import Any
 
 from variantgen.outputs.documents.formula_rows import rows
 from variantgen.outputs.documents.writing import Writing
-from variantgen.wording.solution.document import Block, Lines, Paragraph, Program, VectorTable
+from variantgen.wording.solution.document import Block, FormulaLines, Paragraph, Program, VectorTable
 
 
 def blocks_data(blocks: Sequence[Block], writing: Writing) -> list[dict[str, Any]]:
@@ -30,7 +30,7 @@ def _block(item: Block, writing: Writing) -> dict[str, Any]:
     match item:
         case Paragraph(text):
             return {"kind": "text", "text": writing.text(text)}
-        case Lines(lines):
+        case FormulaLines(lines):
             found = [[[writing.piece(*piece) for piece in pieces] for pieces in row] for row in rows(lines)]
             return {"kind": "formulas", "rows": found}
         case VectorTable(heads, unknown, lines):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from variantgen.exam.content import Content, Solved
-from variantgen.exam.shown import SolutionFigure
+from variantgen.exam.content import Content, SolvedProblem
+from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.outputs.documents.sheet_data import exam_data, statement_data, student_data
 from variantgen.outputs.documents.solution_blocks import blocks_data
 from variantgen.outputs.documents.writing import Writing
@@ -44,13 +44,13 @@ def solution_words(language: Language) -> dict[str, str]:
 
 
 def problem_data(
-    solved: Solved, language: Language, writing: Writing, figures: dict[int, Any] | None = None
+    solved: SolvedProblem, language: Language, writing: Writing, figures: dict[int, Any] | None = None
 ) -> dict[str, Any]:
     """One problem with its figures and its solution."""
     text = solved.text
     return {
         "title": solved.variant.family.title(language.name),
-        **statement_data(solved.said, writing),
+        **statement_data(solved.statement, writing),
         "figures": [[_shown(shown, figures or {}, writing) for shown in row] for row in solved.rows],
         "plan": writing.text(text.plan),
         "sections": [_section(section, solved, language, writing) for section in text.sections],
@@ -64,7 +64,7 @@ def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> 
     return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
 
 
-def _section(section: Section, solved: Solved, language: Language, writing: Writing) -> dict[str, Any]:
+def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
     """A numbered step; ``see`` has the numbers of the figures that go with it, in parentheses."""
     numbers = [str(solved.numbers[name]) for name in section.views if name in solved.numbers]
     word = load_phrases(language.name).words["see"]

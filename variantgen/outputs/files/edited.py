@@ -15,7 +15,7 @@ import zlib
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path, PurePosixPath
 
-from variantgen.exam.record import NAME
+from variantgen.exam.manifest import NAME
 from variantgen.tables import read_limited
 
 EDITED = "edited"

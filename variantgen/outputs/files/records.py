@@ -12,8 +12,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.record import NAME, SCHEMA
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.manifest import NAME, SCHEMA
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.outputs.files.folder import file_hashes
 from variantgen.version import VERSION

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs import formats
-from variantgen.outputs.documents.key_content import Group, Place, groups, place, remarks
+from variantgen.outputs.documents.key_content import KeyTable, Place, key_tables, place, remarks
 from variantgen.outputs.documents.solution_data import solution_words
-from variantgen.outputs.files.groups import GROUPS, GroupFiles, by_group, parts_of
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, Whole
+from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, by_group, parts_of
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, WholeExam
 from variantgen.outputs.html.articles import page_writing, problem_keys, sheet_article, solution_article, student_key
 from variantgen.outputs.html.pages import pieces, write_page
 from variantgen.tables import Table
@@ -36,15 +36,15 @@ _FEW = 3  # students whose page needs no contents
 
 
 @dataclass(frozen=True)
-class Options:
+class HtmlOptions:
     """What an exam file may say of pages: one for all (``joined``), or for each of the ``students`` or ``groups``."""
 
     files: str = JOINED
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> HtmlOptions:
     """The table ``[html]``."""
-    found = Options(table.choice("files", (JOINED, STUDENTS, GROUPS)))
+    found = HtmlOptions(table.choice("files", (JOINED, STUDENTS, GROUPS)))
     table.finish()
     return found
 
@@ -80,7 +80,7 @@ def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
 
 
 def _files(exam: Exam) -> str:
-    found: Options = formats.options(exam, "html")
+    found: HtmlOptions = formats.options(exam, "html")
     return found.files
 
 
@@ -108,7 +108,7 @@ def _documents(exam: Exam) -> Iterator[_Document]:
         yield _Document("solutions", exam.explained, f"{words['solutions']}: {exam.title}")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Write the pages."""
     folder, documents = whole.folder / "html", list(_documents(whole.exam))
     write_key(whole)
@@ -141,7 +141,7 @@ def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet],
     )
 
 
-def write_key(whole: Whole) -> None:
+def write_key(whole: WholeExam) -> None:
     """The key of the class, or that of each group."""
     folder = whole.folder / "html"
     folder.mkdir()
@@ -156,7 +156,7 @@ def write_key(whole: Whole) -> None:
         _write_key(whole, folder / "key" / f"{found.stems[group]}.html", keys[group], rows[group], group)
 
 
-def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) -> None:
+def _write_groups(whole: WholeExam, documents: Sequence[_Document], folder: Path) -> None:
     """Pages for each group, and a list of them."""
     found = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
     for target in (document.target for document in documents):
@@ -176,7 +176,7 @@ def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) ->
     )
 
 
-def _rows_of_groups(whole: Whole) -> dict[str, dict[Place, list[Path]]]:
+def _rows_of_groups(whole: WholeExam) -> dict[str, dict[Place, list[Path]]]:
     """The pieces of the tables of each group."""
     found: dict[str, dict[Place, list[Path]]] = {}
     rest: dict[Place, Iterator[Path]] = {}
@@ -188,13 +188,13 @@ def _rows_of_groups(whole: Whole) -> dict[str, dict[Place, list[Path]]]:
     return found
 
 
-def _tables(whole: Whole) -> dict[Place, Group]:
+def _tables(whole: WholeExam) -> dict[Place, KeyTable]:
     """The tables of the key, in their order."""
-    return groups(whole.sheets, whole.exam, whole.exam.spoken)
+    return key_tables(whole.sheets, whole.exam, whole.exam.spoken)
 
 
 def _write_key(
-    whole: Whole, path: Path, students: Sequence[Path], rows: Mapping[Place, Sequence[Path]], group: str = ""
+    whole: WholeExam, path: Path, students: Sequence[Path], rows: Mapping[Place, Sequence[Path]], group: str = ""
 ) -> None:
     """The key of the class or of a group: by student, then a table for each problem."""
     exam, language = whole.exam, whole.exam.spoken
@@ -220,7 +220,7 @@ def _write_key(
     )
 
 
-def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
+def _write_index(whole: WholeExam, targets: Sequence[str], path: Path) -> None:
     """The students with links to their pages."""
     exam, language = whole.exam, whole.exam.spoken
     write_page(

@@ -2,7 +2,7 @@
 
 The mark of a cloze question is the sum of the whole weights of its parts; Moodle reads no other. Tolerances are
 absolute, and are those of the key. The text has its formulas as HTML, which needs no filter; the worked solution,
-shown as general feedback, has them as LaTeX for the MathJax filter. Figures are inside the file.
+shown as general feedback, has them as LaTeX for the MathJax filter. UsedFigures are inside the file.
 
 Moodle's reader of XML is told of a text piece by piece and drops pieces of white space alone. A piece ends at every
 entity and, with some parsers, at every end of a line, so texts are CDATA on one line.
@@ -21,15 +21,15 @@ from xml.parsers import expat
 from xml.sax.saxutils import unescape
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
 from variantgen.outputs.html.mathjax import to_mathjax
 from variantgen.outputs.html.writing import HtmlWriting, in_text
 from variantgen.outputs.platforms.cloze import inert, part, weights
-from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, Figures
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, UsedFigures
 from variantgen.outputs.platforms.questions import Question, questions
 from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.tables import Table
@@ -51,7 +51,7 @@ _BRACKETS = str.maketrans("<>", "‹›")
 
 
 @dataclass(frozen=True)
-class Options:
+class MoodleOptions:
     """``figures``: ``svg`` or ``png``.
 
     ``categories``: ``families``, a bank with a category for each problem and family and without names of students, or
@@ -62,9 +62,9 @@ class Options:
     categories: str = FAMILIES
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> MoodleOptions:
     """The table ``[moodle]``."""
-    options = Options(table.choice("figures", FORMS), table.choice("categories", (FAMILIES, STUDENTS)))
+    options = MoodleOptions(table.choice("figures", FORMS), table.choice("categories", (FAMILIES, STUDENTS)))
     table.finish()
     return options
 
@@ -75,7 +75,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
 
 def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students, in a piece for each category."""
-    chosen: Options = formats.options(part.exam, "moodle")
+    chosen: MoodleOptions = formats.options(part.exam, "moodle")
     files = FigureFiles(chosen.figures, part.engine)
     found: dict[str, list[bytes]] = {}
     for question in questions(part):
@@ -84,7 +84,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield Fragment(target, b"".join(written), ".xml")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """One file with all categories. Raises VariantgenError instead of leaving a file that is no XML."""
     path = whole.folder / "moodle.xml"
     with path.open("wb") as file:
@@ -110,7 +110,7 @@ def check_xml(path: Path) -> None:
         raise VariantgenError(f"{path.name} would not be XML ({error}): a defect of the program") from error
 
 
-def _target(question: Question, chosen: Options) -> str:
+def _target(question: Question, chosen: MoodleOptions) -> str:
     """Which category a question belongs to."""
     if chosen.categories == STUDENTS:
         return question.sheet.code
@@ -118,7 +118,7 @@ def _target(question: Question, chosen: Options) -> str:
     return f"{task.number}-{[family.name for family in task.families].index(question.family)}"
 
 
-def _categories(whole: Whole) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _categories(whole: WholeExam) -> Iterator[tuple[str, tuple[str, ...]]]:
     """All categories in order, each with the names that lead to it."""
     exam = whole.exam
     title = exam.title or exam.path.stem
@@ -162,7 +162,7 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
     if question.solved is None:
         _rich(feedback, "", [])
     else:
-        figures = Figures(files, _image)
+        figures = UsedFigures(files, _image)
         html = solution_html(question.solved, exam.explained, HtmlWriting(to_mathjax, figures.image))
         _rich(feedback, f'<div lang="{exam.solutions.language}">{html}</div>', figures.used.values())
     ET.SubElement(found, "penalty").text = "0.3333333"
@@ -174,11 +174,11 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
 
 def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, Iterable[FigureFile]]:
     """The text of a question with its parts, and the files that it shows."""
-    figures = Figures(files, _image)
+    figures = UsedFigures(files, _image)
     writing = HtmlWriting(in_text, figures.image)
     posed = question.posed
     shown = f"<p>{figures.image(posed.figure)}</p>"
-    text = inert(statement_html(posed.said, exam.spoken, writing) + shown)
+    text = inert(statement_html(posed.statement, exam.spoken, writing) + shown)
     shares = weights(posed.item.task.points, len(question.parts))
     lines = (
         f"<p>{inert(to_html(asked.symbol))}\N{NO-BREAK SPACE}= {part(asked.answer, share)} "

@@ -8,30 +8,30 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import group_text, sheets_data, who
 from variantgen.outputs.files.file_names import file_stem
-from variantgen.outputs.files.groups import GroupFiles, both_halves, by_group, documents
+from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
     STUDENTS_PER_PART,
     Chunk,
     Fragment,
-    Whole,
+    WholeExam,
     options,
 )
-from variantgen.outputs.pdf_options import Options, read_options
+from variantgen.outputs.pdf_options import PdfOptions, read_options
 from variantgen.outputs.typst.coverage import check_letters
 from variantgen.outputs.typst.writing import TYPST
 
 if TYPE_CHECKING:
-    from variantgen.outputs.pdf.bookmarks import Named
+    from variantgen.outputs.pdf.bookmarks import BookmarkName
 
-__all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
+__all__ = ["FILES", "HELP", "SUMMARIES", "PdfOptions", "check", "finish", "make", "read_options"]
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
 FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "key/*.pdf", "solutions/*.pdf")
@@ -96,14 +96,14 @@ def _problem_key(part: Chunk) -> Iterator[Fragment]:
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Join the parts, and hand out those of single students."""
     # Here, so that commands that write no PDF do not wait for the library.
     from variantgen.outputs.join import join_pdfs
-    from variantgen.outputs.pdf.bookmarks import Named
+    from variantgen.outputs.pdf.bookmarks import BookmarkName
 
     exam, chosen = whole.exam, _options(whole.exam)
-    names = [Named(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
+    names = [BookmarkName(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
     write_key(whole)
     for target, paths in whole.pieces.items():
         if target != "key" and chosen.joined:
@@ -117,7 +117,7 @@ def finish(whole: Whole) -> None:
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
-def write_key(whole: Whole) -> None:
+def write_key(whole: WholeExam) -> None:
     """Join the parts of the key of the class, or of each group."""
     from variantgen.outputs.join import join_pdfs
 
@@ -128,7 +128,7 @@ def write_key(whole: Whole) -> None:
         join_pdfs(whole.pieces["key"], whole.folder / "key.pdf", exam.title, exam.language, False)
 
 
-def _join_groups(whole: Whole, targets: Sequence[str], names: Sequence[Named]) -> None:
+def _join_groups(whole: WholeExam, targets: Sequence[str], names: Sequence[BookmarkName]) -> None:
     """Files for each group; they are named by it, so bookmarks do without."""
     from variantgen.outputs.join import join_pdfs
 
@@ -149,7 +149,7 @@ def _join_groups(whole: Whole, targets: Sequence[str], names: Sequence[Named]) -
             join_pdfs(own, path, exam.title, language, even, titles)
 
 
-def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: Options) -> None:
+def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: PdfOptions) -> None:
     """One file for each student."""
     folder.mkdir(exist_ok=True)
     for sheet, part in zip(sheets, parts, strict=True):
@@ -161,6 +161,6 @@ def _are_handed_out(exam: Exam) -> bool:
     return exam.solutions.wanted and (exam.solutions.for_students or _options(exam).for_students)
 
 
-def _options(exam: Exam) -> Options:
-    found: Options = options(exam, "pdf")
+def _options(exam: Exam) -> PdfOptions:
+    found: PdfOptions = options(exam, "pdf")
     return found

@@ -20,17 +20,17 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
 from variantgen.outputs.html.mathjax import to_mathjax
 from variantgen.outputs.html.writing import HtmlWriting
-from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, Figures
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, UsedFigures
 from variantgen.outputs.platforms.numbers import number
-from variantgen.outputs.platforms.questions import Asked, Question, questions
+from variantgen.outputs.platforms.questions import AnswerField, Question, questions
 from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.resources import templates_dir
 from variantgen.tables import Table
@@ -48,15 +48,15 @@ _NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "variantgen/prairielearn")
 
 
 @dataclass(frozen=True)
-class Options:
+class PrairieLearnOptions:
     """``figures``: ``svg`` or ``png``."""
 
     figures: str = FORMS[0]
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> PrairieLearnOptions:
     """The table ``[prairielearn]``."""
-    options = Options(table.choice("figures", FORMS))
+    options = PrairieLearnOptions(table.choice("figures", FORMS))
     table.finish()
     return options
 
@@ -70,7 +70,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
     files = FigureFiles(formats.options(part.exam, "prairielearn").figures, part.engine)
     found: dict[str, list[str]] = {}
     for question in questions(part):
-        figures = Figures(files, _element)
+        figures = UsedFigures(files, _element)
         variant = json.dumps(_variant(question, part.exam, figures), ensure_ascii=False)
         qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id)
         found.setdefault(qid, []).append(variant)
@@ -80,7 +80,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield Fragment(qid, ",\n".join(variants).encode(), ".json")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The folders of the questions, and how to use them."""
     templates = templates_dir() / "prairielearn"
     build = whole.exam.build_id
@@ -103,7 +103,7 @@ def finish(whole: Whole) -> None:
                     shutil.copyfile(paths[0], top / "questions" / target)
 
 
-def _qid(task: Task, family: Family, build: str) -> str:
+def _qid(task: ExamProblem, family: Family, build: str) -> str:
     """The name of a question and of its folder, of letters, digits, hyphens and underscores."""
     name = re.sub(r"[^A-Za-z0-9_-]", "_", family.name)[:60]
     other = "" if name == family.name else f"-{sha256(family.name.encode()).hexdigest()[:6]}"
@@ -122,7 +122,7 @@ def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     }
 
 
-def _variant(question: Question, exam: Exam, figures: Figures) -> dict[str, Any]:
+def _variant(question: Question, exam: Exam, figures: UsedFigures) -> dict[str, Any]:
     """What ``server.py`` and ``question.html`` know of a variant."""
     posed = question.posed
     writing, figure = HtmlWriting(to_mathjax, figures.image), figures.file(posed.figure)
@@ -133,7 +133,7 @@ def _variant(question: Question, exam: Exam, figures: Figures) -> dict[str, Any]
     return {
         "code": question.sheet.code,
         "lang": exam.language,
-        "statement": storable(statement_html(posed.said, exam.spoken, writing)),
+        "statement": storable(statement_html(posed.statement, exam.spoken, writing)),
         "figure": _shown(figure, figure.size()),
         "parts": [_part(asked) for asked in question.parts],
         "notes": notes_html(question.notes),
@@ -142,7 +142,7 @@ def _variant(question: Question, exam: Exam, figures: Figures) -> dict[str, Any]
     }
 
 
-def _part(asked: Asked) -> dict[str, Any]:
+def _part(asked: AnswerField) -> dict[str, Any]:
     """One number to be entered; ``also`` are other intervals of right answers than that around the answer.
 
     PrairieLearn compares the difference of two doubles with the tolerance: what stands right at the end of the interval

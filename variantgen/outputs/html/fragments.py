@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.content import Solved
+from variantgen.exam.content import SolvedProblem
+from variantgen.exam.exam_file import Exam
 from variantgen.outputs.documents.sheet_data import notices_data, statement_data
 from variantgen.outputs.documents.solution_data import problem_data, solution_words
 from variantgen.outputs.documents.writing import Writing
@@ -29,7 +29,7 @@ def notes_html(notes: Sequence[str]) -> str:
     return fragment("notes.html.j2", notes=notes)
 
 
-def solution_html(solved: Solved, language: Language, writing: Writing) -> str:
+def solution_html(solved: SolvedProblem, language: Language, writing: Writing) -> str:
     """A worked solution: figures, plan, numbered steps, answer, check."""
     problem, words = problem_data(solved, language, writing), solution_words(language)
     return fragment("solved.html.j2", problem=problem, words=words)

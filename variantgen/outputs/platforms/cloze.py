@@ -11,7 +11,7 @@ from decimal import Decimal
 
 from variantgen.exam.sheets import Answer
 from variantgen.outputs.platforms.numbers import number
-from variantgen.outputs.platforms.points import shares
+from variantgen.outputs.platforms.point_shares import shares
 
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 
@@ -29,5 +29,5 @@ def part(answer: Answer, weight: Decimal) -> str:
 
 
 def weights(points: int | None, parts: int) -> tuple[Decimal, ...]:
-    """Whole shares of the points of a question, all 1 where there are fewer points than parts."""
+    """WholeExam shares of the points of a question, all 1 where there are fewer points than parts."""
     return shares(points if points and points >= parts else None, parts, steps=1)

@@ -1,4 +1,4 @@
-"""Figures as files beside or inside a question: SVG or PNG of the usual size, each drawing made once."""
+"""UsedFigures as files beside or inside a question: SVG or PNG of the usual size, each drawing made once."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class FigureFiles:
         return self._made[id(drawing)]
 
 
-class Figures:
+class UsedFigures:
     """The figures of one text or package; ``element(file, size)`` is one of them in a text, of a size in pixels."""
 
     def __init__(self, files: FigureFiles, element: Callable[[FigureFile, tuple[int, int]], str]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from variantgen.exam.content import PosedProblem, Solved
+from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
 from variantgen.wording.formula import Formula, UnitText
@@ -13,7 +13,7 @@ from variantgen.wording.statement import sign_notes
 
 
 @dataclass(frozen=True)
-class Asked:
+class AnswerField:
     """A part of a question: one number to be entered.
 
     ``name`` is an identifier like ``a1``, unique in the question; ``unit`` has no parts for a pure number.
@@ -36,8 +36,8 @@ class Question:
     identifier: str
     sheet: Sheet
     posed: PosedProblem
-    solved: Solved | None
-    parts: tuple[Asked, ...]
+    solved: SolvedProblem | None
+    parts: tuple[AnswerField, ...]
     notes: tuple[str, ...]
 
     @property
@@ -54,8 +54,8 @@ def questions(part: Chunk) -> Iterator[Question]:
         for place, posed in enumerate(part.content.posed[number]):
             item = posed.item
             asked = tuple(
-                Asked(f"a{k}", symbol, language.unit(answer.unit), answer)
-                for k, (symbol, answer) in enumerate(zip(posed.said.asked, item.answers, strict=True), start=1)
+                AnswerField(f"a{k}", symbol, language.unit(answer.unit), answer)
+                for k, (symbol, answer) in enumerate(zip(posed.statement.asked, item.answers, strict=True), start=1)
             )
             yield Question(
                 f"{build}-{item.task.number}-{sheet.code}",

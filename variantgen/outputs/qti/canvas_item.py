@@ -14,19 +14,19 @@ from decimal import Decimal
 from html import escape
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
 from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
 from variantgen.outputs.html.writing import HtmlWriting, in_text
-from variantgen.outputs.platforms.figure_files import Figures
+from variantgen.outputs.platforms.figure_files import UsedFigures
 from variantgen.outputs.platforms.numbers import number
-from variantgen.outputs.platforms.points import shares
-from variantgen.outputs.platforms.questions import Asked, Question
+from variantgen.outputs.platforms.point_shares import shares
+from variantgen.outputs.platforms.questions import AnswerField, Question
 from variantgen.outputs.platforms.text import one_line
-from variantgen.outputs.qti.figures import statement_figure
 from variantgen.outputs.qti.item import identifier
-from variantgen.outputs.qti.options import Options
-from variantgen.outputs.qti.tree import element, fragment, html
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import statement_figure
+from variantgen.outputs.qti.xml_tree import element, fragment, html
 from variantgen.wording.html import to_html
 
 _RESPONSE = {"respident": "response1"}
@@ -34,12 +34,12 @@ _FEEDBACK = "general_fb"
 
 
 @dataclass(frozen=True)
-class Items:
+class CanvasItems:
     """Makes the questions of an exam; ``once``: the statement is a text before them."""
 
     exam: Exam
-    figures: Figures
-    options: Options
+    figures: UsedFigures
+    options: PackageOptions
     once: bool
 
     def items(self, question: Question) -> Iterator[Element]:
@@ -77,10 +77,10 @@ class Items:
 
     def _statement(self, question: Question) -> str:
         posed = question.posed
-        said = statement_html(posed.said, self.exam.spoken, self._writing)
+        said = statement_html(posed.statement, self.exam.spoken, self._writing)
         return said + statement_figure(self.figures, posed.figure) + notes_html(question.notes)
 
-    def _asked(self, question: Question, part: Asked, place: int) -> str:
+    def _asked(self, question: Question, part: AnswerField, place: int) -> str:
         """Which number is to be entered, in which unit, and how."""
         words, count = self.exam.spoken.words("platform"), len(question.parts)
         which = f"{escape(words['answer'].format(number=place, count=count))} " if count > 1 else ""

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from xlsxwriter.utility import xl_rowcol_to_cell
 
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.spreadsheet.book import CELL, HEAD, Page
 from variantgen.outputs.spreadsheet.numbers import width
+from variantgen.outputs.spreadsheet.workbook_writer import CELL, HEAD, Page
 from variantgen.wording.language import Language
 
 WHO = 4  # columns: code, id, name, group

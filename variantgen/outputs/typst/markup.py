@@ -11,13 +11,13 @@ from typing import Any
 from variantgen.wording.formula import Formula, UnitText, to_plain, to_typst
 
 
-class Markup(str):
+class TypstMarkup(str):
     """Typst math markup of one formula, or of several after each other."""
 
     __slots__ = ("formulas",)
     formulas: tuple[Formula, ...]
 
-    def __new__(cls, text: str, *formulas: Formula) -> Markup:
+    def __new__(cls, text: str, *formulas: Formula) -> TypstMarkup:
         """Markup that says the formulas."""
         made = super().__new__(cls, text)
         made.formulas = formulas
@@ -30,16 +30,16 @@ class Markup(str):
 
 
 @lru_cache(maxsize=10_000)
-def markup(formula: Formula) -> Markup:
+def markup(formula: Formula) -> TypstMarkup:
     """A formula."""
-    return Markup(to_typst(formula), formula)
+    return TypstMarkup(to_typst(formula), formula)
 
 
-def heading(symbol: Formula, unit: UnitText) -> Markup:
+def heading(symbol: Formula, unit: UnitText) -> TypstMarkup:
     """The head of a column of answers: ``v_B, cm/s``."""
     if not unit.parts:
         return markup(symbol)
-    return Markup(f"{to_typst(symbol)}, thin {to_typst(unit)}", symbol, unit)
+    return TypstMarkup(f"{to_typst(symbol)}, thin {to_typst(unit)}", symbol, unit)
 
 
 def alternatives(data: Any) -> dict[str, str]:
@@ -47,14 +47,14 @@ def alternatives(data: Any) -> dict[str, str]:
     return {str(found): found.plain for found in marked(data)}
 
 
-def marked(data: Any) -> list[Markup]:
+def marked(data: Any) -> list[TypstMarkup]:
     """All markup in the data of a document, each once."""
-    found: dict[Markup, None] = {}
+    found: dict[TypstMarkup, None] = {}
     waiting: list[Any] = [data]
     while waiting:
         item = waiting.pop()
         kind = type(item)  # most pieces are plain text and numbers
-        if kind is Markup:
+        if kind is TypstMarkup:
             found.setdefault(item)
         elif kind is dict:
             waiting.extend(item.values())

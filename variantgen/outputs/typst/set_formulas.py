@@ -12,13 +12,13 @@ from functools import lru_cache
 from typing import Any
 
 from variantgen.figure.glyphs import kerning
-from variantgen.figure.lettering import Lettering, Placed, typeset
+from variantgen.figure.lettering import Lettering, PlacedGlyph, typeset
 from variantgen.outputs.typst.markup import marked
-from variantgen.wording.formula import About, Formula, Listing, Symbol, UnitText, to_plain
+from variantgen.wording.formula import Formula, FormulaList, Symbol, SymbolProperty, UnitText, to_plain
 from variantgen.wording.formula.tree import ANGLE
 
 # Others are left to the engine: some of them may be broken into lines, for some figures have no letters.
-_SET = (Symbol, UnitText, About)
+_SET = (Symbol, UnitText, SymbolProperty)
 
 _DIGITS = 4
 _SIZE = (1.0, 0.7, 0.5)  # of formula, index, index of an index
@@ -37,7 +37,7 @@ def set_formulas(data: Any) -> dict[str, Any]:
 def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Fragment, ...]] | None:
     if not all(map(_is_set, formulas)):
         return None
-    whole = formulas[0] if len(formulas) == 1 else Listing(formulas)
+    whole = formulas[0] if len(formulas) == 1 else FormulaList(formulas)
     found = typeset(whole)
     pieces = _pieces(found)
     if "".join(piece[-1] for piece in pieces).count(_UNKNOWN) != to_plain(whole).count(_UNKNOWN):
@@ -51,7 +51,7 @@ def _is_set(formula: Formula) -> bool:
 
 def _pieces(lettering: Lettering) -> tuple[Fragment, ...]:
     """The glyphs of a formula; letters of a word are one piece, which the engine spaces itself."""
-    words: list[list[Placed]] = []
+    words: list[list[PlacedGlyph]] = []
     for placed in lettering.glyphs:
         if words and _follows(words[-1][-1], placed):
             words[-1].append(placed)
@@ -61,7 +61,7 @@ def _pieces(lettering: Lettering) -> tuple[Fragment, ...]:
     return tuple(_piece(word, word[0].at.real - before.real) for word, before in zip(words, starts, strict=False))
 
 
-def _follows(before: Placed, after: Placed) -> bool:
+def _follows(before: PlacedGlyph, after: PlacedGlyph) -> bool:
     one, other = before.glyph, after.glyph
     if one.scale != other.scale or one.name[1] + other.name[1] != "uu":
         return False
@@ -69,7 +69,7 @@ def _follows(before: Placed, after: Placed) -> bool:
     return abs(before.at + gap - after.at) < 1e-9
 
 
-def _piece(word: Sequence[Placed], right: float) -> Fragment:
+def _piece(word: Sequence[PlacedGlyph], right: float) -> Fragment:
     glyph = word[0].glyph
     level, upright = int(glyph.name[0]), glyph.name[1] == "u"
     letters = "".join(placed.glyph.name[2:] for placed in word)

@@ -33,7 +33,7 @@ def _clause(alt_text: AltText, joint: Guide) -> str:
         return alt_text.say("guide_bearing", body=body, where=where, line=line)
     if board.is_translated(point):
         alt_text.hinged.add(point)
-        bodies = alt_text.listed([alt_text.part(body, "_with") for body in alt_text.owners(point)])
+        bodies = alt_text.parts(alt_text.owners(point))
         return alt_text.say("guide_rigid", point=name, bodies=bodies, line=line)
     return alt_text.say("guide", point=name, hinged=alt_text.hinge(point), line=line)
 
