@@ -31,7 +31,7 @@ NAME = "by_example"
 def applies(book: Book, group: Dyad) -> bool:
     """Where the end of the link is on a circle: to four_bar, and not to slider_crank."""
     del book
-    return not group.track.straight
+    return not group.point_path.straight
 
 
 def solve_dyad(book: Book, group: Dyad) -> None:
