@@ -208,10 +208,10 @@ def test_an_earlier_output_is_replaced(tmp_path: Path) -> None:
 def test_a_wrong_option_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam(tmp_path, "en", '[html]\nfiles = "student"\npaper = "a4"\n', '[[problem]]\nfamily = "spool"\n')
     assert main(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
-    told = capsys.readouterr().err
-    assert "html.files" in told
-    assert "students" in told
-    assert "html.paper" in told
+    output = capsys.readouterr().err
+    assert "html.files" in output
+    assert "students" in output
+    assert "html.paper" in output
 
 
 def luminance(colour: str) -> float:

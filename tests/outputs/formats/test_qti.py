@@ -187,12 +187,12 @@ def test_both_versions_say_the_same(russian: Path) -> None:
     for where in old:
         first, second = plain(old[where]), plain(new[where])
         for name in ("responseDeclaration", "outcomeDeclaration", "responseProcessing"):
-            told = [
+            output = [
                 [(one.tag, one.attrib, one.text) for top in tree.iter(name) for one in top.iter()]
                 for tree in (first, second)
             ]
-            assert told[0] == told[1]
-            assert told[0]
+            assert output[0] == output[1]
+            assert output[0]
         texts = ["".join(tree.find("itemBody").itertext()) for tree in (first, second)]  # type: ignore[union-attr]
         assert texts[0] == texts[1]
 
@@ -340,10 +340,10 @@ def test_shares_are_equal_and_sum_up(points: int | None, parts: int) -> None:
     ],
 )
 def test_mistakes_in_options_are_told(
-    table: str, told: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    table: str, output: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "exam.toml"
     path.write_text(exam('family = "spool"', tables=table, title="T"), "utf-8")
     assert main(["build", str(path), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
-    assert all(part in said for part in told), said
+    assert all(part in said for part in output), said
