@@ -79,7 +79,7 @@ def _panels(count: int, columns: int, inches: tuple[float, float]) -> tuple[Any,
 
 def _mark(axis: Any, x: float, y: float, look: PlotStyle, label: str = "") -> None:
     axis.plot(
-        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour, label=label,
+        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour,
         markerfacecolor=look.colour if look.filled else "white", markeredgewidth=1.0, zorder=3 + look.filled,
     )  # fmt: skip
 

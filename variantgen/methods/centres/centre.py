@@ -30,10 +30,10 @@ def is_near(book: Book, first: complex, second: complex) -> bool:
     return abs(first - second) <= NEAR * (book.task.size + abs(first - middle))
 
 
-def named_place(book: Book, place: complex, but: str = "") -> str:
-    """The point of the figure at a place, other than ``but``, or nothing."""
+def named_place(book: Book, place: complex) -> str:
+    """The point of the figure at a place, or nothing."""
     hidden = book.task.form.figure.hidden
-    names = (name for name in book.task.now.z if name not in hidden and name != but)
+    names = (name for name in book.task.now.z if name not in hidden)
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 

@@ -26,7 +26,6 @@ from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.variants.printed_data import shown_points
 
 ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
-DIGITS = ANSWER_DIGITS + 1  # of intermediate results
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 
@@ -57,7 +56,7 @@ def prepare(book: Book) -> Plans:
     plans = Plans(book.task)
     book.geometry = DrawnGeometry(book.task)
     book.graphics = plans
-    book.style = MethodStyle("pole", "pole")
+    book.style = MethodStyle("velocity_pole")
     return plans
 
 
