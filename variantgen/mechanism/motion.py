@@ -84,7 +84,7 @@ def largest_change(
     length: Field,
     least: Field | float = 0.0,
 ) -> Field:
-    """Largest difference of two tables of velocities (or accelerations), relative to the largest of the first, shape (N,).
+    """Largest difference of two tables of velocities or accelerations by the largest of the first, shape (N,).
 
     Rates of bodies count times the ``length`` of the mechanism. The largest is taken to be ``least`` at least: where
     all are nothing but rounding there is nothing to compare with.

@@ -27,7 +27,7 @@ from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand.repeatable_calculation import Numbers, RepeatableCalculation, Array, cut
+from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
