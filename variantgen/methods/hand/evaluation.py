@@ -84,11 +84,11 @@ def _velocity_centre(motion: Motion, groups: Sequence[Group]) -> Iterator[Field]
         first = 1j * v / np.where(moving, np.abs(v), 1.0)
         sine = cross(first, 1j * way)
         fit = moving & (np.abs(sine) > _FLAT)
-        reach = cross(arm, 1j * way) / np.where(fit, sine, 1.0)  # P = A + reach * first
+        distance = cross(arm, 1j * way) / np.where(fit, sine, 1.0)  # P = A + reach * first
         # Near its pole a centre says little of the rate: what is compared is the rotation times the distance.
         turn = motion.omega[group.body]
-        own = np.abs(np.abs(v) - turn * reach)
-        other = np.abs(1j * turn * (arm - reach * first) - motion.v[group.point_path.point])
+        own = np.abs(np.abs(v) - turn * distance)
+        other = np.abs(1j * turn * (arm - distance * first) - motion.v[group.point_path.point])
         yield np.where(fit, np.maximum(own, other) * np.minimum(1.0, np.abs(sine)) / speed, 0.0)
 
 
@@ -162,14 +162,14 @@ def _acceleration_centre(motion: Motion, groups: Sequence[Group]) -> Iterator[Fi
         rate = np.sqrt(epsilon**2 + omega**4)
         pole = members[0]
         fit = rate * motion.length_scale() > 1e-9 * acceleration
-        reach = np.abs(motion.a[pole]) / np.where(fit, rate, 1.0)
+        distance = np.abs(motion.a[pole]) / np.where(fit, rate, 1.0)
         mu = np.arctan2(epsilon, omega**2)
         ray = motion.a[pole] * np.exp(1j * mu)
         length = np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
-        centre = motion.z[pole] + reach * ray / length
+        centre = motion.z[pole] + distance * ray / length
         for point in members[1:]:
             size = np.abs(motion.z[point] - centre) * rate
-            far = 1.0 + reach / motion.length_scale()
+            far = 1.0 + distance / motion.length_scale()
             yield np.where(fit, np.abs(size - np.abs(motion.a[point])) / (acceleration * far), 0.0)
 
 
