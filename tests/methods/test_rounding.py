@@ -13,7 +13,8 @@ from variantgen.methods.algebra.expression import Constant, LinearSolution, Rati
 from variantgen.methods.algebra.name import Name
 from variantgen.methods.algebra.vectorised import Operations
 from variantgen.methods.compose import solution
-from variantgen.methods.hand.rounding import HandCalculation, Worked
+from variantgen.methods.hand.rounding import HandCalculation
+from variantgen.methods.hand.worked import Worked
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.steps.printed_digits import choose_printed_digits
 from variantgen.variants.draw import draw

@@ -1,7 +1,9 @@
 """Answers confirmed by the steps that a solution would print, signs included, for a batch of variants of a form.
 
 The steps of one variant are repeated with the data of the others that have the same choices and senses; where they do
-not lead to the answers of a variant, that one has steps of its own, which must.
+not lead to the answers of a variant, that one has steps of its own, which must. A sense that steps read off the figure
+is that of the variant whose steps they are: its sign is confirmed there, and for the others by the independent
+computation.
 """
 
 from __future__ import annotations
