@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from variantgen.methods.algebra.expression import Value
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.printed_numbers import PrintedNumbers
 from variantgen.methods.solution.book import Book, Known, resultant
@@ -50,23 +51,28 @@ def confirm(book: Book, solution: Solution, methods: Sequence[str]) -> None:
     All that is printed is checked: each number, each equation, each answer with its sign. The message names the family,
     the methods, the step and the data.
     """
-    by = ", ".join(methods) or "the natural methods"
     found = deviation(book)
     if not found <= AGREES:
-        raise _error(book.task, by, "what was found for points and bodies", found)
+        raise _error(book.task, methods, "what was found for points and bodies", found)
     printed = PrintedNumbers(book.task, measured=solution.approximate > 0)
     for step in (*solution.steps, Step(Sentence("check"), list(solution.check))):
         for what, off in printed.step(step):
             if not off <= AGREES:
-                raise _error(book.task, by, f"{what} in the step {step.heading.key}", off)
-    for quantity, (_, value) in zip(book.task.asked, solution.answers, strict=True):
-        off = printed.answer(quantity, value)
+                raise _error(book.task, methods, f"{what} in the step {step.heading.key}", off)
+    confirm_answers(book.task, dict(solution.answers), methods)
+
+
+def confirm_answers(task: Task, answers: Mapping[str, Value], methods: Sequence[str]) -> None:
+    """Raise VerificationError where an answer (by the name of its quantity) is not the solver's, sign included."""
+    printed = PrintedNumbers(task)
+    for quantity in task.asked:
+        off = printed.answer(quantity, answers[quantity.name])
         if not off <= AGREES:
-            raise _error(book.task, by, f"the answer {quantity.name}", off)
+            raise _error(task, methods, f"the answer {quantity.name}", off)
 
 
-def _error(task: Task, by: str, what: str, off: float) -> VerificationError:
-    variant = task.variant
+def _error(task: Task, methods: Sequence[str], what: str, off: float) -> VerificationError:
+    variant, by = task.variant, ", ".join(methods)
     data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
-    told = f"{variant.family.name}: the solution by {by} deviates from the solver: {what} is off by {off:.1e}"
-    return VerificationError(told + (f" for {data}" if data else ""))
+    said = f"{variant.family.name}: the solution by {by} deviates from the solver: {what} is off by {off:.1e}"
+    return VerificationError(said + (f" for {data}" if data else ""))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from variantgen.families.quantities import Quantity
-from variantgen.methods.agreement import confirm
+from variantgen.methods.agreement import confirm, confirm_answers
 from variantgen.methods.algebra.expression import Value
 from variantgen.methods.by_groups import walk
 from variantgen.methods.by_groups.answers import answer
@@ -103,10 +103,13 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
 
 def _checked_by_links(task: Task) -> list[Item]:
     """The check by going through the links; nothing where that does not lead to the answers."""
+    book = Book(task)
     try:
-        return by_links(work_out(Book(task)))
+        found = work_out(book)
     except NO_WAY:
         return []
+    confirm_answers(task, found, (book.style.velocities, book.style.accelerations))
+    return by_links(found)
 
 
 def work_out(book: Book) -> dict[str, Value]:
