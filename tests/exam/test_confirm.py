@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.methods.damaged import damage_formulas
+from variantgen.algebra.expression import Constant, Expression
 from variantgen.builder import build
 from variantgen.cli import main
 from variantgen.exam.roster import numbered
@@ -18,16 +19,15 @@ from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.algebra.expression import Constant, Expression
 from variantgen.methods.hand.confirmation import UnconfirmedError, confirm_answers
 from variantgen.variants.attempts import VerificationError
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant
 
 
 @pytest.fixture
 def drawn() -> list[Variant]:
-    return Drawing(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
+    return FamilySampler(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
 
 
 def solved(variants: list[Variant]) -> Motion:
@@ -111,7 +111,9 @@ def test_a_wrong_printed_number_stops_a_build(tmp_path: Path, monkeypatch: pytes
     monkeypatch.setattr("variantgen.methods.agreement.deviation", lambda book: 1e-6)
     with pytest.raises(VerificationError) as caught:
         build(exam(tmp_path, "short"), numbered(2), tmp_path / "out", seed="97")
-    assert "slider_crank: the solution by velocity_centre, pole deviates from the solver" in str(caught.value)
+    assert "slider_crank: the solution by velocity_centre, acceleration_pole deviates from the solver" in str(
+        caught.value
+    )
     assert "(student 1, problem 1) (seed 97)" in str(caught.value)
     assert not (tmp_path / "out").exists()
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
 
 Damage = Callable[[Expression], Expression]
@@ -20,11 +20,11 @@ def damage_formulas(monkeypatch: pytest.MonkeyPatch, symbol: str, damage: Damage
     """
     right, found = Book.derive, []
 
-    def derive(book: Book, name: Name, measure: str, expression: Expression, *, detail: bool = False) -> Value:
+    def derive(book: Book, name: Name, measure: str, expression: Expression) -> Value:
         parts = f"{name.kind} {name.part}".strip()
         if symbol not in (parts, f"{parts} {name.of} {name.about}".strip()):
-            return right(book, name, measure, expression, detail=detail)
-        value = right(book, name, measure, damage(expression), detail=detail)
+            return right(book, name, measure, expression)
+        value = right(book, name, measure, damage(expression))
         found.append(value)
         return value
 

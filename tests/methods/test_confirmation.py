@@ -8,16 +8,16 @@ from dataclasses import replace
 import pytest
 
 from tests.methods.damaged import damage_formulas
+from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods import compose
 from variantgen.methods.agreement import confirm
-from variantgen.methods.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Derived, Item, LinearSystem, Projection, Solution, Statement, VectorLine
+from variantgen.methods.steps.step import Derived, EquationLine, Item, LinearSystem, Projection, Solution, VectorLine
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
@@ -118,7 +118,10 @@ def test_the_message_names_the_method_the_step_and_the_data(monkeypatch: pytest.
     with pytest.raises(VerificationError) as caught:
         solution(found, ("velocity_centre", "acceleration_pole"))
     message = str(caught.value)
-    assert "slider_crank: the solution by velocity_centre, pole deviates from the solver: a_A n in the step" in message
+    assert (
+        "slider_crank: the solution by velocity_centre, acceleration_pole deviates from the solver: a_A n in the step"
+        in message
+    )
     assert f"for OA={found.variant.printed['OA']}" in message
 
 
@@ -144,9 +147,9 @@ def test_two_wrong_formulas_that_make_up_for_each_other(monkeypatch: pytest.Monk
     found = task("slider_crank", "central", ("v_B",))
     right = Book.derive
 
-    def derive(book: Book, name, measure, expression, *, detail=False):  # type: ignore[no-untyped-def]
+    def derive(book: Book, name, measure, expression):  # type: ignore[no-untyped-def]
         changed = {"omega": 2.0, "v": 0.5}.get(name.kind if name.of != "A" else "", 1.0)
-        return right(book, name, measure, Constant(changed) * expression, detail=detail)
+        return right(book, name, measure, Constant(changed) * expression)
 
     monkeypatch.setattr(Book, "derive", derive)
     with pytest.raises(VerificationError):
@@ -173,7 +176,7 @@ EQUATIONS = [
             item.axis, item.left, (replace(item.right[0], sign=-item.right[0].sign), *item.right[1:])
         ),
     ),
-    ("coordinates", Statement, lambda item: Statement(item.left, Constant(2.0) * item.right)),
+    ("coordinates", EquationLine, lambda item: EquationLine(item.left, Constant(2.0) * item.right)),
     ("three_rates", LinearSystem, lambda item: LinearSystem(item.unknowns[::-1], item.rows, item.right)),
 ]
 

@@ -7,7 +7,7 @@ import copy
 from collections.abc import Mapping
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.expressions import CONSTANTS, Expression
+from variantgen.families.expressions import CONSTANTS, FamilyExpression
 
 # d f(u) / du as an expression in u.
 _CHAIN = {
@@ -23,13 +23,13 @@ _MAX_NODES = 600
 _ZERO, _ONE = ast.Constant(0.0), ast.Constant(1.0)
 
 
-def inlined(expression: Expression, definitions: Mapping[str, Expression]) -> Expression:
+def inlined(expression: FamilyExpression, definitions: Mapping[str, FamilyExpression]) -> FamilyExpression:
     """The expression with defined names replaced by what they stand for (definitions without each other's names)."""
     used = {name: definitions[name].tree for name in expression.names if name in definitions}
     return _made(_Substitute(used).visit(copy.deepcopy(expression.tree)), expression.text) if used else expression
 
 
-def derivative(expression: Expression, name: str) -> Expression:
+def derivative(expression: FamilyExpression, name: str) -> FamilyExpression:
     """The derivative of an expression by one of its names, as an expression of the same names.
 
     Raises InputError for functions that have no derivative everywhere (abs, min, max, atan2), and for expressions whose
@@ -38,14 +38,14 @@ def derivative(expression: Expression, name: str) -> Expression:
     return _made(_derivative(expression.tree, name, expression.text), expression.text)
 
 
-def _made(tree: ast.expr, text: str) -> Expression:
+def _made(tree: ast.expr, text: str) -> FamilyExpression:
     if sum(1 for _ in ast.walk(tree)) > _MAX_NODES:
         raise InputError(Problem("too long for a law of motion", value=text, remedy="write it more simply"))
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     functions = {
         node.func.id for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     }
-    return Expression(text, tree, frozenset(names - functions - CONSTANTS.keys()))
+    return FamilyExpression(text, tree, frozenset(names - functions - CONSTANTS.keys()))
 
 
 def _derivative(node: ast.expr, name: str, text: str) -> ast.expr:

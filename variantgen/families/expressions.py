@@ -55,7 +55,7 @@ _MAX_LENGTH, _MAX_POWER = 200, 8
 
 
 @dataclass(frozen=True)
-class Expression:
+class FamilyExpression:
     """A parsed expression; ``names`` are the quantities it uses.
 
     ``measures`` says of a number that stands alone (``distance = 60``) what it measures: its value is in SI. Numbers
@@ -98,7 +98,7 @@ class Expression:
         return _dimension(self.tree, dimensions, self.text)
 
 
-def parse(text: str) -> Expression:
+def parse(text: str) -> FamilyExpression:
     """Parse an expression; raises InputError naming what is not allowed."""
     if len(text) > _MAX_LENGTH:
         raise InputError(
@@ -112,12 +112,12 @@ def parse(text: str) -> Expression:
         ) from None
     names: set[str] = set()
     _check(tree, text, names)
-    return Expression(text, tree, frozenset(names))
+    return FamilyExpression(text, tree, frozenset(names))
 
 
-def number(value: float, measures: str = "") -> Expression:
+def number(value: float, measures: str = "") -> FamilyExpression:
     """A constant in SI as an expression."""
-    return Expression(str(value), ast.Constant(float(value)), frozenset(), measures)
+    return FamilyExpression(str(value), ast.Constant(float(value)), frozenset(), measures)
 
 
 def _refuse(text: str, what: str) -> InputError:

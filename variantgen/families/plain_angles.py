@@ -16,8 +16,8 @@ from itertools import product
 from typing import TypeAlias
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.expressions import CONSTANTS, Expression
-from variantgen.families.family import Parameter
+from variantgen.families.expressions import CONSTANTS, FamilyExpression
+from variantgen.families.parameter import Parameter
 
 
 class Unknown(Enum):
@@ -43,12 +43,12 @@ def kind_of_parameter(parameter: Parameter) -> Kind:
     return Unknown.ANGLE if parameter.unit.measures.startswith("ang") else Unknown.OTHER
 
 
-def kind_of(expression: Expression, known: Mapping[str, Kind]) -> Kind:
+def kind_of(expression: FamilyExpression, known: Mapping[str, Kind]) -> Kind:
     """What an expression is, from what its names are. Raises InputError for a plain number beside an angle."""
     return _Reading(expression.text, known).kind(expression.tree)
 
 
-def check_angle(expression: Expression, known: Mapping[str, Kind]) -> None:
+def check_angle(expression: FamilyExpression, known: Mapping[str, Kind]) -> None:
     """Raise InputError if an expression that stands for an angle is, or adds to one, a number of degrees."""
     reading = _Reading(expression.text, known)
     reading.beside_angle(reading.kind(expression.tree))
@@ -120,7 +120,7 @@ class _Reading:
         choices = [sorted(kind) for name in names if isinstance(kind := self._known[name], frozenset)]
         if math.prod(len(values) for values in choices) > _MOST:
             return Unknown.OTHER
-        part = Expression(self._text, node, frozenset(names))
+        part = FamilyExpression(self._text, node, frozenset(names))
         return frozenset(float(part.value(dict(zip(names, row, strict=True)))) for row in product(*choices))
 
 

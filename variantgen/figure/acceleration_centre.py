@@ -8,7 +8,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.centre_rays import plane_bodies
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.figure.requests import around
+from variantgen.figure.label_requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol

@@ -13,8 +13,8 @@ from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, Ri
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
+from variantgen.figure.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
 from variantgen.figure.labels import GAP
-from variantgen.figure.requests import Request, along_arc, along_line, along_radius, label_size
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
@@ -219,4 +219,4 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     places = centre + np.array(reach)[:, None] * ways[None, :]
     costs = 1.5 * np.arange(len(reach))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
     rim = tuple(complex(place) for place in centre + radius * ways[::4])
-    board.sketch.label(Request(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))
+    board.sketch.label(LabelRequest(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))

@@ -18,7 +18,7 @@ from variantgen.figure.sketch import moved
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import fixed_points
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -59,7 +59,7 @@ class Moving:
         """Places (m) at which wheels touch what is at rest: rails and circles as far as they are rolled on."""
         at = Placement(self.motion.z, self.motion.frame)
         touches = [joint.contact_at(at) for joint in self.motion.scene.joints]
-        return [np.asarray(touch.place) for touch in touches if touch is not None and touch.other is None]
+        return [np.asarray(contact.place) for contact in touches if contact is not None and contact.other is None]
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
@@ -80,7 +80,7 @@ class Moving:
         joints = self.motion.scene.joints
         held = fixed_points(self.motion.scene)
         if not bases:
-            joints = tuple(j for j in joints if not {shape.lead for shape in j.shapes()} & held)
+            joints = tuple(j for j in joints if not {shape.given_point for shape in j.shapes()} & held)
         one = replace(
             self.motion,
             scene=replace(self.motion.scene, joints=joints),

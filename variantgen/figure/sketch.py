@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
 from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
+from variantgen.figure.label_requests import LabelRequest
 from variantgen.figure.labels import place_labels
-from variantgen.figure.requests import Request
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -36,7 +36,7 @@ class Sketch:
     at: dict[str, complex]
     scale: float
     lines: list[Line] = field(default_factory=list)
-    requests: list[Request] = field(default_factory=list)
+    requests: list[LabelRequest] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
     reach: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
@@ -99,11 +99,11 @@ class Sketch:
         self.path((start, end - 0.8 * head * way), layer, weight)
         self._head(end, way, layer, head)
 
-    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float, weight: float = MEDIUM) -> None:
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> None:
         """An arc with a head at its end, in the sense of ``sweep``."""
         head = 2.3
         sense = math.copysign(1.0, sweep)
-        self.arc(Arc(centre, radius, Layer.VECTOR, weight, start, sweep - sense * 0.8 * head / radius))
+        self.arc(Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep - sense * 0.8 * head / radius))
         tip = centre + cmath.rect(radius, start + sweep)
         # The head follows the chord of its own length, so that it lies on the arc.
         way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)
@@ -184,7 +184,7 @@ class Sketch:
             self._known = np.concatenate((self._known, new))
         return self._known
 
-    def label(self, request: Request) -> None:
+    def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
         self.requests.append(request)
 

@@ -61,7 +61,7 @@ class Linkage:
         found: dict[str, complex] = {}
         for joint in self.scene.joints:
             for shape, row in zip(joint.shapes(), joint.rows(at), strict=True):
-                alone = len(shape.points) == 1 and not shape.bodies and shape.lead is None
+                alone = len(shape.points) == 1 and not shape.bodies and shape.given_point is None
                 if alone and not joint.landmarks() and isinstance(row, ScalarRow):
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))

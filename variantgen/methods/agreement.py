@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from variantgen.methods.algebra.expression import Value
+from variantgen.algebra.expression import Value
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.printed_numbers import PrintedNumbers
 from variantgen.methods.solution.book import Book, Known, resultant

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
+from variantgen.algebra.expression import Value
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.by_groups import walk
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.check import all_constraints, by_links, equal_projections
 from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.result_check import all_constraints, by_links, equal_projections
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
-from variantgen.methods.steps.step import Item, Listing, Solution
+from variantgen.methods.steps.step import Item, ProgramListing, Solution
 
 Made = TypeVar("Made")
 
@@ -29,8 +29,8 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
 
     A mechanism that cannot be gone through link by link is solved by the coordinate method. Raises InputError for a
-    method that does not apply, one of NO_WAY where no method leads to what is asked, VerificationError where anything
-    that is printed deviates from the solver.
+    method that does not apply, one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where
+    anything that is printed deviates from the solver.
     """
     return _by_choice(task, choose(task, wished), bool(wished), _written)
 
@@ -38,7 +38,7 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
 def natural_answers(task: Task) -> dict[str, Value]:
     """The answers to which the natural solution leads, by the names of the quantities, without writing it.
 
-    Raises one of NO_WAY where no method leads to what is asked.
+    Raises one of NOT_APPLICABLE where no method leads to what is asked.
     """
     return _by_choice(task, choose(task), False, _found)
 
@@ -47,12 +47,12 @@ def _by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, s
     """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
     try:
         return make(Book(task, style=choice.style), choice.whole)
-    except NO_WAY:
+    except NOT_APPLICABLE:
         if wished or choice.whole == _FOR_ALL:
             raise
         try:
             return make(Book(task), _FOR_ALL)
-        except NO_WAY:
+        except NOT_APPLICABLE:
             pass  # what is said is why the natural methods fail
         raise
 
@@ -93,7 +93,7 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     """The solution by a method for the whole problem; one by measuring has the digits that a ruler gives."""
     measured = WHOLE[name].digits
     # A program comes last, after what answers still needed.
-    ordered = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
+    ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
     digits = (measured + 1,) if measured else DIGITS
@@ -106,7 +106,7 @@ def _checked_by_links(task: Task) -> list[Item]:
     book = Book(task)
     try:
         found = work_out(book)
-    except NO_WAY:
+    except NOT_APPLICABLE:
         return []
     confirm_answers(task, found, (book.style.velocities, book.style.accelerations))
     return by_links(found)
@@ -115,9 +115,9 @@ def _checked_by_links(task: Task) -> list[Item]:
 def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
-    groups = walk.velocities(book)
-    found = {q.name: answer(walk.at_order(book, 1), q) for q in task.asked if q.order == 1}
+    groups = solve_groups.velocities(book)
+    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order == 1}
     if task.order == 2:
-        walk.accelerations(book, groups)
-        found |= {q.name: answer(walk.at_order(book, 2), q) for q in task.asked if q.order == 2}
+        solve_groups.accelerations(book, groups)
+        found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}
     return {q.name: found[q.name] for q in task.asked}

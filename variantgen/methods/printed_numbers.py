@@ -13,20 +13,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 
+from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
 from variantgen.families.quantities import Quantity
-from variantgen.methods.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import (
     Derived,
+    EquationLine,
     Item,
     LinearSystem,
     Projection,
     Share,
-    Statement,
     Step,
     Term,
     TermTable,
@@ -166,7 +166,7 @@ class PrintedNumbers:
                     products = [factor.exact * value.exact for factor, value in zip(row, unknowns, strict=True)]
                     largest = max(abs(end.exact), *map(abs, products))
                     yield "an equation of the system", _relative(sum(products) - end.exact, largest)
-            case Statement(left, right):
+            case EquationLine(left, right):
                 gap = left.number(True) - right.number(True)
                 yield "an equation", _relative(gap, max(_largest(left), _largest(right)))
 

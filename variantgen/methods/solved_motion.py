@@ -13,13 +13,13 @@ from functools import cached_property
 
 import numpy as np
 
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.linkage.timed import laws
+from variantgen.methods.linkage.time_laws import laws
 
 _NOTHING = 1e-9  # of the largest velocity: a smaller one has no direction
 

@@ -1,4 +1,4 @@
-"""A batch of attempts at a form, what judges it, and the count of what was rejected."""
+"""A batch of attempts at a form, the screens that it passes, and the count of what they reject."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Mo
 
 
 @dataclass
-class Tally:
+class RejectionCounts:
     """How many attempts were made, and how many each screen was the first to reject."""
 
     attempts: int = 0

@@ -99,7 +99,7 @@ def _by_accelerations(form: Form, asked: Sequence[Quantity], motion: Motion) -> 
     names = [f"{term} {how}" for term in (*terms, "given accelerations") for how in ("forgotten", "reversed")]
     shape = (len(names), motion.size)
     answers = np.array([np.broadcast_to(quantity.value(wrong), shape) for quantity in asked], dtype=float)
-    return _told(names, answers, wrong.solved)
+    return _by_mistake(names, answers, wrong.solved)
 
 
 def _by_positions(
@@ -130,14 +130,14 @@ def _by_positions(
         f"{name} on the other branch" for name in branches
     ]
     answers = np.array([quantity.value(wrong) for quantity in asked], dtype=float)
-    return _told(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
+    return _by_mistake(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
 
 
 # Constructions with two results, and which of their numbers chooses between them.
 _BRANCHES: dict[type, str] = {CircleCircle: "side", LineCircle: "branch"}
 
 
-def _told(names: Sequence[str], answers: Table, good: NDArray[np.bool_]) -> dict[str, Table]:
+def _by_mistake(names: Sequence[str], answers: Table, good: NDArray[np.bool_]) -> dict[str, Table]:
     """The answers, shape (answers, mistakes, N), by the names of the mistakes."""
-    judged = np.where(good, answers, np.nan)
-    return {name: judged[:, k] for k, name in enumerate(names)}
+    valid = np.where(good, answers, np.nan)
+    return {name: valid[:, k] for k, name in enumerate(names)}

@@ -22,12 +22,12 @@ def absolute(kind: str, point: str, upper: tuple[Index, ...] = ()) -> Symbol:
     return Symbol(kind, (Index(point),), upper)
 
 
-def about(kind: str, point: str, pole: str, upper: tuple[Index, ...] = ()) -> Symbol:
+def relative_to_pole(kind: str, point: str, pole: str, upper: tuple[Index, ...] = ()) -> Symbol:
     """The vector of a point in the rotation about a pole, ``v_BA``, or its component, ``a^n_BA``."""
     return Symbol(kind, (Index(point + pole),), upper)
 
 
-def compound(kind: str, word: str, point: str, language: Language, upper: tuple[Index, ...] = ()) -> Symbol:
+def compound_part(kind: str, word: str, point: str, language: Language, upper: tuple[Index, ...] = ()) -> Symbol:
     """A part of a compound motion: ``word`` is ``rel``, ``tr`` or ``cor``."""
     return Symbol(kind, (Index(language.words("index")[word], True), Index(point)), upper)
 

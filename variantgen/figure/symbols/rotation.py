@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Arc, Layer
+from variantgen.figure.label_requests import along_arc, label_size
 from variantgen.figure.labels import GAP
-from variantgen.figure.requests import along_arc, label_size
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
@@ -104,7 +104,7 @@ def _roomiest_directions(
 ) -> Iterable[tuple[float, float, float]]:
     """Radius, cost and direction of the best arc of each radius.
 
-    All radii are judged together: that takes no longer than two of them, one after the other.
+    All radii are compared at once: that takes no longer than two of them, one after the other.
     """
     sketch = board.sketch
     centre = sketch.at[pivot]

@@ -13,18 +13,18 @@ from functools import partial
 from variantgen.families.quantities import Quantity
 from variantgen.figure.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.contact_letters import draw_dot
+from variantgen.figure.cylinder_vectors import cylinder_accelerations
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
-from variantgen.figure.growing import growing_accelerations
+from variantgen.figure.given_vectors import distinct_points, given_rates, given_vectors, transport_name
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.solved import Solved, solved
-from variantgen.figure.stated import stated_rates, stated_vectors, telling_points, transport_name
+from variantgen.figure.motion_data import MotionData, motion_data
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.vector_chain import SlidingPoint, Turn, taken_apart
 from variantgen.methods.linkage.instant import Instant
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
-from variantgen.wording.vector_names import about, absolute, component_marks, compound
+from variantgen.wording.vector_names import absolute, component_marks, compound_part, relative_to_pole
 
 ORDER = 2
 _NOTHING = 1e-9  # of the largest rate
@@ -35,18 +35,20 @@ def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]
     """The figure of one variant. Raises InputError where accelerations are not asked or there are none."""
     # A point that is asked only for its velocity is no matter of this figure.
     sought = [quantity for quantity in asked if quantity.order == ORDER]
-    found = solved(variant, motion, index, sought, ORDER)
+    found = motion_data(variant, motion, index, sought, ORDER)
     annotate = partial(_annotate, found, asked, language)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, board: MotionBoard, stretch: float) -> None:
+def _annotate(
+    found: MotionData, asked: Sequence[Quantity], language: Language, board: MotionBoard, stretch: float
+) -> None:
     """Accelerations with their components, an asked centre, then arcs where there is room left."""
     now = found.now
     # A point that is found by the ray to an acceleration centre has its acceleration whole.
     rays = {(q.target, q.component) for q in asked if q.kind == "Q"}
     parts = components(found, language, rays)
-    for point, growing in growing_accelerations(board, found, language).items():
+    for point, growing in cylinder_accelerations(board, found, language).items():
         parts[point] += growing
     scale = stretch * scale_of([vector for named in parts.values() for _, vector in named], LONGEST_OF_MANY)
     for point, named in parts.items():
@@ -58,25 +60,25 @@ def _annotate(found: Solved, asked: Sequence[Quantity], language: Language, boar
             weight = BOLD if symbol == whole else THIN if symbol in wholes else MEDIUM
             board.vector(point, scale * vector, symbol, weight)
     draw_acceleration_centres(board, now, asked)
-    rates = stated_rates(found.task, ORDER, language)
+    rates = given_rates(found.task, ORDER, language)
     fastest = max((abs(rate) for rate in now.epsilon.values()), default=0.0)
     for body, rate in now.epsilon.items():
         if abs(rate) > _NOTHING * max(fastest, max(abs(omega) for omega in now.omega.values()) ** 2):
             board.turn(body, rate, "epsilon", rates.get(body))
 
 
-def components(found: Solved, language: Language, entire: Collection[tuple[str, str]] = ()) -> dict[str, Named]:
+def components(found: MotionData, language: Language, entire: Collection[tuple[str, str]] = ()) -> dict[str, Named]:
     """The acceleration of each point of the chain, first, and what it is put together from (m/s^2).
 
     ``entire`` are bodies and points of which the components are not wanted.
     """
     now, chain = found.now, found.chain
-    stated = stated_vectors(found.task, chain, ORDER, language)
+    stated = given_vectors(found.task, chain, ORDER, language)
 
     def whole(point: str) -> tuple[Symbol, complex]:
         return stated.get(point, absolute("a", point)), now.a[point]
 
-    parts: dict[str, Named] = {point: [whole(point)] for point in telling_points(found.task, chain, chain.points)}
+    parts: dict[str, Named] = {point: [whole(point)] for point in distinct_points(found.task, chain, chain.points)}
     apart = taken_apart(chain)
     for turn in chain.turns:
         split = (turn.body, turn.point) in apart and (turn.body, turn.point) not in entire
@@ -84,17 +86,17 @@ def components(found: Solved, language: Language, entire: Collection[tuple[str, 
             fixed = turn.pole in chain.resting
             parts[turn.point] += [] if fixed else [whole(turn.pole)]
             parts[turn.point] += _turn_parts(now, turn, fixed, language)
-    for slip in chain.slips:
-        named = parts.setdefault(slip.point, [])
-        lead = transport_name(found.task, chain, slip, "a", stated)
-        if lead is not None or slip.pole is None:
-            transport = now.transport_acceleration(slip.point, slip.body)
-            named.append((lead or compound("a", "tr", slip.point, language), transport))
+    for sliding_point in chain.sliding_points:
+        named = parts.setdefault(sliding_point.point, [])
+        leading_point = transport_name(found.task, chain, sliding_point, "a", stated)
+        if leading_point is not None or sliding_point.pole is None:
+            transport = now.transport_acceleration(sliding_point.point, sliding_point.body)
+            named.append((leading_point or compound_part("a", "tr", sliding_point.point, language), transport))
         else:
-            fixed = slip.pole in chain.resting
-            named += [] if fixed else [whole(slip.pole)]
-            named += _transport_parts(now, slip, slip.pole, fixed, language)
-        named += _slip_parts(now, slip, language)
+            fixed = sliding_point.pole in chain.resting
+            named += [] if fixed else [whole(sliding_point.pole)]
+            named += _transport_parts(now, sliding_point, sliding_point.pole, fixed, language)
+        named += _sliding_parts(now, sliding_point, language)
     return parts
 
 
@@ -102,32 +104,39 @@ def _turn_parts(now: Instant, turn: Turn, fixed: bool, language: Language) -> Na
     """Normal and tangential component of the rotation about the pole."""
     point, pole = turn.point, turn.pole
     names = [
-        absolute("a", point, upper) if fixed else about("a", point, pole, upper) for upper in component_marks(language)
+        absolute("a", point, upper) if fixed else relative_to_pole("a", point, pole, upper)
+        for upper in component_marks(language)
     ]
     return list(zip(names, (now.normal(point, pole), now.tangential(point, pole)), strict=True))
 
 
-def _transport_parts(now: Instant, slip: SlidingPoint, pole: str, fixed: bool, language: Language) -> Named:
+def _transport_parts(now: Instant, sliding_point: SlidingPoint, pole: str, fixed: bool, language: Language) -> Named:
     """Normal and tangential component of the rotation about the pole, of the point of the carrier below a sliding one.
 
     They are parts of the transport acceleration where the pole is fixed.
     """
-    point, arm = slip.point, now.z[slip.point] - now.z[pole]
+    point, arm = sliding_point.point, now.z[sliding_point.point] - now.z[pole]
     names = [
-        compound("a", "tr", point, language, upper) if fixed else about("a", point, pole, upper)
+        compound_part("a", "tr", point, language, upper) if fixed else relative_to_pole("a", point, pole, upper)
         for upper in component_marks(language)
     ]
-    return list(zip(names, (-(now.omega[slip.body] ** 2) * arm, 1j * now.epsilon[slip.body] * arm), strict=True))
+    return list(
+        zip(
+            names,
+            (-(now.omega[sliding_point.body] ** 2) * arm, 1j * now.epsilon[sliding_point.body] * arm),
+            strict=True,
+        )
+    )
 
 
-def _slip_parts(now: Instant, slip: SlidingPoint, language: Language) -> Named:
+def _sliding_parts(now: Instant, sliding_point: SlidingPoint, language: Language) -> Named:
     """Relative and Coriolis acceleration; on a curved path the components of the relative one."""
-    point, body = slip.point, slip.body
+    point, body = sliding_point.point, sliding_point.body
     relative = now.relative_acceleration(point, body)
-    coriolis = compound("a", "cor", point, language), now.coriolis(point, body)
-    if slip.path.line is not None:
-        return [(compound("a", "rel", point, language), relative), coriolis]
-    arm = now.z[point] - now.z[slip.path.centre]
+    coriolis = compound_part("a", "cor", point, language), now.coriolis(point, body)
+    if sliding_point.path.line is not None:
+        return [(compound_part("a", "rel", point, language), relative), coriolis]
+    arm = now.z[point] - now.z[sliding_point.path.centre]
     normal = (relative / arm).real * arm
-    names = [compound("a", "rel", point, language, upper) for upper in component_marks(language)]
+    names = [compound_part("a", "rel", point, language, upper) for upper in component_marks(language)]
     return [*zip(names, (normal, relative - normal), strict=True), coriolis]

@@ -16,9 +16,9 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES
 from variantgen.methods.compose import natural_answers
-from variantgen.methods.hand.worked import Table, Worked, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation, Table, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
 
@@ -45,7 +45,9 @@ def confirm_answers(
     """
     form = variants[0].form
     batch = _Batch(variants, asked, motion, places)
-    known: list[tuple[Variant, Worked]] = form.remembered.setdefault(("confirmed by", batch.family, tuple(asked)), [])
+    known: list[tuple[Variant, RepeatableCalculation]] = form.remembered.setdefault(
+        ("confirmed by", batch.family, tuple(asked)), []
+    )
     with np.errstate(all="ignore"):
         for model, steps in known:
             batch.confirm(model, steps)
@@ -53,8 +55,8 @@ def confirm_answers(
             i = batch.left[0]
             task = task_of(variants[i], motion, places[i], asked)
             try:
-                steps = Worked.of(task, natural_answers(task))
-            except NO_WAY:
+                steps = RepeatableCalculation.of(task, natural_answers(task))
+            except NOT_APPLICABLE:
                 batch.left.pop(0)
                 continue
             batch.confirm(variants[i], steps)
@@ -86,7 +88,7 @@ class _Batch:
         self._near = [self._tolerance(quantity, motion, length) for quantity in asked]
         self.left = list(range(len(variants)))
 
-    def confirm(self, model: Variant, steps: Worked) -> None:
+    def confirm(self, model: Variant, steps: RepeatableCalculation) -> None:
         """Strike those to whose answers the steps of one of them lead."""
         kind = self._kind(model)
         chosen = [i for i in self.left if self._kinds[i] == kind]

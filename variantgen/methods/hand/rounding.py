@@ -1,8 +1,16 @@
 """What a careful hand calculation with three significant digits makes of the answers of a solution.
 
-The steps are those of the written solution (:mod:`variantgen.methods.hand.worked`). As most variants of a form have the
-same steps, those of a few are repeated with the data of the others, on arrays; a variant to whose answers none of them
-leads gets steps of its own.
+Every intermediate result x_j is rounded by at most half a unit u_j of its third digit (0.05 degrees for an angle); a
+result that has no more digits is not rounded at all. To first order the error of an answer y is
+
+    dy = sum_j (dy/dx_j) r_j,   |r_j| <= u_j
+
+The printed data are exact, since the key is computed from them. With independent r_j that are uniform on their
+intervals the standard deviation is ``sqrt(sum (dy/dx_j u_j)^2 / 3)``; an answer is given three of these, but no more
+than the bound ``sum |dy/dx_j u_j|`` that rounding cannot pass.
+
+The steps are those of the written solution. As most variants of a form have the same steps, those of a few are repeated
+with the data of the others, on arrays; a variant to whose answers none of them leads gets steps of its own.
 """
 
 from __future__ import annotations
@@ -15,13 +23,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.algebra.vectorised import Operations
-from variantgen.methods.hand.worked import Numbers, Table, Worked, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import Numbers, RepeatableCalculation, Table, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
 
 Flags = NDArray[np.bool_]
@@ -74,8 +82,8 @@ class HandCalculation:
     def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Table) -> Table:
         """The errors of a variant by its own steps; infinite for an answer to which they do not lead."""
         try:
-            worked = Worked.of(task_of(variant, motion, place, self._asked))
-        except NO_WAY:
+            worked = RepeatableCalculation.of(task_of(variant, motion, place, self._asked))
+        except NOT_APPLICABLE:
             return np.full(len(self._asked), np.inf)
         pairs = zip(self._asked, worked.repeat(data)[:, 0], exact, strict=True)
         right = [bool(_equals_solver(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
@@ -96,7 +104,7 @@ class HandCalculation:
                     self._worked.append(model)
                     yield model
 
-    def _model(self, number: int) -> Worked | None:
+    def _model(self, number: int) -> RepeatableCalculation | None:
         if self._drawn is None:
             variants = self._draw(_MODELS)
             if not any(quantity.component in _OF_AXES for quantity in self._asked):
@@ -109,8 +117,8 @@ class HandCalculation:
             return None
         assert motion is not None, "there are variants"
         try:
-            return Worked.of(task_of(variants[number], motion, number, self._asked))
-        except NO_WAY:
+            return RepeatableCalculation.of(task_of(variants[number], motion, number, self._asked))
+        except NOT_APPLICABLE:
             return None
 
     def _matches_solver(self, model: _Model, numbers: list[Any], exact: Table, left: Flags) -> Flags:
@@ -143,7 +151,7 @@ class _Model:
     ``steps`` are the places of what each answer needs besides those before it.
     """
 
-    def __init__(self, worked: Worked, common: Operations) -> None:
+    def __init__(self, worked: RepeatableCalculation, common: Operations) -> None:
         self.worked, self._places = worked, common.join(worked.operations)
         self.answers = [self._places[place] for place in worked.answers]
         own, self.steps, done = list(worked.operations.listed), list[list[int]](), 0

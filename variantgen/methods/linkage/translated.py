@@ -12,21 +12,10 @@ import ast
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from variantgen.families.expressions import CONSTANTS
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Times, Total, Value
+from variantgen.algebra.normal_form import simplified
+from variantgen.families.expressions import CONSTANTS, FamilyExpression
 from variantgen.families.units import unit
-from variantgen.methods.algebra.expression import (
-    Applied,
-    Constant,
-    Expression,
-    Pi,
-    Ratio,
-    SquareRoot,
-    Times,
-    Total,
-    Value,
-)
-from variantgen.methods.algebra.monomial import simplified
 
 _DIGITS = 12  # to which a number is a short decimal but for the rounding of its conversion
 

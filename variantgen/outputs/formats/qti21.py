@@ -16,12 +16,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.qti import exam as qti
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.qti import exam_package as qti
 from variantgen.outputs.qti.dialect import QTI21
-from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.options import PackageOptions
 from variantgen.tables import Table
 
 HELP = "qti21.zip, a package of QTI 2.1 for learning platforms"
@@ -31,12 +31,12 @@ SUMMARIES = ()
 write_key = None
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> PackageOptions:
     """The table ``[qti21]``."""
     return qti.read_table(table)
 
 
-def check(exam: Exam, students: Sequence[Student]) -> None:
+def check(exam_package: Exam, students: Sequence[Student]) -> None:
     """Nothing is needed but the engine, which every build has."""
 
 
@@ -45,6 +45,6 @@ def make(part: Chunk) -> Iterator[Fragment]:
     return qti.make(part, QTI21)
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The package."""
     qti.finish(whole, QTI21)

@@ -12,8 +12,8 @@ from variantgen.figure.drawing import LETTER, Label, Layer
 from variantgen.figure.moving import Paper
 from variantgen.mechanism.motion import ComplexField
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
-from variantgen.outputs.motion.curves import panels
 from variantgen.outputs.motion.panels import draw_panel, drawing_weight, frame_paper
+from variantgen.outputs.motion.plotted_curves import panels
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.mathtext import to_mathtext
 

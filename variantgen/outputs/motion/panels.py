@@ -11,7 +11,7 @@ from variantgen.families.units import unit
 from variantgen.figure.drawing import LETTER, Drawing, Layer
 from variantgen.figure.moving import Paper
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
-from variantgen.outputs.motion.curves import Panel, origin
+from variantgen.outputs.motion.plotted_curves import Panel, origin
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Symbol
@@ -72,7 +72,7 @@ def _cycled(count: int) -> list[tuple[Any, str, float]]:
 def limit_ways(subject: Subject, axes: Any) -> None:
     """Limits and ticks of the abscissa."""
     ways = subject.ways
-    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.lead.angular
+    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.leading_driver.angular
     axes.set_xlim(low, high)
     set_ticks(axes.xaxis, round_ticks(low, high, 8 if angular else 6, angular), subject.language)
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.part import PageCopier
+from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 _TABLES = ("/RoleMap", "/ClassMap")
