@@ -16,7 +16,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES
 from variantgen.methods.compose import natural_answers
-from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation, Table, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.attempts import VerificationError
@@ -120,7 +120,7 @@ class _Batch:
                 signs.append(number if parameter.unit is None else float(np.sign(number)))
         return (*signs, *((variant.sense, variant.turns) if self._lies_as_drawn else ()))
 
-    def _tolerance(self, quantity: Quantity, motion: Motion, length: str) -> Table:
+    def _tolerance(self, quantity: Quantity, motion: Motion, length: str) -> Array:
         """What rounding of the arithmetic may change in an answer, in its printed unit (degrees), shape (N,)."""
         vectors = motion.v if quantity.order == 1 else motion.a
         size = motion.length_scale()[self._places]

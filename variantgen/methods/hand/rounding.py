@@ -27,7 +27,7 @@ from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand.repeatable_calculation import Numbers, RepeatableCalculation, Table, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
@@ -56,7 +56,7 @@ class HandCalculation:
             if parameter.unit is not None:
                 self._common.named(name)
 
-    def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Table:
+    def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Array:
         """Absolute errors of the answers in their printed units (degrees for angles), shape (answers, N).
 
         ``places`` are the indices of the variants in the batch ``motion``. Infinite where no method leads to an answer.
@@ -79,7 +79,7 @@ class HandCalculation:
                 found[:, i] = self._alone(variants[i], motion, places[i], cut(data, slice(i, i + 1)), exact[:, i])
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Table) -> Table:
+    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Array) -> Array:
         """The errors of a variant by its own steps; infinite for an answer to which they do not lead."""
         try:
             worked = RepeatableCalculation.of(task_of(variant, motion, place, self._asked))
@@ -121,7 +121,7 @@ class HandCalculation:
         except NOT_APPLICABLE:
             return None
 
-    def _matches_solver(self, model: _Model, numbers: list[Any], exact: Table, left: Flags) -> Flags:
+    def _matches_solver(self, model: _Model, numbers: list[Any], exact: Array, left: Flags) -> Flags:
         """Which of the variants that are ``left`` the steps of a model lead to the answers of the solver, but for their
         signs.
 
@@ -160,7 +160,7 @@ class _Model:
             self.steps.append([self._places[i] for i in own[done:end]])
             done = end
 
-    def exact(self, numbers: Sequence[Table], chosen: Flags) -> dict[int, Table]:
+    def exact(self, numbers: Sequence[Array], chosen: Flags) -> dict[int, Array]:
         """The numbers of answers and of what is rounded, of chosen variants, by their places in the steps."""
         own = {place: numbers[self._places[place]] for place in (*self.worked.answers, *self.worked.rounded)}
         return {place: number[chosen] if number.ndim else number for place, number in own.items()}
