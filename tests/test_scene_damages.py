@@ -168,7 +168,7 @@ rotation = { body = "OA", omega = 2 }
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "output"),
     [
         (BASE.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 1000 digits in line 11"),
         (BASE.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 1000 digits in line 11"),
