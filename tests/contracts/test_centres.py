@@ -33,7 +33,7 @@ USED = {
 STYLES = {
     "velocity_centre": MethodStyle("velocity_centre"),
     "projections": MethodStyle("projections"),
-    "acceleration_centre": MethodStyle("pole", "acceleration_centre"),
+    "acceleration_centre": MethodStyle("velocity_pole", "acceleration_centre"),
 }
 
 

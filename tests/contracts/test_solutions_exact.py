@@ -22,7 +22,7 @@ from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
 SEEDS = 6
-STYLES = (MethodStyle(), MethodStyle("pole"), MethodStyle("projections", "acceleration_centre"))
+STYLES = (MethodStyle(), MethodStyle("velocity_pole"), MethodStyle("projections", "acceleration_centre"))
 
 
 def forms() -> list[tuple[Family, Form]]:

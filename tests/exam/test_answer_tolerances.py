@@ -20,7 +20,7 @@ from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.family import frame
+from variantgen.families.draw_rules import frame
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
@@ -155,8 +155,8 @@ def test_key_and_manifest_have_the_tolerances(tmp_path: Path, language: str, wor
     out = tmp_path / "out"
     build(exam, numbered(8), out, "7")
     content = json.loads((out / "manifest.json").read_text("utf-8"))
-    told = content["exam"]
-    assert (told["tolerance"], told["tolerance_ceiling"], told["mistakes_screened"]) == (0.01, None, True)
+    output = content["exam"]
+    assert (output["tolerance"], output["tolerance_ceiling"], output["mistakes_screened"]) == (0.01, None, True)
     answers = [a for s in content["students"] for p in s["problems"] for a in p["answers"]]
     wide = [a for a in answers if a["relative_tolerance"] > 0.01]
     assert wide

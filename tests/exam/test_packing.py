@@ -148,7 +148,7 @@ def test_changed_data_are_refused_or_problems_of_the_exam(packed: Packed) -> Non
     """Whatever stands in the data, what is read are whole problems of this very exam, which stays as it is."""
     found, items, _ = packed
     document = json.loads(pack(found, items[:3]))
-    told = [(task.points, task.number, task.ask) for task in found.tasks]
+    output = [(task.points, task.number, task.ask) for task in found.tasks]
     dice, refused = random.Random(5), 0
     every = places(document)[1:]
     other = [None, True, -1, 7, 10**30, 1.5, "NaN", "points", "../x", [], [1, 2, 3], {}, {"points": 99}, float("inf")]
@@ -174,4 +174,4 @@ def test_changed_data_are_refused_or_problems_of_the_exam(packed: Packed) -> Non
             assert all(value.is_finite() for value in item.variant.printed.values())
             assert all(math.isfinite(answer.value) for answer in item.answers)
     assert refused > 1000
-    assert [(task.points, task.number, task.ask) for task in found.tasks] == told
+    assert [(task.points, task.number, task.ask) for task in found.tasks] == output

@@ -29,10 +29,12 @@ def test_wishes_decide() -> None:
     task = first("four_bar")
     assert choose(task) == Choice(MethodStyle())
     assert choose(task, ["projections"]).style.velocities == "projections"
-    assert choose(task, ["velocity_pole", "acceleration_pole"]).style == MethodStyle("pole", "pole")
+    assert choose(task, ["velocity_pole", "acceleration_pole"]).style == MethodStyle(
+        "velocity_pole", "acceleration_pole"
+    )
     assert choose(task, ["graphical"]).whole == "graphical"
     assert choose(first("plate_acceleration_centre")).style.accelerations == "acceleration_centre"
-    assert choose(first("falling_rod")).style.velocities == "pole"
+    assert choose(first("falling_rod")).style.velocities == "velocity_pole"
 
 
 def test_a_method_that_does_not_apply_is_named_with_those_that_do() -> None:

@@ -21,7 +21,7 @@ from variantgen.methods.steps.step import Projection
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:
     found, worked = case_of(family, case)
     worked = replace(worked, given={**worked.given, **changed})
-    book = Book(task(found, worked, names), style=MethodStyle("projections", "pole"))
+    book = Book(task(found, worked, names), style=MethodStyle("projections", "acceleration_pole"))
     solve_groups.velocities(book)
     assert deviation(book) < 1e-12
     return book

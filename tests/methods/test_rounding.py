@@ -14,7 +14,8 @@ from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
-from variantgen.methods.hand.rounding import HandCalculation, RepeatableCalculation
+from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation
+from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.steps.printed_digits import choose_printed_digits
 from variantgen.variants.draw import draw

@@ -13,7 +13,7 @@ from variantgen.algebra.name import Name
 from variantgen.methods.agreement import deviation
 from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.centres.known_centre import divide
-from variantgen.methods.centres.velocity_centre import distance
+from variantgen.methods.centres.velocity_centre import carry, distance
 from variantgen.methods.solution.book import Book, Rate, resultant
 from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import Sentence, Term
@@ -22,7 +22,7 @@ from variantgen.methods.vectors.points import vector
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
-STYLE = MethodStyle("velocity_centre", "pole")
+STYLE = MethodStyle("velocity_centre", "acceleration_pole")
 
 
 def book_of(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:
@@ -125,9 +125,7 @@ def test_example_29_the_line_of_the_points_is_divided(below: float, omega: float
     assert rate.sense == -1  # D, on the left, rises faster
     assert arm(book, "pulley", "D") == pytest.approx(8 / omega, rel=1e-14)
     assert arm(book, "pulley", "G") == pytest.approx(4 / omega, rel=1e-14)
-    assert resultant(vector(book.at(1, solve_groups.velocity_centre.carry), "C")) == pytest.approx(
-        1j * middle, rel=1e-13
-    )
+    assert resultant(vector(book.at(1, carry), "C")) == pytest.approx(1j * middle, rel=1e-13)
 
 
 def test_equal_velocities_across_the_line_of_the_points_are_a_translation() -> None:

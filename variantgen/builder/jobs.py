@@ -54,7 +54,7 @@ class DrawnProblems:
 
 @dataclass(frozen=True)
 class DrawJob:
-    """Some wishes drawn, solved and verified."""
+    """Some requests drawn, solved and verified."""
 
     requests: tuple[DrawRequest, ...]
 
@@ -70,7 +70,7 @@ class DrawJob:
 
 @dataclass(frozen=True)
 class CompareJob:
-    """The next draws of some wishes, only to be compared."""
+    """The next draws of some requests, only to be compared."""
 
     requests: tuple[DrawRequest, ...]
 

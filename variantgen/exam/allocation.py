@@ -64,7 +64,7 @@ class ProblemSampler:
         return digest("priority", *self._key(request))
 
     def variants(self, requests: Sequence[DrawRequest]) -> list[Variant]:
-        """The next valid variant of each wish. Raises InputError where the ranges of a problem leave none."""
+        """The next valid variant of each request. Raises InputError where the ranges of a problem leave none."""
         found = self._drawn(requests, [request.used for request in requests])
         marked = places_by_tolerance(self._tolerances[request.place] for request in requests)
         for tolerance, places in marked.items():
@@ -74,7 +74,7 @@ class ProblemSampler:
         return found
 
     def _within(self, tolerance: Tolerance, requests: Sequence[DrawRequest], first: list[Variant]) -> list[Variant]:
-        """The first variants of some wishes, or later ones where these need more than the ceiling of the tolerance."""
+        """The first variants of some requests, or later ones where these need more than the exam's ceiling."""
         if tolerance.ceiling is None:
             return first
         return within(
@@ -87,7 +87,7 @@ class ProblemSampler:
         )
 
     def cut(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> int:
-        """How many of the wishes would have another variant if the exam set no ceiling to tolerances."""
+        """How many of the requests would have another variant if the exam set no ceiling to tolerances."""
         if all(tolerance.ceiling is None for tolerance in self._tolerances):
             return 0
         first = self._drawn(requests, [request.used for request in requests])
@@ -164,7 +164,7 @@ def near_duplicates_of(drawer: ProblemSampler, requests: Sequence[DrawRequest], 
 
 
 def next_draws_of(requests: Sequence[DrawRequest], distinct_draws: DistinctDraws) -> dict[int, DrawRequest]:
-    """The wishes, by their places, whose next draw is not their first one."""
+    """The requests, by their places, whose next draw is not their first one."""
     return {
         i: DrawRequest(requests[i].student, requests[i].place, attempt - 1)
         for i, attempt in distinct_draws.again.items()

@@ -5,23 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import zip_longest
 
 from variantgen.errors import InputError, Problem
 from variantgen.methods.by_groups import solve_groups, three_rates
+from variantgen.methods.by_groups.group_methods import GROUP_METHODS
 from variantgen.methods.coordinates import analytical, coordinates
 from variantgen.methods.graphical import graphical
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.method_style import Accelerations, MethodStyle, Velocities
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence
-
-_VELOCITIES: dict[str, Velocities] = {
-    "velocity_centre": "velocity_centre",
-    "projections": "projections",
-    "velocity_pole": "pole",
-}
-_ACCELERATIONS: dict[str, Accelerations] = {"acceleration_pole": "pole", "acceleration_centre": "acceleration_centre"}
 
 
 @dataclass(frozen=True)
@@ -66,11 +61,15 @@ def natural(task: Task) -> MethodStyle:
 
 
 def _style(names: Sequence[str]) -> MethodStyle:
-    velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), MethodStyle().velocities)
-    accelerations = next(
-        (_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), MethodStyle().accelerations
-    )
-    return MethodStyle(velocities, accelerations)
+    """The first of the names for each order."""
+    chosen = {order: name for order in (1, 2) for name in reversed(names) if name in _of_groups(order)}
+    usual = MethodStyle()
+    return MethodStyle(chosen.get(1, usual.velocities), chosen.get(2, usual.accelerations))
+
+
+def _of_groups(order: int) -> list[str]:
+    """The methods that a solution by groups may prefer for velocities (1) or accelerations (2)."""
+    return [name for name, method in GROUP_METHODS.items() if order in method.orders and name not in WHOLE]
 
 
 @dataclass(frozen=True)
@@ -104,12 +103,16 @@ def applicable(task: Task) -> list[str]:
     A method for groups of links applies where a solution that prefers it has a step or a sentence of it.
     """
     found = {name for name, method in WHOLE.items() if _applies(method, task)}
-    for style in (MethodStyle(), MethodStyle("projections", "acceleration_centre"), MethodStyle("pole")):
+    usual = MethodStyle()
+    for velocities, accelerations in zip_longest(_of_groups(1), _of_groups(2)):
+        style = MethodStyle(velocities or usual.velocities, accelerations or usual.accelerations)
         try:
             keys = _keys(task, style)
         except NOT_APPLICABLE:
             continue
-        found |= {name for name, starts in _MARKS.items() if any(key.startswith(starts) for key in keys)}
+        found |= {
+            name for name, method in GROUP_METHODS.items() if any(key.startswith(method.sentences) for key in keys)
+        }
     return sorted(found)
 
 
@@ -126,14 +129,3 @@ def _keys(task: Task, style: MethodStyle) -> set[str]:
     solve_groups.solve_groups(book)
     found = {step.heading.key for step in book.steps}
     return found | {item.key for step in book.steps for item in step.items if isinstance(item, Sentence)}
-
-
-# How the keys of the sentences of each method begin.
-_MARKS = {
-    "velocity_centre": ("velocity_centre.", "contact.wheel", "known_centre."),
-    "projections": ("projections.",),
-    "velocity_pole": ("pole.choose_v", "pole.crossing_v", "points.sum_v"),
-    "acceleration_pole": ("pole.choose_a", "pole.crossing_a", "points.sum_a", "points.sum_wheel"),
-    "acceleration_centre": ("acceleration_centre.",),
-    "relative_motion": ("relative.",),
-}

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Protocol
-
-from variantgen.methods.by_groups import closed_chain
-from variantgen.methods.centres import acceleration_centre, known_centre, projections, velocity_centre
+from variantgen.methods.by_groups.group_methods import GROUP_METHODS, Solve
 from variantgen.methods.centres.turning import (
     solve_pivoted_link,
     solve_relative_rotation,
@@ -38,20 +34,7 @@ from variantgen.methods.vectors.pole import solve_dyad, solve_floating_dyad, sol
 from variantgen.methods.vectors.relative_motion import solve_sliding_pair
 from variantgen.methods.vectors.third_class_group import solve_third_class_group
 
-Handler = Callable[[Book, Any], None]
-
-
-class DyadMethod(Protocol):
-    """A method for dyads: a module with these functions."""
-
-    def applies(self, book: Book, group: Dyad) -> bool:
-        """Whether it can solve the group."""
-
-    def solve_dyad(self, book: Book, group: Dyad) -> None:
-        """Solve it."""
-
-
-HANDLERS: dict[type, Handler] = {
+HANDLERS: dict[type, Solve] = {
     PivotedLink: solve_pivoted_link,
     RollingWheel: solve_rolling_wheel,
     Dyad: solve_dyad,
@@ -65,17 +48,10 @@ HANDLERS: dict[type, Handler] = {
     ThirdClassGroup: solve_third_class_group,
 }
 
-_OF_DYADS: dict[int, dict[str, DyadMethod]] = {
-    1: {"velocity_centre": velocity_centre, "projections": projections, "three_rates": closed_chain},
-    2: {"three_rates": closed_chain},
-}
-
 
 def at_order(book: Book, order: int) -> Book:
     """The book for velocities (1) or accelerations (2), where further points of bodies are found in its style."""
-    if order == 1:
-        return book.at(1, None if book.style.velocities in ("pole", "three_rates") else velocity_centre.carry)
-    return book.at(2, acceleration_centre.carry if book.style.accelerations == "acceleration_centre" else None)
+    return book.at(order, GROUP_METHODS[book.style.at(order)].carry)
 
 
 def velocities(book: Book) -> list[Group]:
@@ -111,13 +87,10 @@ def solve_groups(book: Book) -> list[Group]:
 
 
 def _solve(book: Book, group: Group) -> None:
-    """Solve a group, a dyad by the method of the book's style if that applies and else by the vector equation."""
-    style = book.style.velocities if book.order == 1 else book.style.accelerations
-    method = _OF_DYADS[book.order].get(style)
-    if isinstance(group, Dyad) and method is not None and method.applies(book, group):
-        method.solve_dyad(book, group)
-    elif isinstance(group, TwoPointBody) and style == "velocity_centre" and known_centre.is_divided(book, group):
-        known_centre.solve_divided(book, group)
+    """Solve a group by the method of the book's style if that applies, and else by vector equations."""
+    applies, solve = GROUP_METHODS[book.style.at(book.order)].solvers.get(type(group), (None, None))
+    if applies and solve and applies(book, group):
+        solve(book, group)
     else:
         HANDLERS[type(group)](book, group)
 

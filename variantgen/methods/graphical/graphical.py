@@ -56,7 +56,7 @@ def prepare(book: Book) -> Plans:
     plans = Plans(book.task)
     book.geometry = DrawnGeometry(book.task)
     book.graphics = plans
-    book.style = MethodStyle("pole", "pole")
+    book.style = MethodStyle("velocity_pole")
     return plans
 
 

@@ -87,7 +87,7 @@ def metres(task: Task) -> Placement:
 def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int, end: int = 0) -> str:
     """The name of the point of the bodies at a place (printed unit), or a letter that no point has.
 
-    Places without a name are told apart by the ``number`` of the joint and the ``end``, of which a thread has two.
+    Places without a name are distinguished by the ``number`` of the joint and the ``end``, of which a thread has two.
     """
     for body in bodies:
         for point in task.scene.bodies.get(body, ()):

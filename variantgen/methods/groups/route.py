@@ -1,4 +1,4 @@
-"""The order of a solution: which group of links comes next, judged by what is known already."""
+"""The order of a solution: which group of links comes next, given what is known already."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The step of the position: of what was worked out there, only what the solution uses, and the axes it is told in."""
+"""The step of the position: of what was worked out there, only what the solution uses, and its axes."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
     key = f"{touch.kind}.{word}_{book.letter}"
-    # The differentiated condition is told in full once a step; an earlier step may be left out of the solution.
+    # The differentiated condition is written in full once a step; an earlier step may be left out of the solution.
     again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
     book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]

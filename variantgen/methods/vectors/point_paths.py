@@ -54,7 +54,7 @@ def _side_along(book: Book, point_path: PointPath) -> str | None:
 
 
 def _way_along(book: Book, point_path: PointPath) -> tuple[str, dict[str, Fact]]:
-    """How the direction of a straight path is told: by a guide that the figure shows, by a line of the body."""
+    """How the direction of a straight path is described: by a guide that the figure shows, by a line of the body."""
     task, point = book.task, point_path.point
     figure, joints = task.form.figure, task.scene.joints
     guided = point not in figure.bare and any(isinstance(joint, Guide) and joint.point == point for joint in joints)

@@ -74,7 +74,7 @@ def _seen(book: Book, group: SlidingPair) -> SlidingPair:
 
 def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
-    # Where no velocity is asked, the step of the velocities may not be told.
+    # Where no velocity is asked, the step of the velocities may not be written.
     anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
     if anew or not book.has_said("relative.compound", **facts):
         book.say("relative.compound", **facts)
