@@ -39,14 +39,14 @@ IDENTITY = {
     "outputs.latex.templates:_environment": "it has the compiled templates",
     "mechanism.memory:keep_freed_memory": "once for a process",
 }
-_SETTINGS = {
+SETTINGS = {
     "as it is": "",
     "no thresholds of the collector": "app.gc = types.SimpleNamespace(set_threshold=lambda *a: 0, freeze=gc.freeze)",
     "no freezing at the end": "app.atexit = types.SimpleNamespace(register=lambda f: 0)",
     "collector on in jobs": "import variantgen.builder.jobs as j; j.gc.disable = lambda: None",
     "freed memory given back": "import variantgen.mechanism.solve as s; s.keep_freed_memory = lambda: None",
 }
-_TRIED = {
+TRIED = {
     "list": (["list"], ("no thresholds of the collector", "no freezing at the end")),
     "solve four_bar": (["solve", "four_bar"], ("no thresholds of the collector", "no freezing at the end")),
     "build sample_en --variants 16 --no-solutions": (
@@ -56,6 +56,7 @@ _TRIED = {
     "check four_bar": (["check", "four_bar"], ("freed memory given back",)),
 }
 _ROUNDS = 5
+_QUICK = ("list", "solve")  # commands of a trial
 _EVERY = 37
 _now = time.thread_time
 
@@ -207,27 +208,32 @@ def run(options: Options) -> list[Table]:
         folder = Path(name)
         sizes = (2, 1) if options.quick else (30, 4)
         for title, arguments in commands(folder, *sizes).items():
+            if options.quick and title not in _QUICK:
+                continue
             result = folder / "found.json"
             command = [sys.executable, "-m", "benchmarks.caches", str(result), *arguments]
             subprocess.run(command, check=True, capture_output=True, env=processes.environment())
             found[title] = json.loads(result.read_text("utf-8"))
-        settings = _settings_table(folder, 1 if options.quick else _ROUNDS)
+        settings = _settings_table(folder, options.quick)
     return [_table(found), settings]
 
 
-def _settings_table(folder: Path, rounds: int) -> Table:
+def _settings_table(folder: Path, quick: bool) -> Table:
     """How much more CPU commands take without a setting."""
+    rounds = 1 if quick else _ROUNDS
     table = Table(
         "What settings save",
         ("command", "setting", "CPU, least, s", "more than as it is, median, %"),
         f"{rounds} interleaved rounds; the ratio is taken in each round.",
     )
-    for title, (arguments, ways) in _TRIED.items():
+    for title, (arguments, ways) in TRIED.items():
+        if quick and title not in _QUICK:
+            continue
         command = [*arguments, str(folder / "tried")] if arguments[-1] == "--out" else arguments
         found: dict[str, list[float]] = {way: [] for way in ("as it is", *ways)}
         for _ in range(rounds):
             for way, seconds in found.items():
-                code = f"import gc, sys, types; from variantgen.cli import app; {_SETTINGS[way] or 'pass'}"
+                code = f"import gc, sys, types; from variantgen.cli import app; {SETTINGS[way] or 'pass'}"
                 ran = [sys.executable, "-c", f"{code}; sys.exit(app.main({command!r}))"]
                 seconds.append(processes.run(ran).cpu)
         for way, seconds in found.items():
