@@ -52,7 +52,7 @@ def test_functions_without_a_derivative_are_refused(text: str) -> None:
         parse(text).derivative("t")
 
 
-@pytest.mark.parametrize("text", ["t * (1e11**8)**8", "(t * (1e11**8)**3)**2"])
+@pytest.mark.parametrize("text", ["t * (1e11**8)**8", "t**2 * (1e11**8)**4"])
 def test_numbers_beyond_measure_are_refused(text: str) -> None:
     with pytest.raises(InputError, match="number this large"):
         parse(text).derivative("t")
