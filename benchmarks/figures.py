@@ -23,7 +23,8 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.sketch import HINGE
-from variantgen.outputs.typst.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
 from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from benchmarks.measure import Table, fastest
 from benchmarks.options import Options
 from benchmarks.rivals import EXTRA, MECHANISMS, Mechanism, ways
-from variantgen.families.family import Family, Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame

@@ -56,7 +56,7 @@ HOOKS = (
     Hook(_DATA, "variantgen.outputs.documents.key_data:key_by_student"),
     Hook(_DATA, "variantgen.outputs.documents.key_data:key_by_problem"),
     Hook(_DATA, "variantgen.outputs.documents.solution_data:solutions_data"),
-    Hook(_DATA, "variantgen.outputs.typst.typesetter:figure_data"),
+    Hook(_DATA, "variantgen.outputs.typst.writing:figure_data"),
     Hook(_JSON, "variantgen.outputs.typst.typesetter:_json"),
     Hook("Typst: {}", "variantgen.outputs.typst.typesetter:Typesetter.compile"),
     Hook("joining", "variantgen.outputs.join:join_pdfs", whole=True),

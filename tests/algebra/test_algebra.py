@@ -65,12 +65,12 @@ def abs_of(item: Expression) -> Expression:
 
 
 def test_second_derivative_of_a_circle_has_the_normal_term_once() -> None:
-    gain = value("epsilon", 0.5)
+    acceleration = value("epsilon", 0.5)
     first = derivative(R * cos(PHI), RATES)
     assert first is not None
-    second = derivative(first, {**RATES, OMEGA: gain})
-    assert second == Total(((-1, R * OMEGA**2 * cos(PHI)), (-1, R * gain * sin(PHI)))) or second == Total(
-        ((-1, R * gain * sin(PHI)), (-1, R * OMEGA**2 * cos(PHI)))
+    second = derivative(first, {**RATES, OMEGA: acceleration})
+    assert second == Total(((-1, R * OMEGA**2 * cos(PHI)), (-1, R * acceleration * sin(PHI)))) or second == Total(
+        ((-1, R * acceleration * sin(PHI)), (-1, R * OMEGA**2 * cos(PHI)))
     )
     assert number(second) == pytest.approx(-3 * 16 * math.sqrt(3) / 2 - 3 * 0.5 * 0.5)
 

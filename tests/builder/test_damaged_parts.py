@@ -233,9 +233,9 @@ def test_what_is_no_folder_of_parts_is_left_alone(
     before = content(tmp_path)
     arguments = ["build", "sample_en", "--variants", "1", "--out", str(tmp_path / "out"), "--no-solutions"]
     assert main([*arguments, "--resume"] if resume else arguments) == 2
-    told = capsys.readouterr().err
-    assert str(hidden) in told
-    assert "move what is there away" in told
+    output = capsys.readouterr().err
+    assert str(hidden) in output
+    assert "move what is there away" in output
     assert content(tmp_path) == before
     assert not (tmp_path / "out").exists()
 

@@ -212,10 +212,10 @@ def test_two_builds_of_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
-    from variantgen.exam.allocation import assemble
+    from benchmarks.exams import drawn_sheets
 
     found = exam(tmp_path)
-    items = assemble(replace(found, seed="1"), numbered(3)).sheets[1].items
+    items = drawn_sheets(replace(found, seed="1"), numbered(3))[1].items
     content = pack(found, items)
     again = unpack(found, content)
     assert again == items

@@ -15,7 +15,7 @@ from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.style import Style
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -31,9 +31,9 @@ USED = {
 }
 
 STYLES = {
-    "velocity_centre": Style("velocity_centre"),
-    "projections": Style("projections"),
-    "acceleration_centre": Style("pole", "acceleration_centre"),
+    "velocity_centre": MethodStyle("velocity_centre"),
+    "projections": MethodStyle("projections"),
+    "acceleration_centre": MethodStyle("velocity_pole", "acceleration_centre"),
 }
 
 

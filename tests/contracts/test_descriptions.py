@@ -9,7 +9,7 @@ import string
 
 import pytest
 
-from tests.told import COMPASS, Told, asked_together, pattern, told, words_of
+from tests.described_figures import COMPASS, DescribedFigure, asked_together, described_figures, pattern, words_of
 from variantgen.families.load import family_names
 from variantgen.mechanism.component import discover
 from variantgen.variants.printed_data import shown_points
@@ -22,7 +22,7 @@ KINDS = [*discover("variantgen.mechanism.joints"), *discover("variantgen.mechani
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_text_is_whole_and_short(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         text = each.figure.alt
         assert 100 < len(text) <= 900, text
         assert 3 <= len(re.findall(r"\.(?: |$)", text)) <= 8, text
@@ -34,7 +34,7 @@ def test_text_is_whole_and_short(name: str) -> None:
 @pytest.mark.parametrize("velocities", [False, True])
 @pytest.mark.parametrize("name", FAMILIES)
 def test_everything_labelled_is_named_and_nothing_else(name: str, velocities: bool) -> None:
-    for each in told(name, velocities):
+    for each in described_figures(name, velocities):
         text = each.figure.alt
         points = {each.named(point) for point in shown_points(each.variant, each.asked)}
         assert points <= each.labels
@@ -62,7 +62,7 @@ def test_axes_are_told_where_they_are_drawn(quantity: str, shown: bool) -> None:
 
 @pytest.mark.parametrize("name", ["point_on_rotating_disc", "sliding_block_on_rotating_rod"])
 def test_right_angles_are_told_and_right(name: str) -> None:
-    marked = [each for each in told(name) if each.variant.form.figure.right_angles]
+    marked = [each for each in described_figures(name) if each.variant.form.figure.right_angles]
     assert marked
     for each in marked:
         said = [item for item in each.items("marks") if pattern(each.words["right_angle"], corner=".*?").match(item)]
@@ -74,7 +74,7 @@ def test_right_angles_are_told_and_right(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_nothing_asked_is_told(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         for quantity in each.asked:
             formula = each.language.quantity(quantity, each.variant.form.symbols)
             symbol = to_plain(formula.symbol if isinstance(formula, SymbolProperty) else formula)
@@ -83,7 +83,7 @@ def test_nothing_asked_is_told(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_each_language_keeps_to_its_letters(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         if each.language.name == "ru":
             assert not re.search(r"[a-z]{2}", each.figure.alt.replace("rel", "")), each.figure.alt
         else:
@@ -92,8 +92,8 @@ def test_each_language_keeps_to_its_letters(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_languages_say_the_same(name: str) -> None:
-    by_variant: dict[int, list[Told]] = {}
-    for each in told(name):
+    by_variant: dict[int, list[DescribedFigure]] = {}
+    for each in described_figures(name):
         by_variant.setdefault(id(each.variant), []).append(each)
     for group in by_variant.values():
         for key in ("parts", "positions", "marks", "arrows"):

@@ -17,12 +17,12 @@ from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.style import Style
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
 SEEDS = 6
-STYLES = (Style(), Style("pole"), Style("projections", "acceleration_centre"))
+STYLES = (MethodStyle(), MethodStyle("velocity_pole"), MethodStyle("projections", "acceleration_centre"))
 
 
 def forms() -> list[tuple[Family, Form]]:
@@ -42,7 +42,7 @@ def drawn(family: Family, seed: int) -> tuple[Variant, Motion]:
     return variant, solve_variants([variant], 2)
 
 
-def faults(variant: Variant, motion: Motion, asked: list[Quantity], style: Style) -> list[str]:
+def faults(variant: Variant, motion: Motion, asked: list[Quantity], style: MethodStyle) -> list[str]:
     """What disagrees with the solver: the motion of any point or body found on the way, or an answer."""
     book = Book(task_of(variant, motion, 0, asked), style=style)
     answers = work_out(book)

@@ -63,7 +63,7 @@ def test_whatever_is_wrong_is_noticed(drawn: list[Variant], table: str, name: st
 
 
 def test_each_method_notices_a_wrong_rate_by_itself(drawn: list[Variant]) -> None:
-    from variantgen.methods.by_groups.walk import velocities
+    from variantgen.methods.by_groups.solve_groups import velocities
     from variantgen.methods.linkage.problem import task_of
     from variantgen.methods.solution.book import Book
 

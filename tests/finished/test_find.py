@@ -84,10 +84,10 @@ def test_a_sheet_of_another_exam(record: Manifest) -> None:
 
 
 @pytest.mark.parametrize(("text", "told"), [("18", "did you mean"), ("Lea Anna", "Lee Anna"), ("", "the code of")])
-def test_nobody(text: str, told: str, record: Manifest) -> None:
+def test_nobody(text: str, output: str, record: Manifest) -> None:
     with pytest.raises(InputError) as caught:
         find(record, text)
-    assert told in str(caught.value)
+    assert output in str(caught.value)
 
 
 def test_remake_by_code_and_qr_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

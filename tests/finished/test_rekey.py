@@ -178,8 +178,8 @@ def test_all_or_nothing(out: Path, built: Path, monkeypatch: pytest.MonkeyPatch)
 def test_numbers_that_cannot_be(options: list[str], said: str, built: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = content(built)
     assert main(["rekey", str(built), *options]) == 2
-    told = " ".join(capsys.readouterr().err.split())
-    assert said in told
+    output = " ".join(capsys.readouterr().err.split())
+    assert said in output
     assert content(built) == before
 
 

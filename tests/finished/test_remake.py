@@ -222,10 +222,10 @@ def test_a_page_that_is_large_in_memory_is_not_read(
     capsys.readouterr()
     with at_most(20):
         remade(out, "s0", code=1)
-    told = capsys.readouterr().err
-    assert "not the same: sheets.pdf cannot be read (" in told
-    assert "read (:" not in told
-    assert "restore it from a copy" in told
+    output = capsys.readouterr().err
+    assert "not the same: sheets.pdf cannot be read (" in output
+    assert "read (:" not in output
+    assert "restore it from a copy" in output
     assert len(text(remade(out, "s0", "--anyway"), tmp_path)) >= 1
 
 
@@ -250,9 +250,9 @@ def test_a_damaged_file_of_the_class_is_told(
             pdf.save()
     capsys.readouterr()
     remade(out, "s0", code=1)
-    told = capsys.readouterr().err
-    assert "not the same: sheets.pdf" in told
-    assert "Traceback" not in told
+    output = capsys.readouterr().err
+    assert "not the same: sheets.pdf" in output
+    assert "Traceback" not in output
 
 
 @pytest.mark.parametrize(

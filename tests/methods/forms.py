@@ -12,7 +12,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.by_groups.walk import at_order
+from variantgen.methods.by_groups.solve_groups import at_order
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.variants.draw import FamilySampler

@@ -9,7 +9,7 @@ from tests.methods.forms import FORMS, IDS, tasks
 from variantgen.errors import InputError
 from variantgen.families.method_names import METHODS
 from variantgen.methods.choice import Choice, applicable, choose
-from variantgen.methods.steps.style import Style
+from variantgen.methods.steps.method_style import MethodStyle
 
 
 @pytest.mark.parametrize(("name", "form"), FORMS, ids=IDS)
@@ -27,12 +27,14 @@ def first(name: str, form: str = "") -> object:
 
 def test_wishes_decide() -> None:
     task = first("four_bar")
-    assert choose(task) == Choice(Style())
+    assert choose(task) == Choice(MethodStyle())
     assert choose(task, ["projections"]).style.velocities == "projections"
-    assert choose(task, ["velocity_pole", "acceleration_pole"]).style == Style("pole", "pole")
+    assert choose(task, ["velocity_pole", "acceleration_pole"]).style == MethodStyle(
+        "velocity_pole", "acceleration_pole"
+    )
     assert choose(task, ["graphical"]).whole == "graphical"
     assert choose(first("plate_acceleration_centre")).style.accelerations == "acceleration_centre"
-    assert choose(first("falling_rod")).style.velocities == "pole"
+    assert choose(first("falling_rod")).style.velocities == "velocity_pole"
 
 
 def test_a_method_that_does_not_apply_is_named_with_those_that_do() -> None:

@@ -1,4 +1,4 @@
-"""Wishes for a solution: checked names."""
+"""Options of a solution: checked names."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.allocation import ProblemSampler, requests_of
+from variantgen.exam.allocation import DrawRequest, ProblemSampler
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import numbered
@@ -106,7 +106,7 @@ def test_the_draws_for_a_ceiling_are_counted(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(FamilySampler, "after", counted)
     with pytest.raises(InputError):
-        drawer.variants(requests_of(exam, numbered(100)))
+        drawer.variants([DrawRequest(student, 0) for student in numbered(100)])
     assert 200 < sum(drawn) <= 700
 
 

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.solved_cases import every_case, quantities, variant_of
-from variantgen.families.family import frame
+from variantgen.families.draw_rules import frame
 from variantgen.variants.distractors import wrong_answers
 from variantgen.variants.variant import parameter_arrays, solve_variants
 from variantgen.wording.distractors import mistake_text
@@ -58,7 +58,7 @@ def test_every_mistake_of_the_catalogue_has_words() -> None:
     assert len(names) > 100
     for language in map(load_language, languages()):
         for name, symbols in names:
-            told = mistake_text(name, language, dict(symbols))
-            assert "_" not in told.replace("φ_", "")
+            output = mistake_text(name, language, dict(symbols))
+            assert "_" not in output.replace("φ_", "")
             if language.name == "ru":
-                assert not re.search(r"[a-z]{3}", told), told
+                assert not re.search(r"[a-z]{3}", output), output

@@ -2,62 +2,72 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any, TypeAlias
 
 from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
-    Pi,
     Raised,
     Ratio,
     SquareRoot,
     Times,
     Total,
     Value,
+    Variable,
     cos,
     sin,
 )
 from variantgen.algebra.normal_form import Maybe, added, product
 
+Rates: TypeAlias = Mapping[Any, Maybe]  # by value or variable
+_ONE = Constant(1.0)
+# The derivative of a function by its argument.
+_OUTER: dict[str, Callable[[Expression], Expression]] = {
+    "sin": cos,
+    "cos": lambda u: -sin(u),
+    "tan": lambda u: _ONE + Applied("tan", u) ** 2,
+    "arcsin": lambda u: _ONE / SquareRoot(_ONE - u**2),
+    "arccos": lambda u: -(_ONE / SquareRoot(_ONE - u**2)),
+    "arctan": lambda u: _ONE / (_ONE + u**2),
+}
 
-def derivative(item: Expression, rates: Mapping[Value, Maybe]) -> Maybe:
+
+def derivative(item: Expression, rates: Rates) -> Maybe:
     """The derivative by time; ``rates`` has those of the values that change, for angles (degrees) in rad/s.
 
-    Raises TypeError for an expression that has none (an absolute value, an inverse function).
+    By a variable with its own rate 1. Raises TypeError for an expression that has none (an absolute value).
     """
     match item:
-        case Value():
+        case Value() | Variable():
             return rates.get(item)
-        case Constant() | Pi():
-            return None
         case Total(terms):
             return added(*((sign, derivative(term, rates)) for sign, term in terms))
         case Times(factors):
             return added(*((1, _one_factor(factors, i, rates)) for i in range(len(factors))))
-        case Raised(base, exponent):
-            power: Expression = base if exponent == 2 else Raised(base, exponent - 1)
-            return product(Constant(float(exponent)), power, derivative(base, rates))
-        case Applied("cos", argument):
-            rate = product(derivative(argument, rates), sin(argument))
-            return None if rate is None else product(Constant(-1.0), rate)
-        case Applied("sin", argument):
-            return product(derivative(argument, rates), cos(argument))
         case Ratio(above, below):
             return _quotient(above, below, rates)
-        case SquareRoot(inner):
-            rate = derivative(inner, rates)
-            return None if rate is None else Ratio(rate, Constant(2.0) * item)
+    inner = next((rate for operand in item.operands() if (rate := derivative(operand, rates))), None)
+    match item:
+        case _ if inner is None:
+            return None
+        case Raised(base, exponent):
+            return product(Constant(float(exponent)), Raised(base, exponent - 1), inner)
+        case SquareRoot():
+            return Ratio(inner, Constant(2.0) * item)
+        case Applied(function, argument) if function in _OUTER:
+            return product(inner, _OUTER[function](argument))
     raise TypeError(f"no derivative of {item!r}")
 
 
-def _one_factor(factors: tuple[Expression, ...], index: int, rates: Mapping[Value, Maybe]) -> Maybe:
+def _one_factor(factors: tuple[Expression, ...], index: int, rates: Rates) -> Maybe:
     """The product in which one factor is replaced by its derivative."""
     rate = derivative(factors[index], rates)
     return None if rate is None else product(*factors[:index], rate, *factors[index + 1 :])
 
 
-def _quotient(above: Expression, below: Expression, rates: Mapping[Value, Maybe]) -> Maybe:
+def _quotient(above: Expression, below: Expression, rates: Rates) -> Maybe:
     up, down = derivative(above, rates), derivative(below, rates)
     if down is None:
         return None if up is None else Ratio(up, below)

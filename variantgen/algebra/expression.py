@@ -135,6 +135,13 @@ class Constant(Expression):
 
 
 @dataclass(frozen=True, slots=True)
+class Variable(Expression):
+    """A quantity that has only a name: the data of a family, whose numbers come with a variant."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class Pi(Expression):
     """The number pi."""
 
@@ -248,18 +255,22 @@ _FUNCTIONS: dict[str, Callable[[float], float]] = {
 
 @dataclass(frozen=True, slots=True)
 class Applied(Expression):
-    """A function of an angle in degrees (cos, sin, tan) or one with such a value (arctan, arcsin, arccos)."""
+    """A function of an angle in degrees (cos, sin, tan) or one with such a value (arctan, arcsin, arccos).
+
+    Only the data of a family have functions of a ``second`` argument (min, max, atan2).
+    """
 
     function: str
     argument: Expression
+    second: Expression | None = None
 
     def number(self, exact: bool) -> float:
         """The value of the function."""
         return _FUNCTIONS[self.function](self.argument.number(exact))
 
     def operands(self) -> Sequence[Expression]:
-        """The argument."""
-        return (self.argument,)
+        """The arguments."""
+        return (self.argument,) if self.second is None else (self.argument, self.second)
 
 
 def cos(angle: Expression) -> Expression:

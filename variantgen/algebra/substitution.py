@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import Any
 
 from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
+    Magnitude,
     Raised,
     Ratio,
     SquareRoot,
     Times,
     Total,
     Value,
+    Variable,
 )
 from variantgen.algebra.normal_form import Maybe, added, product
 
 _ROUNDING = 1e-12  # a cosine or a sine below it is zero, but for the rounding of a right angle in radians
 
 
-def substituted(item: Expression, table: Mapping[Value, Expression]) -> Maybe:
-    """An expression with values replaced by what they stand for."""
+def substituted(item: Expression, table: Mapping[Any, Expression]) -> Maybe:
+    """An expression with values or variables replaced by what they stand for."""
     match item:
-        case Value():
+        case Value() | Variable():
             return table.get(item, item)
         case Total(terms):
             return added(*((sign, substituted(term, table)) for sign, term in terms))
@@ -35,8 +38,11 @@ def substituted(item: Expression, table: Mapping[Value, Expression]) -> Maybe:
         case Ratio(above, below):
             upper, lower = substituted(above, table), substituted(below, table)
             return None if upper is None or lower is None else Ratio(upper, lower)
-        case Applied(function, argument):
-            return Applied(function, substituted(argument, table) or Constant(0.0))
+        case SquareRoot() | Magnitude():
+            inner = substituted(item.inner, table)
+            return None if inner is None else type(item)(inner)
+        case Applied(function):
+            return Applied(function, *(substituted(part, table) or Constant(0.0) for part in item.operands()))
     return item
 
 

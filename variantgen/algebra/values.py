@@ -1,8 +1,8 @@
-"""The values in an expression, and in the order in which they are computed."""
+"""What an expression is put together from, and values in the order in which they are computed."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 
 from variantgen.algebra.expression import Expression, Value
 
@@ -28,3 +28,10 @@ def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Val
 def parts(item: Expression) -> list[Value]:
     """The values in an expression."""
     return [item] if isinstance(item, Value) else [value for operand in item.operands() for value in parts(operand)]
+
+
+def walk(item: Expression) -> Iterator[Expression]:
+    """The expression and all its parts."""
+    yield item
+    for operand in item.operands():
+        yield from walk(operand)

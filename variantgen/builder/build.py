@@ -23,7 +23,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
 from variantgen.outputs.files.records import RECORDS, write_records
-from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, formats, known_files, read_exam
+from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, format_of, known_files, read_exam
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def build(
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:
-        formats()[name].check(exam, students)
+        format_of(name).check(exam, students)
     with terminable(), typesetter() as engine:
         spec = BuildSpec.of(exam)
         with (
@@ -139,7 +139,7 @@ def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] 
     for part in range(parts):
         yield range(part, part + 1), None
     for name in exam.formats:
-        for place, (size, _) in enumerate(formats()[name].SUMMARIES):
+        for place, (size, _) in enumerate(format_of(name).SUMMARIES):
             for start in range(0, parts, size):
                 yield range(start, min(start + size, parts)), (name, place)
 
@@ -184,7 +184,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        formats()[name].finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes))
+        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes))
     redrawn, alike, cut = parts.drawn_marks()
     write_records(folder, exam, spec.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -71,12 +71,12 @@ class _AllRequests(Sequence[DrawRequest]):
         return len(self.students) * self.problems
 
     def __getitem__(self, place: Any) -> Any:
-        """The wish at a place."""
+        """The request at a place."""
         student, problem = divmod(place, self.problems)
         return DrawRequest(self.students[student], problem)
 
     def batches(self) -> Iterator[tuple[int, int, list[int]]]:
-        """What is drawn together, one problem of many students: the first student, the problem, places of wishes."""
+        """What is drawn together, one problem of many students: the first student, the problem, places of requests."""
         count = len(self.students)
         for start in range(0, count, STUDENTS_PER_DRAW):
             for problem in range(self.problems):
@@ -92,7 +92,7 @@ def _first(
     workers: Workers,
     progress: Progress,
 ) -> tuple[Traits, int]:
-    """What is compared of the first draws of all wishes, in order, and how many of them the exam's ceiling changed."""
+    """Traits of the first draws of all requests, in order, and how many of them the exam's ceiling changed."""
     found: list[Traits] = []
     cut = 0
     order: list[int] = []
@@ -126,7 +126,7 @@ def _kept(
 
 
 def _change(exam: Exam, again: Mapping[int, DrawRequest], spec: BuildSpec, parts: Unfinished, workers: Workers) -> None:
-    """Put the next draws of wishes, by their places, in the place of the first ones."""
+    """Put the next draws of requests, by their places, in the place of the first ones."""
     places, items = list(again), list[Item]()
     drawn = dict(workers.run(spec, ((k, DrawJob(chosen)) for k, chosen in _batches(list(again.values())))))
     for k in sorted(drawn):
@@ -142,5 +142,5 @@ def _change(exam: Exam, again: Mapping[int, DrawRequest], spec: BuildSpec, parts
 
 
 def _batches(requests: Sequence[DrawRequest]) -> Iterator[tuple[int, tuple[DrawRequest, ...]]]:
-    """What is drawn together of some wishes, with the place of the first one."""
+    """What is drawn together of some requests, with the place of the first one."""
     return ((k, tuple(requests[k : k + STUDENTS_PER_DRAW])) for k in range(0, len(requests), STUDENTS_PER_DRAW))

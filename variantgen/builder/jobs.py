@@ -16,7 +16,7 @@ from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS, key_rows, manifest_lines
-from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, formats
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, format_of
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.similarity import Traits
 
@@ -54,7 +54,7 @@ class DrawnProblems:
 
 @dataclass(frozen=True)
 class DrawJob:
-    """Some wishes drawn, solved and verified."""
+    """Some requests drawn, solved and verified."""
 
     requests: tuple[DrawRequest, ...]
 
@@ -70,7 +70,7 @@ class DrawJob:
 
 @dataclass(frozen=True)
 class CompareJob:
-    """The next draws of some wishes, only to be compared."""
+    """The next draws of some requests, only to be compared."""
 
     requests: tuple[DrawRequest, ...]
 
@@ -127,13 +127,12 @@ class RenderJob:
         return RenderedChunk(tuple(pieces), () if self.summary else content.unexplained)
 
     def _makers(self, chosen: Iterable[str]) -> Iterator[tuple[str, Callable[[Chunk], Iterable[Fragment]]]]:
-        known = formats()
         if self.summary:
             name, place = self.summary
-            yield name, known[name].SUMMARIES[place][1]
+            yield name, format_of(name).SUMMARIES[place][1]
         else:
             yield RECORDS, _records
-            yield from ((name, known[name].make) for name in chosen)
+            yield from ((name, format_of(name).make) for name in chosen)
 
 
 def _records(part: Chunk) -> Iterator[Fragment]:

@@ -14,7 +14,8 @@ from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.families.family import Family, Form, HandFriendly
+from variantgen.families.draw_rules import HandFriendly
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion

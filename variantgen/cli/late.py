@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def late(
     arguments: argparse.Namespace, exam: Exam, students: Sequence[Student], folders: tuple[Path, ...]
 ) -> tuple[Path, Sequence[Student], Sequence[HandedOutSheet]]:
-    """Where to build, for whom, and which sheets are handed out; who is new, gone or changed since is told."""
+    """Where to build, for whom, and which sheets are handed out; reports who is new, gone or changed since."""
     if not arguments.only_new and not arguments.out.exists():
         return arguments.out, students, ()
     from variantgen.finished.late import (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
@@ -10,11 +10,11 @@ from variantgen.exam.ceiling import within
 from variantgen.exam.confirm import confirm
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Item, Sheet, answers_of, solve_all, variant_codes
+from variantgen.exam.sheets import Item, answers_of, solve_all
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import read_ask
 from variantgen.variants.distinct import DistinctDraws, More, TooFewError, assign_distinct
-from variantgen.variants.draw import FamilySampler, check_room, next_draws, too_few
+from variantgen.variants.draw import FamilySampler, next_draws, too_few
 from variantgen.variants.seeding import digest
 from variantgen.variants.similarity import Traits, traits
 from variantgen.variants.variant import Variant
@@ -27,19 +27,6 @@ class DrawRequest:
     student: Student
     place: int
     used: int = 0
-
-
-@dataclass(frozen=True)
-class Allocation:
-    """The sheets in the order of the roster.
-
-    ``redrawn`` are ids of students who had to draw again to be distinct, ``alike`` says of problems (``problem[2]:
-    ladder``) how many sheets have nearly the data of another in their group.
-    """
-
-    sheets: tuple[Sheet, ...]
-    redrawn: tuple[str, ...]
-    alike: Mapping[str, int]
 
 
 @dataclass(frozen=True)
@@ -77,7 +64,7 @@ class ProblemSampler:
         return digest("priority", *self._key(request))
 
     def variants(self, requests: Sequence[DrawRequest]) -> list[Variant]:
-        """The next valid variant of each wish. Raises InputError where the ranges of a problem leave none."""
+        """The next valid variant of each request. Raises InputError where the ranges of a problem leave none."""
         found = self._drawn(requests, [request.used for request in requests])
         marked = places_by_tolerance(self._tolerances[request.place] for request in requests)
         for tolerance, places in marked.items():
@@ -87,7 +74,7 @@ class ProblemSampler:
         return found
 
     def _within(self, tolerance: Tolerance, requests: Sequence[DrawRequest], first: list[Variant]) -> list[Variant]:
-        """The first variants of some wishes, or later ones where these need more than the ceiling of the tolerance."""
+        """The first variants of some requests, or later ones where these need more than the exam's ceiling."""
         if tolerance.ceiling is None:
             return first
         return within(
@@ -100,7 +87,7 @@ class ProblemSampler:
         )
 
     def cut(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> int:
-        """How many of the wishes would have another variant if the exam set no ceiling to tolerances."""
+        """How many of the requests would have another variant if the exam set no ceiling to tolerances."""
         if all(tolerance.ceiling is None for tolerance in self._tolerances):
             return 0
         first = self._drawn(requests, [request.used for request in requests])
@@ -132,11 +119,6 @@ class ProblemSampler:
 
     def _key(self, request: DrawRequest) -> tuple[object, ...]:
         return self.exam.seed, request.student.id, self.exam.tasks[request.place].number
-
-
-def requests_of(exam: Exam, students: Iterable[Student]) -> list[DrawRequest]:
-    """All problems of some students, student by student."""
-    return [DrawRequest(student, place) for student in students for place in range(len(exam.tasks))]
 
 
 def resolve_duplicates(
@@ -181,33 +163,8 @@ def near_duplicates_of(drawer: ProblemSampler, requests: Sequence[DrawRequest], 
     return dict(sorted(found.items()))
 
 
-def assemble(exam: Exam, students: Sequence[Student]) -> Allocation:
-    """Draw, solve and verify everything in this process."""
-    drawer, requests = ProblemSampler(exam), requests_of(exam, students)
-    check_room([drawer.drawing(request) for request in requests])
-    variants = drawer.variants(requests)
-
-    def more(owners: Sequence[int], used: Sequence[int]) -> Traits:
-        again = [
-            DrawRequest(requests[i].student, requests[i].place, done) for i, done in zip(owners, used, strict=True)
-        ]
-        return drawer.traits(again, drawer.variants(again))
-
-    distinct_draws = resolve_duplicates(drawer, requests, drawer.traits(requests, variants), more)
-    again = next_draws_of(requests, distinct_draws)
-    for i, variant in zip(again, drawer.variants(list(again.values())), strict=True):
-        variants[i] = variant
-    codes = variant_codes(exam.seed, students)
-    items, count = drawer.items(requests, variants), len(exam.tasks)
-    own = [tuple(items[i : i + count]) for i in range(0, len(items), count)]
-    sheets = tuple(Sheet(*found) for found in zip(students, codes, own, strict=True))
-    return Allocation(
-        sheets, redrawn_of(requests, distinct_draws), near_duplicates_of(drawer, requests, distinct_draws.alike)
-    )
-
-
 def next_draws_of(requests: Sequence[DrawRequest], distinct_draws: DistinctDraws) -> dict[int, DrawRequest]:
-    """The wishes, by their places, whose next draw is not their first one."""
+    """The requests, by their places, whose next draw is not their first one."""
     return {
         i: DrawRequest(requests[i].student, requests[i].place, attempt - 1)
         for i, attempt in distinct_draws.again.items()

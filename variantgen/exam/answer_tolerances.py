@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.family import Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame

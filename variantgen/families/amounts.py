@@ -5,7 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.expressions import dimension_name, parse
+from variantgen.families.dimensions import dimension_name
+from variantgen.families.expressions import parse
 from variantgen.families.plain_angles import Unknown, kind_of
 from variantgen.families.units import Unit, checked, is_number, parse_value
 

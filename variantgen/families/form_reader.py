@@ -10,12 +10,13 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
-from variantgen.families.derivative import derivative, inlined
-from variantgen.families.expressions import Dimension, FamilyExpression, dimension_name, parse
-from variantgen.families.family import ComponentTemplate, Form, Parameter
+from variantgen.families.dimensions import Dimension, dimension_name
+from variantgen.families.expressions import FamilyExpression, parse
+from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.nice import read_nice
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
@@ -220,7 +221,7 @@ class FormReader:
         # What depends on the time through other names is written out, so that it is differentiated too.
         moving: dict[str, FamilyExpression] = {}
         for name, expression in self.derived.items():
-            whole = inlined(expression, moving)
+            whole = expression.inlined(moving)
             if time in whole.names:
                 moving[name] = whole
         for name in [name for name in table.data if name != "time"]:
@@ -229,12 +230,12 @@ class FormReader:
             if law is None:
                 continue
             with table.collecting(name):
-                law = inlined(law, moving)
+                law = law.inlined(moving)
                 if time in law.names:
                     moving[name] = law
                 dimension = self._define(name, law)
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
-                    law = derivative(law, time)
+                    law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))
         table.finish()
 

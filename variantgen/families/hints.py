@@ -10,8 +10,8 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.draw_rules import Comparison, Pose, Screens
 from variantgen.families.expressions import FamilyExpression
-from variantgen.families.family import Comparison, Pose, Screens
 from variantgen.families.figure_hints import AngleMark, DiscMark, FigureHints, LengthMark, RightAngle
 from variantgen.limits import MARKS, PARTS
 from variantgen.tables import Table

@@ -9,7 +9,8 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.families.expressions import FamilyExpression, parse
-from variantgen.families.family import ComponentTemplate, Form, Parameter
+from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.parameter import Parameter
 from variantgen.families.units import UNITS
 
 _SI = {

@@ -12,8 +12,10 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import Problem, nearest
-from variantgen.families.family import Family, Form, HandFriendly, Parameter, TiedValues
+from variantgen.families.draw_rules import HandFriendly, TiedValues
+from variantgen.families.family import Family, Form
 from variantgen.families.hints import ExpressionReader, read_require
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words, read_parameter
 from variantgen.tables import Table
 

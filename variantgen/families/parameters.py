@@ -10,8 +10,9 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import CONSTANTS, FUNCTIONS
-from variantgen.families.family import Parameter
+from variantgen.families.dimensions import CONSTANTS
+from variantgen.families.expressions import FUNCTIONS
+from variantgen.families.parameter import Parameter
 from variantgen.families.units import UNITS, checked, unit
 from variantgen.limits import VALUES
 from variantgen.tables import Table

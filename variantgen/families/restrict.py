@@ -9,8 +9,9 @@ from functools import lru_cache
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.family import Family, Form, Parameter
+from variantgen.families.family import Family, Form
 from variantgen.families.nice import hand_friendly, no_nice_forms
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words
 from variantgen.families.units import UNITS, checked, parse_value
 
@@ -26,9 +27,9 @@ def restrict(
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
     A bare number is in the unit that the sheet prints. Fixed values need not lie on the grid, but in its range, unless
-    they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same wish gives
-    the same family again, so that problems which are alike share what is known of their forms. Raises InputError naming
-    the key, the value and what is possible.
+    they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same narrowing
+    gives the same family again, so that problems which are alike share what is known of their forms. Raises InputError
+    naming the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
     key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond))
@@ -37,7 +38,7 @@ def restrict(
 
 @dataclass(frozen=True)
 class _Narrowing:
-    """How a family is to be narrowed; two wishes are equal if they say the same of the same family."""
+    """How a family is to be narrowed; two narrowings are equal if they say the same of the same family."""
 
     number: int
     key: str
@@ -51,7 +52,7 @@ class _Narrowing:
 
 @lru_cache(maxsize=64)
 def _restricted(narrowing: _Narrowing) -> Family:
-    """The narrowed family. A wish that is kept keeps its family, so that the number of that stays its own."""
+    """The narrowed family. A narrowing that is kept keeps its family, so that the number of that stays its own."""
     family, fixed, ranges, forms = narrowing.family, narrowing.fixed, narrowing.ranges, narrowing.forms
     problems: list[Problem] = []
     for name in forms:

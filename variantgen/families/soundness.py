@@ -1,7 +1,7 @@
 """Whether the expressions of a form have a meaning for given values: domains of functions, signs of lengths, words.
 
 An expression never yields NaN (dividing by zero gives zero, a root of a negative zero), so that one bad variant cannot
-spoil a batch; here such variants are told apart.
+spoil a batch; here such variants are found.
 """
 
 from __future__ import annotations

@@ -57,7 +57,7 @@ def _alt_text(board: Board, axes: bool) -> str:
 
 
 def finished(board: Board) -> Drawing:
-    """The drawing of a board: labels placed, everything in order; not told in words."""
+    """The drawing of a board: labels placed, everything in order; without an alternative text."""
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 

@@ -11,7 +11,7 @@ from variantgen.figure.label_requests import around
 from variantgen.figure.motion_board import MotionBoard
 from variantgen.figure.sketch import DOT
 from variantgen.methods.groups.contact import place_of
-from variantgen.methods.groups.law import touches
+from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
@@ -32,8 +32,8 @@ def contacts(board: Board, task: Task, now: Instant) -> dict[str, ContactPoint]:
     """The points of contact of the bodies that the solution needs, by letter, where no point is shown."""
     needed = task.needed.bodies
     found: dict[str, ContactPoint] = {}
-    for touch in touches(task).values():
-        for side in (touch.first, touch.second):
+    for contact in contacts_of_scene(task).values():
+        for side in (contact.first, contact.second):
             if not side.lever or side.name in (_CENTRE, *board.shown, *found) or side.body not in needed:
                 continue
             place = place_of(task, side) * task.length_unit

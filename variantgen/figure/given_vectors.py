@@ -17,7 +17,7 @@ from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.methods.graphical.vector_chain import SlidingPoint, VectorChain
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.vectors.given import as_stated, unsigned
+from variantgen.methods.vectors.given_motion import as_stated, unsigned
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.vector_names import absolute

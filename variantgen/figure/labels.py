@@ -88,7 +88,7 @@ def place_labels(
 def _near_choices(
     requests: Sequence[LabelRequest], occupancy: Occupancy, strangers: Sequence[complex]
 ) -> list[_Choice]:
-    """The candidates of all labels, judged together."""
+    """The candidates of all labels with their costs, computed at once."""
     count = [len(r.places) for r in requests]
     places = np.concatenate([r.places for r in requests])
     owner = np.repeat(np.arange(len(requests)), count)

@@ -59,7 +59,7 @@ class Moving:
         """Places (m) at which wheels touch what is at rest: rails and circles as far as they are rolled on."""
         at = Placement(self.motion.z, self.motion.frame)
         touches = [joint.contact_at(at) for joint in self.motion.scene.joints]
-        return [np.asarray(touch.place) for touch in touches if touch is not None and touch.other is None]
+        return [np.asarray(contact.place) for contact in touches if contact is not None and contact.other is None]
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:

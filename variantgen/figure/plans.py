@@ -109,7 +109,7 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:
-    """Letters by place; places too near to each other to be told apart are one."""
+    """Letters by place; places too near to each other to be distinguished are one."""
     found: list[tuple[complex, list[Symbol]]] = []
     for symbol, place in named:
         near = next((symbols for at, symbols in found if abs(at - place) < COINCIDENT), None)
@@ -143,7 +143,7 @@ def _draw_vectors(sketch: Sketch, vectors: Sequence[PlanVector]) -> None:
 
 
 def _names(vectors: Sequence[PlanVector]) -> Formula:
-    """The name of one arrow for vectors that cannot be told apart: an equation only where they are equal."""
+    """The name of one arrow for vectors that cannot be distinguished: an equation only where they are equal."""
     first, *others = vectors
     if not others:
         return first.symbol

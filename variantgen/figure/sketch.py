@@ -99,11 +99,11 @@ class Sketch:
         self.path((start, end - 0.8 * head * way), layer, weight)
         self._head(end, way, layer, head)
 
-    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float, weight: float = MEDIUM) -> None:
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> None:
         """An arc with a head at its end, in the sense of ``sweep``."""
         head = 2.3
         sense = math.copysign(1.0, sweep)
-        self.arc(Arc(centre, radius, Layer.VECTOR, weight, start, sweep - sense * 0.8 * head / radius))
+        self.arc(Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep - sense * 0.8 * head / radius))
         tip = centre + cmath.rect(radius, start + sweep)
         # The head follows the chord of its own length, so that it lies on the arc.
         way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)

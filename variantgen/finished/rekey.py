@@ -23,7 +23,7 @@ from variantgen.finished.restore import Finished
 from variantgen.outputs.files.edited import EDITED
 from variantgen.outputs.files.folder import file_hashes, whole_folder
 from variantgen.outputs.files.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
-from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, WholeExam, formats
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, WholeExam, format_of
 from variantgen.outputs.typst.typesetter import Typesetter
 
 _EVERYTHING = ("*",)  # whatever is in the folder stays there
@@ -77,7 +77,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
     """
     before = finished.record
     for name in exam.formats:
-        formats()[name].check(exam, [sheet.student for sheet in before.sheets])
+        format_of(name).check(exam, [sheet.student for sheet in before.sheets])
     again = Finished(before, exam, finished.differences)
     sheets = [sheet for places in _places(len(before.sheets)) for sheet in again.sheets(places, marked=True)]
     changed = _compare(finished, sheets)
@@ -210,7 +210,7 @@ class _Making:
 
     def format(self, name: str) -> None:
         """Those files of a format that show tolerances."""
-        module = formats()[name]
+        module = format_of(name)
         found: dict[str, list[Path]] = {}
         if module.write_key is None:
             self._collect(found, (piece for part in self._of(1) for piece in module.make(part)))

@@ -17,8 +17,8 @@ Complex: TypeAlias = Any  # complex or NDArray[np.complex128]
 Flags: TypeAlias = Any  # bool or NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
-# A sum smaller than this many rounding errors of its largest terms cannot be told from zero: positions carry a few
-# roundings each, and a closed chain multiplies several of them.
+# A sum smaller than this many rounding errors of its largest terms cannot be distinguished from zero: positions carry a
+# few roundings each, and a closed chain multiplies several of them.
 _ZERO_ULPS = 16.0
 
 
@@ -31,8 +31,8 @@ def rounding(x: Real) -> float:
 def unit_vector(angle: Real) -> Complex:
     """Unit vector ``exp(i*angle)`` (rad), exact at multiples of a right angle.
 
-    The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings
-    cannot be told from zero and is set to zero. An angle that is no floating-point number (a truncated series over
+    The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings cannot be
+    distinguished from zero and is set to zero. An angle that is no floating-point number (a truncated series over
     numbers of many digits, say) is taken as it is.
     """
     cos, sin = np.cos(angle), np.sin(angle)

@@ -1,4 +1,4 @@
-"""Pursuit of a mechanism along its way: predictor and corrector on the closing equations, without leaving the branch.
+"""Numerical continuation of a motion: predictor and corrector on the closing equations, without leaving the branch.
 
 The way s is that of the leading driver; every driver is displaced by ``s`` times its share. A step goes along the
 tangent and is corrected by Newton's method. It is taken back and shortened where the correction is large against the
@@ -33,7 +33,7 @@ _STRAIGHT = 0.1
 _ITERATIONS, _CLOSED = 12, 1e-12
 # Singular values (of the largest) that the differences of the Jacobian cannot tell from zero.
 _SINGULAR = 1e-7
-# Growth of the tangent by which a dead point is told from a joint that is at its limit.
+# Growth of the tangent by which a dead point is distinguished from a joint that is at its limit.
 _BLOWN_UP = 100.0
 # Of the size squared: a point that just touches the end of its rod may go on.
 _TOUCHING = 1e-9
@@ -192,7 +192,7 @@ class Continuation:
     def between(self, states: Sequence[PathState], ways: Field) -> tuple[dict[str, Field], dict[str, ComplexField]]:
         """Rotations of bodies (rad) and places of points (m) at the given ways, all within the states; shape (K,) each.
 
-        Each is interpolated between two neighbours of the pursuit and corrected by Newton's method, all at once.
+        Each is interpolated between two neighbours on the path and corrected by Newton's method, all at once.
         """
         knots = np.array([state.way for state in states])
         index = np.asarray(np.clip(np.searchsorted(knots, ways, side="right") - 1, 0, max(len(states) - 2, 0)), np.intp)

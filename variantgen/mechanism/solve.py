@@ -31,7 +31,7 @@ def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
     """Solve a scene: ``order`` 0 gives positions, 1 also velocities, 2 also accelerations.
 
     ``plan`` is the scene's structure if it is known already. Raises InputError for a scene that is under- or
-    over-determined; what happens to single variants is told by ``Motion.outcome``.
+    over-determined; ``Motion.outcome`` says what happened to single variants.
     """
     plan = plan or analyse(scene)
     places, outcome = place(scene, plan)

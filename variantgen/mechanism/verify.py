@@ -150,8 +150,10 @@ def invariants(motion: Motion) -> Field:
             scale = speed / np.where(acceleration > 0, acceleration, 1.0)
             normal = slide.curvature(motion.z) * np.abs(relative.velocity) ** 2
             defects += [np.abs(turn) * scale, np.abs(cross(ray, relative.acceleration - normal)) * scale]
-    for touch in [touch for joint in motion.scene.joints if (touch := joint.contact_at(at))]:
-        defects.append(np.abs(_material(motion, touch.body, touch.place) - _material(motion, touch.other, touch.place)))
+    for contact in [contact for joint in motion.scene.joints if (contact := joint.contact_at(at))]:
+        defects.append(
+            np.abs(_material(motion, contact.body, contact.place) - _material(motion, contact.other, contact.place))
+        )
     worst = np.max(defects, axis=0)
     result: Field = worst / np.where(speed > 0, speed, 1.0)
     return result

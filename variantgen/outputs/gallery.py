@@ -20,7 +20,8 @@ from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
 from variantgen.outputs.files.folder import check_free, whole_folder
 from variantgen.outputs.typst.markup import markup
-from variantgen.outputs.typst.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
 from variantgen.resources import templates_dir
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants

@@ -15,7 +15,6 @@ from variantgen.exam.sheets import Sheet
 from variantgen.tables import shown
 
 VERSION = 1
-QUIET = 4  # modules around a code that stay white
 
 # Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
 _MASK = 3

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.family import Family, Form, Screens, frame
+from variantgen.families.draw_rules import Screens, frame
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
@@ -32,7 +33,7 @@ _AT_LEAST, _AHEAD = 96, 4  # attempts whose answers are looked at together, wher
 # Attempts of a batch, and points of them: they bound the memory where few are valid or scenes are large.
 _MOST_AT_ONCE, _POINTS_AT_ONCE = 60_000, 1_500_000
 # A batch of which nobody has a variant yet is given up after so many attempts, in those of one student, and so many
-# judged ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
+# examined ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
 _HOPELESS, _HOPELESS_JUDGED = 2, 1000
 
 
@@ -66,7 +67,7 @@ class FormSampler:
         self.order = max(q.order for q in self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
         self._at_once = max(1, min(_MOST_AT_ONCE, _POINTS_AT_ONCE // len(form.points)))
-        self._made = self._looked_at = 0  # attempts, and those of them that were judged
+        self._made = self._looked_at = 0  # attempts, and those of them that were examined
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used.

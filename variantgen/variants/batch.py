@@ -1,4 +1,4 @@
-"""A batch of attempts at a form, what judges it, and the count of what was rejected."""
+"""A batch of attempts at a form, the screens that it passes, and the count of what they reject."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 Everyone has a sequence of draws of their own and a priority. In the order of priority each takes the first of their own
 draws that nobody before has, and that is not nearly the same as one that somebody before in the same group has
-(:mod:`variantgen.variants.similarity`). Where the ranges leave no room for the second wish, only the first is kept.
+(:mod:`variantgen.variants.similarity`). Where the ranges leave no room for the second demand, only the first is met.
 """
 
 from __future__ import annotations

@@ -39,9 +39,9 @@ def draw(
 
 
 def check_room(drawings: Sequence[FamilySampler]) -> None:
-    """Raise InputError where there are fewer points of the grid than wishes for them, without drawing anything.
+    """Raise InputError where there are fewer points of the grid than requests for them, without drawing anything.
 
-    ``drawings`` has the drawing of every wish.
+    ``drawings`` has the sampler of every request.
     """
     wanted = Counter(map(id, drawings))
     for drawing in {id(drawing): drawing for drawing in drawings}.values():
@@ -51,7 +51,7 @@ def check_room(drawings: Sequence[FamilySampler]) -> None:
 
 
 def too_few(error: TooFewError, drawings: Sequence[FamilySampler]) -> InputError:
-    """What to say where there are fewer variants than wishes; ``drawings`` has the drawing of every wish."""
+    """What to say where there are fewer variants than wishes; ``drawings`` has the sampler of every request."""
     drawing = drawings[error.owner]
     wanted = sum(other is drawing for other in drawings)
     return InputError(_too_few(drawing, wanted, error.found(lambda i: drawings[i] is drawing)))

@@ -1,4 +1,4 @@
-"""The course of a variant: its motion along the way of the driver, and what the way is called on paper."""
+"""The motion of a variant over the range of its leading driver, and what that range is called on paper."""
 
 from __future__ import annotations
 
@@ -40,7 +40,10 @@ class DriverSweep:
 
 
 def driver_sweep(variant: Variant, asked: Sequence[Quantity], samples: int = 361) -> DriverSweep:
-    """The course of a variant. Raises InputError where the variant is not solved or nothing moves."""
+    """The sweep of a variant over the range of its leading driver.
+
+    Raises InputError where the variant is not solved or nothing moves.
+    """
     motion = solve_variants([variant], 2)
     if not motion.solved[0]:
         raise InputError(Problem(Outcome(int(motion.outcome[0])).text, key="motion", value=variant.family.name))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from variantgen.families.family import Form, Parameter
+from variantgen.families.family import Form
+from variantgen.families.parameter import Parameter
 from variantgen.families.quantities import Quantity
 from variantgen.variants.variant import Variant
 

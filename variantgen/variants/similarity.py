@@ -1,4 +1,4 @@
-"""When two variants are the same problem on paper, and when they are nearly the same: what tells of it, as arrays.
+"""Equality and near-equality of variants, by printed data.
 
 Two variants are the same problem if their sheets print the same text and numbers and their keys the same answers. How
 the figure lies on paper (its mirror image, its turn, what is drawn but not printed) makes another problem only where it

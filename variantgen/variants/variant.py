@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.family import Family, Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Family, Form
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve

@@ -23,7 +23,8 @@ from variantgen.outputs.figures import MILLIMETRES, back_ends, mpl, png, write_f
 from variantgen.outputs.figures.svg import svg
 from variantgen.outputs.figures.tikz import tikz
 from variantgen.outputs.single.picture import Picture, picture
-from variantgen.outputs.typst.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
 from variantgen.single import one_variant
 from variantgen.wording.formula import Index, Symbol
 

@@ -188,16 +188,16 @@ def test_what_an_answer_does_not_show_is_marked_and_told(tmp_path: Path) -> None
         exam = f'title = "T"\nlanguage = "{language}"\nformats = ["xlsx"]\n[[problem]]\nfamily = "slider_crank"\n'
         out = build(folder, exam, "id,name\n" + "".join(f"{i},N{i}\n" for i in range(20)))
         sheet, *others = openpyxl.load_workbook(out / KEY).worksheets
-        told = ""
+        output = ""
         for row, right in zip(sheet.iter_rows(min_row=2), answers(out), strict=True):
             assert row[7].number_format.endswith('"*"') == bool(right.unnoticed)
             said = row[-1].value or ""
             assert len(said.split("; ")) == len(right.unnoticed.split("; "))
             assert bool(said) == bool(right.unnoticed)
-            told += said
-        assert word in told
+            output += said
+        assert word in output
         if language == "ru":
-            assert not re.search(r"[a-z]{4}", told), told
+            assert not re.search(r"[a-z]{4}", output), output
         stars = [c for other in others for row in other.iter_rows() for c in row if c.number_format.endswith('"*"')]
         assert len(stars) == sum(bool(right.unnoticed) for right in answers(out))
 

@@ -54,9 +54,9 @@ def follow(passage: Passage, tolerances: Sequence[float], most: int, rounds: int
             for tolerance in tolerances:
                 with warnings.catch_warnings(), np.errstate(all="ignore"):
                     warnings.simplefilter("ignore")
-                    track, seconds = _timed(passage, method, max(tolerance, _LEAST), stabilisation, most)
-                yield _assessed(passage, method, stabilisation, tolerance, track, seconds)
-                if track.failed == "too long":
+                    trajectory, seconds = _timed(passage, method, max(tolerance, _LEAST), stabilisation, most)
+                yield _assessed(passage, method, stabilisation, tolerance, trajectory, seconds)
+                if trajectory.failed == "too long":
                     break
 
 
@@ -65,10 +65,10 @@ def _timed(passage: Passage, method: str, tolerance: float, stabilisation: str, 
     times: list[float] = []
     while True:
         start = time.perf_counter()
-        track = integrate(passage, method, tolerance, stabilisation, most)
+        trajectory = integrate(passage, method, tolerance, stabilisation, most)
         times.append(time.perf_counter() - start)
         if sum(times) > _SHORT or len(times) == 3:
-            return track, min(times)
+            return trajectory, min(times)
 
 
 def _direct(passage: Passage, rounds: int) -> PassageErrors:
@@ -89,23 +89,23 @@ def _direct(passage: Passage, rounds: int) -> PassageErrors:
 
 
 def _assessed(
-    passage: Passage, method: str, stabilisation: str, tolerance: float, track: Trajectory, seconds: float
+    passage: Passage, method: str, stabilisation: str, tolerance: float, trajectory: Trajectory, seconds: float
 ) -> PassageErrors:
-    failed = track.failed
-    if not failed and not np.all(np.isfinite(track.states)):
+    failed = trajectory.failed
+    if not failed and not np.all(np.isfinite(trajectory.states)):
         failed = "not a number"
-    if not failed and len(track.states) < len(passage.instants):
+    if not failed and len(trajectory.states) < len(passage.instants):
         failed = "no convergence"
-    if not failed and any(math.sin(psi - theta) * passage.bar.side < 0 for theta, psi in track.states):
+    if not failed and any(math.sin(psi - theta) * passage.bar.side < 0 for theta, psi in trajectory.states):
         failed = "wrong branch"
     position, velocity = (math.nan, math.nan)
     if not failed:
-        at = zip(passage.instants, track.states, strict=True)
+        at = zip(passage.instants, trajectory.states, strict=True)
         position, velocity = _errors(passage, [_of_state(passage, t, y) for t, y in at])
     size = float(passage.exact[0].size)
     return PassageErrors(
-        passage.title, method, stabilisation, tolerance, seconds, track.evaluations, position, velocity,
-        track.drift / size, failed,
+        passage.title, method, stabilisation, tolerance, seconds, trajectory.evaluations, position, velocity,
+        trajectory.drift / size, failed,
     )  # fmt: skip
 
 

@@ -81,10 +81,10 @@ def _stepped(
         solver.step()
         if solver.status == "failed":
             return np.array(found).reshape(-1, 2), "no convergence"
-        track = solver.dense_output()
+        trajectory = solver.dense_output()
         while len(found) < len(passage.instants) and passage.instants[len(found)] <= solver.t:
             t = float(passage.instants[len(found)])
-            found.append(project(t, track(t)) if project else track(t))
+            found.append(project(t, trajectory(t)) if project else trajectory(t))
         if project:
             solver.y = np.array(project(solver.t, solver.y))
             solver.f = slope(solver.t, solver.y)

@@ -56,7 +56,7 @@ def solve_exactly(
     NoSuchPointError where it does not assemble, ZeroDivisionError at a dead point, ArithmeticError where the residuals
     do not vanish.
     """
-    at = positions(scene, near.exact.places if near else guess)
+    at = positions(scene, near.exact.places if near else None)
     z = on_paper(scene, at)
     if near is None:
         check_substituted(scene, at)

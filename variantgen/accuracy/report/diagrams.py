@@ -79,7 +79,7 @@ def _panels(count: int, columns: int, inches: tuple[float, float]) -> tuple[Any,
 
 def _mark(axis: Any, x: float, y: float, look: PlotStyle, label: str = "") -> None:
     axis.plot(
-        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour, label=label,
+        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour,
         markerfacecolor=look.colour if look.filled else "white", markeredgewidth=1.0, zorder=3 + look.filled,
     )  # fmt: skip
 
@@ -183,7 +183,7 @@ def _motion(measured: Measurement) -> Any:
         axis.set_title(f"{trip.title} (stiffness ratio {_power(trip.stiffness)})", loc="left")
         for method, look in styles.items():
             for stabilisation in STABILISED:
-                _track(axis, trip, method, stabilisation, look)
+                _trajectory(axis, trip, method, stabilisation, look)
     axes[0].set_ylim(1e-17, 1e2)
     figure.supxlabel("time for the whole passage, seconds", fontsize=8.5)
     figure.supylabel("largest relative error of the velocities at the instants", fontsize=8.5)
@@ -200,7 +200,7 @@ def _line_handles(words: dict[str, str]) -> list[Any]:
     return [Line2D([], [], color="black", linestyle=line, label=label) for line, label in words.items()]
 
 
-def _track(axis: Any, trip: PassageResult, method: str, stabilisation: str, look: PlotStyle) -> None:
+def _trajectory(axis: Any, trip: PassageResult, method: str, stabilisation: str, look: PlotStyle) -> None:
     """The results of a method over the tolerances, where there are any."""
     found = [r for r in trip.results if r.method == method and r.stabilisation == stabilisation and _drawn(r)]
     if not found:

@@ -1,4 +1,4 @@
-"""How ways and methods look in print: told apart by marker and line, not by colour alone."""
+"""How algorithms and methods look in print: distinguished by marker and line, not by colour alone."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _students(arguments: argparse.Namespace) -> Sequence[Student]:
-    """The class; how the list was read is told."""
+    """The class; reports how the list was read."""
     from variantgen.exam.roster import numbered, read_class
 
     if not arguments.roster:

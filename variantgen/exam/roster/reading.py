@@ -149,7 +149,7 @@ class _Reader:
         return [replace(entry.student, id=own) for entry, own in entries]
 
     def _by_name(self, entries: Sequence[_Entry]) -> list[Student]:
-        """The students with ids made of name and group; namesakes in a group are told apart by their order."""
+        """The students with ids made of name and group; namesakes in a group are distinguished by their order."""
         plain = [_name_and_group(entry.student) for entry in entries]
         taken, owners, found = set(plain), dict[str, list[str]](), []
         for entry, own in zip(entries, plain, strict=True):

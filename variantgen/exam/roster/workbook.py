@@ -46,7 +46,7 @@ def workbook_worksheets(content: bytes) -> list[Worksheet]:
 
 
 def _check_size(content: bytes) -> None:
-    """Raise InputError for a workbook that would not fit into the memory. What is unpacked is never more than told."""
+    """Raise InputError for a workbook that would not fit into the memory. No more is unpacked than the bounds allow."""
     with zipfile.ZipFile(io.BytesIO(content)) as parts:
         infos = parts.infolist()
         sheets = [part for part in infos if "/worksheets/" in part.filename]

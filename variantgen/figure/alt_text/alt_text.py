@@ -40,7 +40,7 @@ class Noun:
 class AltText(DrawnMechanism):
     """What a phrase may need of a figure that has been drawn on ``board``.
 
-    What has been told is noted for what is told later: ``hinged`` are the points whose hinge a joint has told of,
+    What has been said is noted for what is said later: ``hinged`` are the points whose hinge a joint has mentioned,
     ``guided`` the directions of guides by point, ``arrows`` those of the drivers.
     """
 

@@ -26,7 +26,7 @@ def parts(alt_text: AltText) -> list[str]:
 
 
 def hinges(alt_text: AltText) -> list[str]:
-    """The hinges between bodies that no joint has told of."""
+    """The hinges between bodies that no joint has mentioned."""
     found = []
     for point in alt_text.board.shown:
         owners = alt_text.owners(point)
@@ -89,7 +89,7 @@ def _plates(alt_text: AltText) -> list[str]:
 
 
 def _discs(alt_text: AltText) -> list[str]:
-    """Discs that are bodies; a fixed circle is told by the joint that needs it."""
+    """Discs that are bodies; a fixed circle is described by the joint that needs it."""
     found = []
     bodies = dict.fromkeys(circle.mark.body for circle in alt_text.circles if circle.mark.body)
     for body in bodies:

@@ -104,7 +104,7 @@ def _roomiest_directions(
 ) -> Iterable[tuple[float, float, float]]:
     """Radius, cost and direction of the best arc of each radius.
 
-    All radii are judged together: that takes no longer than two of them, one after the other.
+    All radii are compared at once: that takes no longer than two of them, one after the other.
     """
     sketch = board.sketch
     centre = sketch.at[pivot]

@@ -16,7 +16,7 @@ from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, 
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
-from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Derived, Fact, NumberOf, Point, Segment
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
@@ -30,10 +30,10 @@ def is_near(book: Book, first: complex, second: complex) -> bool:
     return abs(first - second) <= NEAR * (book.task.size + abs(first - middle))
 
 
-def named_place(book: Book, place: complex, but: str = "") -> str:
-    """The point of the figure at a place, other than ``but``, or nothing."""
+def named_place(book: Book, place: complex) -> str:
+    """The point of the figure at a place, or nothing."""
     hidden = book.task.form.figure.hidden
-    names = (name for name in book.task.now.z if name not in hidden and name != but)
+    names = (name for name in book.task.now.z if name not in hidden)
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 
@@ -79,7 +79,7 @@ class _Triangle:
 
     base: str
     point: str
-    ray: Ray
+    ray: CentreRay
     side: float
     spread: float
 
@@ -100,7 +100,7 @@ _ON_LINE, _EQUILATERAL, _RIGHT, _ISOSCELES, _GENERAL = range(5)
 _SHAPES = ("on_line", "equilateral", "right", "isosceles", "general")
 
 
-def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray | None:
+def ray_to_centre(book: Book, centre: Centre, point: str, with_direction: bool) -> CentreRay | None:
     """The ray from a point of the body to the centre, with the lines that find its length; None at the centre.
 
     The lines for its direction are written where it is asked for (``with_direction``).
@@ -113,7 +113,7 @@ def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray |
     triangle = _simplest(book, centre, point)
     if triangle is None:
         at = centre.at
-        found = Ray(book.geometry.length(point, at), book.geometry.direction(point, at))
+        found = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
     else:
         found = _found(book, centre, triangle, with_direction)
     centre.rays[point] = found
@@ -131,7 +131,7 @@ def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:
     return min(found, key=lambda triangle: triangle.shape, default=None)
 
 
-def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> Ray:
+def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> CentreRay:
     """The third side of the triangle, and its direction from the point C."""
     base, point, ray = triangle.base, triangle.point, triangle.ray
     side = book.geometry.length(base, point)
@@ -152,7 +152,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     arm = book.derive(centre.length(point), "length", _ARMS[shape](ray.arm, side, spread))
     if shape == _ON_LINE:
         beyond = spread.exact < 90.0 and side.exact > ray.arm.exact
-        return Ray(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
+        return CentreRay(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
     corner = Value(centre.corner(point, base), "angle", *_corner(shape, ray.arm, side, spread))
     back = Geometry.turned(there, 180.0)
     goal = math.degrees(cmath.phase(centre.place(book.task) - book.task.now.z[point]))
@@ -161,7 +161,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     if with_direction:
         note_angle(book, corner, symbolic=True)
         note_angle(book, angle)
-    return Ray(arm, angle)
+    return CentreRay(arm, angle)
 
 
 def _towards(book: Book, centre: Centre, base: str, point: str) -> tuple[Value, str]:

@@ -20,7 +20,7 @@ class Coordinate:
 
 
 @dataclass(frozen=True, eq=False)
-class Equation:
+class PositionEquation:
     """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
 
     key: str

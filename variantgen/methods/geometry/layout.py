@@ -16,7 +16,7 @@ from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, degrees, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.lines import Lines
-from variantgen.methods.geometry.place import ORIGIN, Place, Ray
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Ray
 from variantgen.methods.linkage.problem import CLOSE, Task
 
 _NOTHING = 1e-10  # of the size: a length below it is none
@@ -31,13 +31,13 @@ class Layout:
         self.task = task
         self.angles = Angles(task)
         self.nothing = _NOTHING * task.size
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, LocatedPoint] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
 
-    def read(self, places: Mapping[str, Place]) -> None:
+    def read(self, places: Mapping[str, LocatedPoint]) -> None:
         """Note what the constructions, the conditions and the figure give."""
         for name, place in places.items():
             self.places[name] = place

@@ -63,7 +63,7 @@ class Cylinder:
 class VectorChain:
     """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides.
 
-    ``reaches`` are the pairs of points whose distance is driven.
+    ``cylinders`` are the pairs of points whose distance is driven.
     """
 
     points: tuple[str, ...]
@@ -96,17 +96,17 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     resting = linkage.resting
     needed = needed_for(form, tuple(asked))
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
-    rested = {body: wheel for body, wheel in _rested(form).items() if body in needed.bodies}
-    points = [*(wheel.contact for wheel in rested.values()), *points]
+    held_by_rim = {body: wheel for body, wheel in _wheels_held_by_rim(form).items() if body in needed.bodies}
+    points = [*(wheel.contact for wheel in held_by_rim.values()), *points]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
     straight = linkage.guides(Placement(now.z, now.scene.frame))
     guides = {point: -way for point, way in straight.items() if point in points}
     poles = {body: _pole(form, body, visible, guides.keys()) for body in form.bodies}
-    poles |= {body: wheel.contact for body, wheel in rested.items()}
+    poles |= {body: wheel.contact for body, wheel in held_by_rim.items()}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
     # The centre follows from the rate of such a wheel, by the condition of rolling.
-    turns = [turn for turn in turns if turn.body not in rested or turn.point != rested[turn.body].centre]
+    turns = [turn for turn in turns if turn.body not in held_by_rim or turn.point != held_by_rim[turn.body].centre]
     sliding_points = [
         SlidingPoint(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for path in linkage.slides
@@ -145,7 +145,7 @@ def _useful(
         left = fewer
 
 
-def _rested(form: Form) -> dict[str, Rolling]:
+def _wheels_held_by_rim(form: Form) -> dict[str, Rolling]:
     """Wheels on a line at rest that only a link at another point than the centre moves, by body."""
     scene, found = form.sample, {}
     for joint in scene.joints:

@@ -164,7 +164,7 @@ class LinearSystem:
 
 
 @dataclass(frozen=True, slots=True)
-class Statement:
+class EquationLine:
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
     left: Expression
@@ -173,7 +173,7 @@ class Statement:
 
 
 @dataclass(frozen=True, slots=True)
-class Listing:
+class ProgramListing:
     """A piece of a program, as text; ``results`` are the values that it prints, in order."""
 
     code: str
@@ -181,7 +181,7 @@ class Listing:
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class ChainLink:
     """A link of a chain: its number, the direction from the last point to the next one, that point."""
 
     number: int
@@ -194,11 +194,11 @@ class ChainGraph:
     """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
 
     start: str
-    legs: tuple[Leg, ...]
+    legs: tuple[ChainLink, ...]
 
 
 Item: TypeAlias = (
-    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
+    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | EquationLine | ProgramListing | ChainGraph
 )
 
 

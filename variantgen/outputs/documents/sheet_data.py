@@ -8,7 +8,7 @@ from variantgen.exam.content import Content, PosedProblem
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.documents.writing import TYPST, Writing
+from variantgen.outputs.documents.writing import Writing
 from variantgen.outputs.qr import qr_text
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, sign_notes
@@ -17,10 +17,7 @@ _SHORT_NAME = 48
 
 
 def sheets_data(
-    content: Content,
-    figures: dict[int, Any] | None = None,
-    built: bool = False,
-    writing: Writing = TYPST,
+    content: Content, writing: Writing, figures: dict[int, Any] | None = None, built: bool = False
 ) -> dict[str, Any]:
     """Data for templates of sheets; what is made of the drawings is noted in ``figures`` by their ids.
 
@@ -28,24 +25,24 @@ def sheets_data(
     """
     exam, language = content.exam, content.exam.spoken
     noted = {} if figures is None else figures
-    marked = built and exam.qr
-    students = []
-    for sheet, own in zip(content.sheets, content.posed, strict=True):
-        problems = [_problem(posed, language, noted, writing) for posed in own]
-        code = writing.code(qr_text(exam, sheet)) if marked else ""
-        students.append({**student_data(sheet, problems, language, sheet is content.sheets[-1]), "qr": code})
+    students = [sheet_data(content, number, writing, noted) for number in range(len(content.sheets))]
+    for student, sheet in zip(students, content.sheets, strict=True):
+        student["qr"] = writing.code(qr_text(exam, sheet)) if built and exam.qr else ""
+        student["last"] = sheet is content.sheets[-1]
     return {
-        "lang": exam.language,
-        "title": exam.title,
-        "course": exam.course,
-        "duplex": exam.duplex,
+        **exam_data(exam, language),
         "words": dict(language.words("sheet")),
-        **_notices(exam, language, writing),
+        **notices_data(exam, language, writing),
         "students": students,
     }
 
 
-def _notices(exam: Exam, language: Language, writing: Writing) -> dict[str, Any]:
+def exam_data(exam: Exam, language: Language) -> dict[str, Any]:
+    """What every document says of its exam."""
+    return {"lang": language.name, "title": exam.title, "course": exam.course, "duplex": exam.duplex}
+
+
+def notices_data(exam: Exam, language: Language, writing: Writing) -> dict[str, Any]:
     """What the exam says at the head of its sheets; nothing where it says nothing."""
     if not exam.notices:
         return {}
@@ -54,35 +51,34 @@ def _notices(exam: Exam, language: Language, writing: Writing) -> dict[str, Any]
     return {"notices": {"facts": facts, "instructions": [writing.text(text) for text in exam.notices.instructions]}}
 
 
-def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
-    """Who a run of pages is for, and its problems."""
-    student = sheet.student
-    name = student.name
-    if not name:
-        return _unnamed(sheet, problems, language, last)
-    return {
+def sheet_data(content: Content, number: int, writing: Writing, figures: dict[int, Any]) -> dict[str, Any]:
+    """The sheet of one student; what is made of its drawings is noted in ``figures`` by their ids."""
+    language = content.exam.spoken
+    problems = [_problem(posed, language, figures, writing) for posed in content.posed[number]]
+    return student_data(content.sheets[number], problems, language)
+
+
+def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language) -> dict[str, Any]:
+    """Who a run of pages is for, and its problems.
+
+    A sheet of nobody yet has the number of the variant, and what is filled in by hand.
+    """
+    student, name = sheet.student, sheet.student.name
+    found = {
         "name": name,
         "short": name if len(name) <= _SHORT_NAME else name[: _SHORT_NAME - 1] + "…",
         "group": group_text(student, language),
         "code": sheet.code,
         "notes": sheet_notes(sheet, language),
         "problems": problems,
-        "last": last,
     }
-
-
-def _unnamed(sheet: Sheet, problems: list[dict[str, Any]], language: Language, last: bool) -> dict[str, Any]:
-    """A sheet of nobody yet: the number of the variant, and what is filled in by hand."""
+    if name:
+        return found
     return {
-        "name": "",
-        "number": variant_number(sheet.student, language),
+        **found,
+        "code": f"{student.id} · {sheet.code}",
+        "number": variant_number(student, language),
         "blank": blank_labels(language),
-        "short": "",
-        "group": group_text(sheet.student, language),
-        "code": f"{sheet.student.id} · {sheet.code}",
-        "notes": sheet_notes(sheet, language),
-        "problems": problems,
-        "last": last,
     }
 
 
@@ -127,7 +123,7 @@ def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], w
     }
 
 
-def statement_data(said: Statement, writing: Writing = TYPST) -> dict[str, Any]:
+def statement_data(said: Statement, writing: Writing) -> dict[str, Any]:
     """What a problem says: its text, what is given and what is asked."""
     return {
         "text": writing.text(said.text),

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from variantgen.outputs.documents.formula_rows import rows
-from variantgen.outputs.documents.writing import TYPST, Writing
+from variantgen.outputs.documents.writing import Writing
 from variantgen.wording.solution.document import Block, FormulaLines, Paragraph, Program, VectorTable
 
 
-def blocks_data(blocks: Sequence[Block], writing: Writing = TYPST) -> list[dict[str, Any]]:
+def blocks_data(blocks: Sequence[Block], writing: Writing) -> list[dict[str, Any]]:
     """Blocks in order; each says its ``kind``, and whether it ``leads`` to what stands under it on the same page.
 
     A paragraph leads to formulas and tables, and a vector equation to the table of its vectors.
@@ -31,10 +31,7 @@ def _block(item: Block, writing: Writing) -> dict[str, Any]:
         case Paragraph(text):
             return {"kind": "text", "text": writing.text(text)}
         case FormulaLines(lines):
-            found = [
-                [[[writing.sign(sign), writing.formula(f)] for sign, f in pieces] for pieces in row]
-                for row in rows(lines)
-            ]
+            found = [[[writing.piece(*piece) for piece in pieces] for pieces in row] for row in rows(lines)]
             return {"kind": "formulas", "rows": found}
         case VectorTable(heads, unknown, lines):
             cells = [

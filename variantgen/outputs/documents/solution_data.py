@@ -6,9 +6,9 @@ from typing import Any
 
 from variantgen.exam.content import Content, SolvedProblem
 from variantgen.exam.solution_figures import SolutionFigure
-from variantgen.outputs.documents.sheet_data import statement_data, student_data
+from variantgen.outputs.documents.sheet_data import exam_data, statement_data, student_data
 from variantgen.outputs.documents.solution_blocks import blocks_data
-from variantgen.outputs.documents.writing import TYPST, Writing
+from variantgen.outputs.documents.writing import Writing
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
@@ -18,7 +18,7 @@ Problem = dict[str, Any]
 
 
 def solutions_data(
-    content: Content, number: int, figures: dict[int, Any] | None = None, writing: Writing = TYPST
+    content: Content, number: int, writing: Writing, figures: dict[int, Any] | None = None
 ) -> dict[str, Any]:
     """Data for templates of documents with the solutions of one student.
 
@@ -27,16 +27,13 @@ def solutions_data(
     exam, sheet = content.exam, content.sheets[number]
     language = exam.explained
     problems = [
-        {"number": str(item.task.number), **problem_data(solved, language, figures, writing)}
+        {"number": str(item.task.number), **problem_data(solved, language, writing, figures)}
         for item, solved in zip(sheet.items, content.solved[number], strict=True)
     ]
     return {
-        "lang": language.name,
-        "title": exam.title,
-        "course": exam.course,
-        "duplex": exam.duplex,
+        **exam_data(exam, language),
         "words": solution_words(language),
-        "students": [student_data(sheet, problems, language, last=True)],
+        "students": [{**student_data(sheet, problems, language), "last": True}],
     }
 
 
@@ -47,7 +44,7 @@ def solution_words(language: Language) -> dict[str, str]:
 
 
 def problem_data(
-    solved: SolvedProblem, language: Language, figures: dict[int, Any] | None = None, writing: Writing = TYPST
+    solved: SolvedProblem, language: Language, writing: Writing, figures: dict[int, Any] | None = None
 ) -> dict[str, Any]:
     """One problem with its figures and its solution."""
     text = solved.text
@@ -63,21 +60,16 @@ def problem_data(
 
 
 def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
-    drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing)
+    drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing, shown.caption)
     return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
 
 
 def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
-    """A numbered step; ``see`` tells the figures that go with it."""
-    return {
-        "heading": writing.text(section.heading),
-        "see": see(section, solved, language),
-        "blocks": blocks_data(section.blocks, writing),
-    }
-
-
-def see(section: Section, solved: SolvedProblem, language: Language) -> str:
-    """The numbers of the figures that go with a step, in parentheses; nothing where there are none."""
+    """A numbered step; ``see`` has the numbers of the figures that go with it, in parentheses."""
     numbers = [str(solved.numbers[name]) for name in section.views if name in solved.numbers]
     word = load_phrases(language.name).words["see"]
-    return f"({word}\N{NO-BREAK SPACE}{', '.join(numbers)})" if numbers else ""
+    return {
+        "heading": writing.text(section.heading),
+        "see": f"({word}\N{NO-BREAK SPACE}{', '.join(numbers)})" if numbers else "",
+        "blocks": blocks_data(section.blocks, writing),
+    }

@@ -161,7 +161,7 @@ def terminable() -> Iterator[None]:
 
 @contextmanager
 def writing(target: Path) -> Iterator[None]:
-    """Errors of the system inside the block are told as errors of writing to the target (WritingError)."""
+    """Turn errors of the system inside the block into WritingError, which names the target."""
     try:
         yield
     except OSError as error:

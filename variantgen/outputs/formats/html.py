@@ -9,13 +9,13 @@ from typing import Any
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Item, Sheet
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs import formats
 from variantgen.outputs.documents.key_content import KeyTable, Place, key_tables, place, remarks
 from variantgen.outputs.documents.solution_data import solution_words
 from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, by_group, parts_of
 from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, WholeExam
-from variantgen.outputs.html.articles import problem_key, sheet_article, solution_article, student_key, table_heads
+from variantgen.outputs.html.articles import page_writing, problem_keys, sheet_article, solution_article, student_key
 from variantgen.outputs.html.pages import pieces, write_page
 from variantgen.tables import Table
 from variantgen.wording.language import Language
@@ -70,12 +70,8 @@ def _student_key(part: Chunk) -> Iterator[Fragment]:
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem: rows of each table."""
     for sheets in _key_parts(part):
-        owners: dict[Place, list[tuple[Sheet, Item]]] = {}
-        for sheet in sheets:
-            for item in sheet.items:
-                owners.setdefault(place(item), []).append((sheet, item))
-        for where, own in owners.items():
-            yield Fragment(_rows(where), problem_key(part.exam, own), ".html")
+        for where, rows in problem_keys(part.exam, sheets):
+            yield Fragment(_rows(where), rows, ".html")
 
 
 def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
@@ -207,7 +203,7 @@ def _write_key(
         {
             "title": table.title,
             "form": table.form,
-            "heads": table_heads(table),
+            "heads": [page_writing().heading(*head) for head in table.heads],
             "pieces": pieces(rows[where]),
         }
         for where, table in _tables(whole).items()

@@ -98,14 +98,14 @@ def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     exam = part.exam
     writing = _writing(exam, exam.language)
-    data = sheets_data(part.content, built=True, writing=writing)
+    data = sheets_data(part.content, writing, built=True)
     for own in documents(data, part.sheets) if _options(exam).files == GROUPS else [data]:
         yield Fragment("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:
         return
     writing = _writing(exam, exam.solutions.language)
     for number in range(len(part.sheets)):
-        solved = solutions_data(part.content, number, writing=writing)
+        solved = solutions_data(part.content, number, writing)
         yield Fragment("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
 
 

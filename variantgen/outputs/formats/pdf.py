@@ -26,6 +26,7 @@ from variantgen.outputs.formats import (
 )
 from variantgen.outputs.pdf_options import PdfOptions, read_options
 from variantgen.outputs.typst.coverage import check_letters
+from variantgen.outputs.typst.writing import TYPST
 
 if TYPE_CHECKING:
     from variantgen.outputs.pdf.bookmarks import BookmarkName
@@ -46,7 +47,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, figures, built=True)
+    data = sheets_data(part.content, TYPST, figures, built=True)
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]
@@ -61,7 +62,8 @@ def make(part: Chunk) -> Iterator[Fragment]:
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.
     for number in range(len(part.sheets)):
-        yield _piece(part, "solutions", solutions_data(part.content, number, figures), _are_handed_out(part.exam))
+        data = solutions_data(part.content, number, TYPST, figures)
+        yield _piece(part, "solutions", data, _are_handed_out(part.exam))
 
 
 def _piece(part: Chunk, target: str, data: Mapping[str, Any], handed_out: bool = False) -> Fragment:
@@ -77,18 +79,18 @@ def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning))
+            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning, TYPST))
     else:
-        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
+        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first, TYPST))
 
 
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning))
+            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning, TYPST))
     else:
-        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
+        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first, TYPST))
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))

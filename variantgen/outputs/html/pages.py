@@ -26,7 +26,7 @@ _NO_TEXT = re.compile(
 
 @cache
 def _environment() -> jinja2.Environment:
-    return jinja2.Environment(
+    found = jinja2.Environment(
         loader=jinja2.FileSystemLoader(templates_dir() / "html"),
         undefined=jinja2.StrictUndefined,
         autoescape=True,
@@ -34,6 +34,15 @@ def _environment() -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    found.filters["formulas"] = _formulas
+    return found
+
+
+def _formulas(found: Sequence[Markup]) -> Markup:
+    """Formulas after each other; a browser does not break off the comma or the full stop after each."""
+    signs = [*"," * (len(found) - 1), "."]
+    held = (Markup('<span class="steady">{}{}</span>').format(*pair) for pair in zip(found, signs, strict=True))
+    return Markup(" ").join(held)
 
 
 @cache
@@ -46,6 +55,11 @@ def _style() -> tuple[Markup, str]:
 def rendered(template: str, **data: Any) -> bytes:
     """What a template makes of data: strings are text, markup is what is marked as such."""
     return _clean(_environment().get_template(template).render(**data))
+
+
+def fragment(template: str, **data: Any) -> str:
+    """A part of a text, in one line as far as it has no listing of a program."""
+    return _environment().get_template(template).render(**data).removesuffix("\n")
 
 
 def write_page(path: Path, template: str, **data: Any) -> None:

@@ -1,4 +1,4 @@
-"""What is plotted of a course: panels of curves in printed units, grouped by what they measure."""
+"""What is plotted of a driver sweep: panels of curves in printed units, grouped by what they measure."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MEASURES = ("velocity", "angular velocity", "acceleration", "angular accelerati
 
 @dataclass(frozen=True)
 class PlottedCurve:
-    """A quantity along the course, shape (K,), in its printed unit; ``now`` at the instant of the problem.
+    """A quantity over the sweep, shape (K,), in its printed unit; ``now`` at the instant of the problem.
 
     Where the quantity has no finite value there is NaN; one that has none at the instant is left out.
     """

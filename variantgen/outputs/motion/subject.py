@@ -1,4 +1,4 @@
-"""What is plotted: a variant over its course, in a language."""
+"""What is plotted: a variant over a sweep of its driver, in a language."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from variantgen.wording.mathtext import to_mathtext
 
 @dataclass(frozen=True)
 class Subject:
-    """What is plotted: the variant over its course, in a language."""
+    """What is plotted: the variant over a sweep of its driver, in a language."""
 
     variant: Variant
     driver_sweep: DriverSweep

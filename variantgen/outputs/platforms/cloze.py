@@ -10,7 +10,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.exam.sheets import Answer
-from variantgen.outputs.platforms.numbers import plain
+from variantgen.outputs.platforms.numbers import number
+from variantgen.outputs.platforms.point_shares import shares
 
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 
@@ -20,20 +21,13 @@ def inert(html: str) -> str:
     return html.translate(_BRACES)
 
 
-def part(answer: Answer, weight: int) -> str:
+def part(answer: Answer, weight: Decimal) -> str:
     """An answer to be entered. One that may be written in two ways, a turn apart, has two right values."""
-    value, tolerance = Decimal(repr(answer.value)), plain(Decimal(repr(answer.tolerance)))
-    first = answer.accepted_intervals[0][0]
-    values = (value + round(low - first) for low, _ in answer.accepted_intervals)
-    return f"{{{weight}:NUMERICAL:{'~'.join(f'={plain(one)}:{tolerance}' for one in values)}}}"
+    tolerance = number(answer.tolerance)
+    values = (number((low + high) / 2) for low, high in answer.exact_intervals)
+    return f"{{{weight}:NUMERICAL:{'~'.join(f'={value}:{tolerance}' for value in values)}}}"
 
 
-def weights(points: int | None, parts: int) -> list[int]:
-    """Whole numbers whose sum, the mark of the question, is the number of points, as even as can be.
-
-    All are 1 where nothing is said of points, or where there are fewer points than parts.
-    """
-    if points is None or points < parts:
-        return [1] * parts
-    each, more = divmod(points, parts)
-    return [each + (number < more) for number in range(parts)]
+def weights(points: int | None, parts: int) -> tuple[Decimal, ...]:
+    """WholeExam shares of the points of a question, all 1 where there are fewer points than parts."""
+    return shares(points if points and points >= parts else None, parts, steps=1)

@@ -1,9 +1,10 @@
-"""Figures as files beside or inside a question: SVG or PNG of the usual size, each drawing made once."""
+"""UsedFigures as files beside or inside a question: SVG or PNG of the usual size, each drawing made once."""
 
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.plans import without_millimetres
@@ -53,3 +54,22 @@ class FigureFiles:
             name = f"{hashlib.sha256(content).hexdigest()[:20]}.{self._form}"
             self._made[id(drawing)] = FigureFile(name, content, drawing)
         return self._made[id(drawing)]
+
+
+class UsedFigures:
+    """The figures of one text or package; ``element(file, size)`` is one of them in a text, of a size in pixels."""
+
+    def __init__(self, files: FigureFiles, element: Callable[[FigureFile, tuple[int, int]], str]) -> None:
+        self.used: dict[str, FigureFile] = {}
+        self._files, self._element = files, element
+
+    def file(self, drawing: Drawing, caption: str = "") -> FigureFile:
+        """The file of a figure, which is used from now on; the caption is told where the drawing tells nothing."""
+        file = self._files.file(drawing if drawing.alt else replace(drawing, tell=lambda: caption))
+        self.used[file.name] = file
+        return file
+
+    def image(self, drawing: Drawing, millimetres: float | None = None, caption: str = "") -> str:
+        """A figure in a text, which has a width on paper (None: the usual one)."""
+        file = self.file(drawing, caption)
+        return self._element(file, file.size(millimetres))

@@ -5,8 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 
-def plain(value: Decimal) -> str:
-    """A number with a decimal point and without an exponent."""
-    text = f"{value:f}"
-    text = text.rstrip("0").rstrip(".") if "." in text else text
-    return "0" if text in ("-0", "") else text
+def number(value: float | Decimal) -> str:
+    """A number with a decimal point if it needs one and without an exponent, as every platform reads it."""
+    exact = Decimal(repr(value)) if isinstance(value, float) else value
+    return format(exact.normalize() if exact else Decimal(0), "f")

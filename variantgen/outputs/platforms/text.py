@@ -13,7 +13,7 @@ def storable(text: str) -> str:
     return _IMPOSSIBLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
-def one_line(text: str, most: int) -> str:
-    """The text in one line of at most ``most`` characters."""
+def one_line(text: str, most: int | None = None) -> str:
+    """The text in one line, of at most ``most`` characters."""
     line = " ".join(storable(text).split())
-    return line if len(line) <= most else line[: most - 1] + "…"
+    return line if most is None or len(line) <= most else line[: most - 1] + "…"

@@ -18,13 +18,14 @@ from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.platforms.point_shares import shares
 from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.platforms.text import one_line
 from variantgen.outputs.qti import canvas_quiz as quiz
 from variantgen.outputs.qti.canvas_item import CanvasItems
 from variantgen.outputs.qti.options import HTML, PackageOptions, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
-from variantgen.outputs.qti.package_images import FOLDER, PackageImages
-from variantgen.outputs.qti.xml_tree import document, line
+from variantgen.outputs.qti.package_images import FOLDER, files, package_figures
+from variantgen.outputs.qti.xml_tree import document
 from variantgen.tables import Table
 
 NAME = "canvas"
@@ -77,18 +78,18 @@ def _numbers(task: ExamProblem) -> int:
 def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students with their figures."""
     options: CanvasOptions = formats.options(part.exam, NAME)
-    figures = PackageImages(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
+    figures = package_figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
     items = CanvasItems(part.exam, figures, options, options.once)
-    files: dict[str, bytes] = {}
+    documents: dict[str, bytes] = {}
     quizzes: list[str] = []
     for _, own in groupby(questions(part), lambda question: question.sheet.code):
         sheet = list(own)
         if options.drawn:
-            files.update(_questions(sheet, items))
+            documents.update(_questions(sheet, items))
         else:
             quizzes.append(_quiz_name(part.exam, sheet[0].sheet))
-            files.update(_quiz(quizzes[-1], sheet, items, options))
-    yield Fragment(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
+            documents.update(_quiz(quizzes[-1], sheet, items, options))
+    yield Fragment(_PACKAGE, pack({**documents, **files(figures)}, quizzes), ".zip")
 
 
 def _quiz_name(exam: Exam, sheet: Sheet) -> str:
@@ -112,7 +113,7 @@ def _quiz(
     """The documents of the quiz of a student."""
     exam, student = items.exam, sheet[0].sheet.student
     named = f", {student.name}" if options.names and student.name else ""
-    title = line(f"{exam.title}. {exam.spoken.words('key')['variant']} {sheet[0].sheet.code}{named}")
+    title = one_line(f"{exam.title}. {exam.spoken.words('key')['variant']} {sheet[0].sheet.code}{named}")
     every = chain.from_iterable(items.items(question) for question in sheet)
     yield quiz.question_file(name), document(quiz.whole(name, title, every))
     points = _points((question.posed.item.task, len(question.parts)) for question in sheet)
@@ -127,7 +128,7 @@ def finish(whole: WholeExam) -> None:
     """The package."""
     exam, pieces = whole.exam, whole.pieces[_PACKAGE]
     options: CanvasOptions = formats.options(exam, NAME)
-    name, title = f"i{exam.build_id}", line(exam.title)
+    name, title = f"i{exam.build_id}", one_line(exam.title)
     with package(whole.folder / f"{NAME}.zip") as made:
         with made.outline(MANIFEST) as outline, quiz.resources(outline, f"{name}-manifest", title, exam.language):
             for one in [name] if options.drawn else chain.from_iterable(indexes(pieces)):

@@ -16,13 +16,14 @@ from variantgen.exam.exam_file import Exam
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.platforms.questions import questions
+from variantgen.outputs.platforms.text import one_line
 from variantgen.outputs.qti.dialect import Dialect
 from variantgen.outputs.qti.item import QtiItems, identifier
 from variantgen.outputs.qti.options import PackageOptions, introduction, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, pack, package
-from variantgen.outputs.qti.package_images import PackageImages
-from variantgen.outputs.qti.xml_tree import document, element, images, line
+from variantgen.outputs.qti.package_images import files, package_figures
+from variantgen.outputs.qti.xml_tree import document, element, images
 from variantgen.tables import Table
 
 _PACKAGE = "package"  # the target of the pieces
@@ -39,17 +40,17 @@ def read_table(table: Table) -> PackageOptions:
 def make(part: Chunk, dialect: Dialect) -> Iterator[Fragment]:
     """The items of a few students with their figures."""
     options: PackageOptions = formats.options(part.exam, dialect.name)
-    figures = PackageImages(part.engine, options.figures)
+    figures = package_figures(part.engine, options.figures)
     items = QtiItems(dialect, part.exam, figures, options)
-    files: dict[str, bytes] = {}
+    documents: dict[str, bytes] = {}
     sheets: dict[str, Sheet] = {}
     for question in questions(part):
         item, name = items.item(question), identifier(question)
-        files[_file(name)] = document(item)
+        documents[_file(name)] = document(item)
         student = question.sheet.student
         sheet = sheets.setdefault(question.sheet.code, {"code": question.sheet.code, "name": student.name, "items": []})
         sheet["items"].append({"name": name, "files": images(item)})
-    yield Fragment(_PACKAGE, pack({**files, **figures.files}, list(sheets.values())), ".zip")
+    yield Fragment(_PACKAGE, pack({**documents, **files(figures)}, list(sheets.values())), ".zip")
 
 
 def finish(whole: WholeExam, dialect: Dialect) -> None:
@@ -86,11 +87,15 @@ class _Writer:
     def _tests(self) -> Iterator[tuple[str, str, Iterable[Sheet]]]:
         """Name, title and sheets of each test."""
         if self.options.drawn:
-            yield f"t{self.build}", line(self.exam.title), self._sheets()
+            yield f"t{self.build}", one_line(self.exam.title), self._sheets()
             return
         for sheet in self._sheets():
             named = f", {sheet['name']}" if self.options.names and sheet["name"] else ""
-            yield f"t{self.build}-{sheet['code']}", line(f"{self.exam.title}. {self._variant(sheet)}{named}"), [sheet]
+            yield (
+                f"t{self.build}-{sheet['code']}",
+                one_line(f"{self.exam.title}. {self._variant(sheet)}{named}"),
+                [sheet],
+            )
 
     def _variant(self, sheet: Sheet) -> str:
         return f"{self.exam.spoken.words('key')['variant']} {sheet['code']}"
@@ -104,7 +109,7 @@ class _Writer:
                     {},
                     element("schema", {}, schema),
                     element("schemaversion", {}, version),
-                    _about(line(self.exam.title), self.exam.language),
+                    _about(one_line(self.exam.title), self.exam.language),
                 )
             )
             outline.add(element("organizations"))
@@ -126,7 +131,7 @@ class _Writer:
         explained = "true" if self.exam.solutions.wanted else "false"
         control = {"maxAttempts": "1", "showFeedback": explained, "allowReview": "true", "showSolution": "false"}
         part = {"identifier": "part", "navigationMode": "nonlinear", "submissionMode": "individual"}
-        drawn = {"identifier": "sheets", "title": line(self.exam.title), "visible": "false"}
+        drawn = {"identifier": "sheets", "title": one_line(self.exam.title), "visible": "false"}
         with outline.inside(
             tag("assessmentTest"), {**self.dialect.root(), **attributes({"identifier": name, "title": title})}
         ):

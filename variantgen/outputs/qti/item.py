@@ -8,14 +8,17 @@ from decimal import Decimal
 from xml.etree.ElementTree import Element
 
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.sheets import Answer
-from variantgen.outputs.html.fragments import HtmlStyle, notes_html, solution_html, statement_html
+from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.figure_files import UsedFigures
+from variantgen.outputs.platforms.numbers import number
 from variantgen.outputs.platforms.point_shares import shares
 from variantgen.outputs.platforms.questions import AnswerField, Question
+from variantgen.outputs.platforms.text import one_line
 from variantgen.outputs.qti.dialect import Dialect
-from variantgen.outputs.qti.options import PackageOptions, in_text
-from variantgen.outputs.qti.package_images import PackageImages
-from variantgen.outputs.qti.xml_tree import element, line, number
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import statement_figure
+from variantgen.outputs.qti.xml_tree import element
 from variantgen.version import VERSION
 from variantgen.wording.html import to_html
 from variantgen.wording.solution.phrases import load_phrases
@@ -34,7 +37,7 @@ def title(question: Question, exam: Exam) -> str:
     """What an item is called in a pool: exam, problem, variant."""
     words = exam.spoken.words("sheet")
     what = f"{words['problem']} {question.posed.item.task.number}, {words['variant']} {question.sheet.code}"
-    return line(f"{exam.title}. {what}")
+    return one_line(f"{exam.title}. {what}")
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,7 @@ class QtiItems:
 
     dialect: Dialect
     exam: Exam
-    figures: PackageImages
+    figures: UsedFigures
     options: PackageOptions
 
     def item(self, question: Question) -> Element:
@@ -72,8 +75,8 @@ class QtiItems:
         )
 
     @property
-    def _style(self) -> HtmlStyle:
-        return HtmlStyle(in_text, self.figures.image)
+    def _writing(self) -> HtmlWriting:
+        return HtmlWriting(in_text, self.figures.image)
 
     def _response(self, part: AnswerField) -> Element:
         """The declaration of a number that is to be entered, with the right one."""
@@ -94,8 +97,8 @@ class QtiItems:
         """Statement, figure, conventions of signs, boxes."""
         language, posed = self.exam.spoken, question.posed
         html = self.dialect.html
-        yield from html(statement_html(posed.statement, language, self._style))
-        yield from html(self.figures.statement(posed.figure))
+        yield from html(statement_html(posed.statement, language, self._writing))
+        yield from html(statement_figure(self.figures, posed.figure))
         yield from html(notes_html(question.notes))
         for part in question.parts:
             yield self._box(part)
@@ -136,7 +139,7 @@ class QtiItems:
         make = self.dialect.element
         found = [
             make("and", {}, *(self._compared(part, name, value) for name, value in zip(_BOUNDS, bounds, strict=True)))
-            for bounds in accepted(part.answer)
+            for bounds in part.answer.exact_intervals
         ]
         return make("or", {}, *found) if len(found) > 1 else found[0]
 
@@ -150,7 +153,7 @@ class QtiItems:
         if question.solved is None:
             return
         language = self.exam.explained
-        content = self.dialect.html(solution_html(question.solved, language, self.options.style(self.figures)))
+        content = self.dialect.html(solution_html(question.solved, language, self.options.writing(self.figures)))
         shown = {
             "outcomeIdentifier": _FEEDBACK,
             "identifier": _SOLUTION,
@@ -158,13 +161,6 @@ class QtiItems:
             "title": load_phrases(language.name).words["solutions"],
         }
         yield self.dialect.feedback(shown, element("div", {"xml:lang": language.name}, *content))
-
-
-def accepted(answer: Answer) -> list[tuple[Decimal, Decimal]]:
-    """The intervals in which a number is right, first that around the answer, as exact decimals."""
-    value, margin = Decimal(repr(answer.value)), Decimal(repr(answer.tolerance))
-    turns = (round(low - answer.accepted_intervals[0][0]) for low, _ in answer.accepted_intervals)
-    return [(value + turn - margin, value + turn + margin) for turn in turns]
 
 
 def _response_name(part: AnswerField) -> str:

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from variantgen.exam.exam_file import Exam
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.html.fragments import HtmlStyle, notices_html
-from variantgen.outputs.qti.package_images import FORMS, PackageImages
+from variantgen.outputs.html.fragments import notices_html
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.figure_files import UsedFigures
+from variantgen.outputs.qti.package_images import FORMS
 from variantgen.tables import Table
-from variantgen.wording.formula import Formula
-from variantgen.wording.html import to_html
 from variantgen.wording.mathml import to_mathml
 
 MATHML, HTML = "mathml", "html"
@@ -29,22 +29,17 @@ class PackageOptions:
     drawn: bool = True
     names: bool = False
 
-    def style(self, figures: PackageImages) -> HtmlStyle:
+    def writing(self, figures: UsedFigures) -> HtmlWriting:
         """How solutions are written."""
-        return HtmlStyle(to_mathml if self.formulas == MATHML else in_text, figures.image)
-
-
-def in_text(formula: Formula, display: bool) -> str:
-    """A formula as letters, indices and powers, which every platform shows."""
-    return to_html(formula)
+        return HtmlWriting(to_mathml if self.formulas == MATHML else in_text, figures.image)
 
 
 def introduction(exam: Exam) -> str:
     """What the exam says to everybody, as HTML with formulas that every platform shows."""
-    return notices_html(exam.notices, exam.spoken, HtmlStyle(in_text, _no_figure))
+    return notices_html(exam, HtmlWriting(in_text, _no_figure))
 
 
-def _no_figure(drawing: Drawing, millimetres: float) -> str:
+def _no_figure(drawing: Drawing, millimetres: float, caption: str) -> str:
     raise AssertionError("an introduction has no figures")
 
 

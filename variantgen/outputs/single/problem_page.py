@@ -10,11 +10,12 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
-from variantgen.outputs.documents.writing import TYPST
+from variantgen.outputs.documents.key_content import equation
+from variantgen.outputs.documents.sheet_data import statement_data
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.typst.typesetter import equals_data, figure_data, typesetter
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Equation, Measured
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import sign_notes, statement
 
@@ -36,23 +37,17 @@ def write_single(
     """Write one problem; the format follows the ending of the path. Raises InputError for another ending."""
     form = page_format(path)
     language = load_language(language_name)
-    problem_text = statement(variant, asked, language)
-    found = [
-        equals_data(Equation(symbol, Measured(language.answer(a.quantity, a.value), language.unit(a.unit))), a.surd)
-        for symbol, a in zip(problem_text.asked, answers, strict=True)
-    ]
+    said = statement(variant, asked, language)
     data = {
         "lang": language_name,
         "title": variant.family.title(language_name),
         "remark": remark,
         "words": dict(language.words("sheet")),
-        "text": TYPST.text(problem_text.text),
-        "given": [equals_data(equation) for equation in problem_text.given],
-        "asked": [TYPST.formula(symbol) for symbol in problem_text.asked],
+        **statement_data(said, TYPST),
         "answers-title": language.words("key")["title"] + ":",
-        "answers": found,
+        "answers": [TYPST.equals(equation(a, language, variant.form.symbols), a.surd) for a in answers],
         "notes": sign_notes(asked, language),
-        "figure": figure_data(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
+        "figure": TYPST.figure(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:
         made = engine.compile("single.typ", data, form)[0]

@@ -12,6 +12,7 @@ from variantgen.outputs.documents.solution_data import problem_data, solution_wo
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single.problem_page import page_format
 from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language
 from variantgen.wording.solution.explain import explain
@@ -39,7 +40,7 @@ def write_explained(
         "title": variant.family.title(language.name),
         "remark": remark,
         "words": solution_words(language),
-        "problem": problem_data(solved, language),
+        "problem": problem_data(solved, language, TYPST),
         "notes": sign_notes(asked, language),
     }
     with typesetter() as engine:

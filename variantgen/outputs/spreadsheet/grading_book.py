@@ -124,7 +124,7 @@ class _Form:
                 page.number(_POINTS, column, points, self.free)
 
     def _head_row(self) -> list[float]:
-        """The heads of all columns; the widths of the first ones are told."""
+        """Write the heads of all columns; returns the widths of the first ones."""
         page, points = self.page, self.words["points"]
         page.sheet.set_row(_HEADS, 32)
         widths = write_heads(page, _HEADS, self.sheets, self.language)

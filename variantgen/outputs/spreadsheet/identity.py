@@ -23,7 +23,7 @@ def heads(language: Language) -> tuple[str, str, str, str]:
 
 
 def write_heads(page: Page, row: int, sheets: Sequence[Sheet], language: Language) -> list[float]:
-    """The heads of the columns, and their widths (in letters), which are told."""
+    """Write the heads of the columns; returns their widths (in letters)."""
     titles = heads(language)
     for column, head in enumerate(titles):
         page.text(row, column, head, HEAD)

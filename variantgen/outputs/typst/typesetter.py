@@ -16,24 +16,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-import numpy as np
-
 from variantgen.errors import ToolMissingError, VariantgenError
-from variantgen.figure.curves import DASHES, Curve, curves
-from variantgen.figure.drawing import LETTER, Drawing
-from variantgen.outputs.typst.markup import alternatives, markup
+from variantgen.figure.drawing import Drawing
+from variantgen.outputs.typst.markup import alternatives
 from variantgen.outputs.typst.set_formulas import set_formulas
 from variantgen.resources import templates_dir
-from variantgen.wording.formula import Equation, Measured, Surd
 
 if TYPE_CHECKING:
     import typst
 
-_STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -114,52 +108,3 @@ def typesetter() -> Iterator[Typesetter]:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)
         yield Typesetter(Path(folder))
-
-
-def figure_data(drawing: Drawing) -> dict[str, Any]:
-    """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
-
-    A curve is weight, fill, dashes and the path, as SVG writes it. The drawing itself stands for its words, which are
-    made when they are needed.
-    """
-    drawn = curves(drawing.lines)
-    points = [point for curve in drawn for _, ends in curve.steps for point in ends]
-    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
-    return {
-        "w": round(drawing.width, 2),
-        "h": round(drawing.height, 2),
-        "letter": LETTER,
-        "alt": drawing,
-        "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
-        "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
-    }
-
-
-def _path(curve: Curve, places: Iterator[int]) -> str:
-    """The steps of a curve with the next places."""
-    form = "".join([_STEPS[kind] for kind, _ in curve.steps])
-    return form % tuple(islice(places, form.count("%")))
-
-
-def _hundredths(points: Sequence[complex], height: float) -> list[int]:
-    """Coordinates in turn, y down from a height."""
-    at = np.array(points, dtype=complex)
-    found: list[int] = np.rint(100 * np.stack((at.real, height - at.imag), axis=-1)).astype(int).ravel().tolist()
-    return found
-
-
-def equals_data(equation: Equation, exact: Surd | None = None) -> dict[str, str]:
-    """``symbol = value unit`` as data for ``equals`` of ``common.typ``; a unit without a space is put to the value.
-
-    ``exact`` is the value in closed form, which stands before the rounded one.
-    """
-    right = equation.right
-    if not isinstance(right, Measured):
-        raise TypeError("expected an equation with a measured value")
-    tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
-    return {
-        "symbol": markup(equation.left),
-        "exact": markup(exact) if exact else "",
-        "value": right.number.text + tight,
-        "unit": "" if tight else markup(right.unit),
-    }

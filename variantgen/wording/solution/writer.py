@@ -13,17 +13,17 @@ from variantgen.methods.steps.step import (
     CentreOf,
     ChainGraph,
     Derived,
+    EquationLine,
     Fact,
     Item,
     LinearSystem,
-    Listing,
     NumberOf,
     Point,
+    ProgramListing,
     Projection,
     Segment,
     Sentence,
     Share,
-    Statement,
     Step,
     Term,
     TermTable,
@@ -108,10 +108,10 @@ class Writer:
                 return self._projection(item)
             case LinearSystem():
                 return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
-            case Statement(left, right, numeric):
+            case EquationLine(left, right, numeric):
                 write = self.formulas.numeric if numeric else self.formulas.symbolic
                 return FormulaLines((FormulaLine((("", write(left)), (_EQUALS, write(right)))),))
-            case Listing(code, _):
+            case ProgramListing(code, _):
                 return Program(self._commented(code))
             case ChainGraph():
                 return FormulaLines((FormulaLine((("", self._graph(item)),)),))

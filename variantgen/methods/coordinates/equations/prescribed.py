@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from variantgen.algebra.expression import Constant, Expression
 from variantgen.algebra.normal_form import product
-from variantgen.methods.vectors.given import amount
+from variantgen.methods.vectors.given_motion import amount
 
 if TYPE_CHECKING:
     from variantgen.families.family import ComponentTemplate

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from variantgen.algebra.expression import Constant, Expression
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
-from variantgen.methods.vectors.given import amount
+from variantgen.methods.vectors.given_motion import amount
 
 if TYPE_CHECKING:
     from variantgen.families.family import ComponentTemplate

@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot
 from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.angles import between
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Construction(ConstructedPoint):
     """The link ``centre`` - point of given length, whose end is led along a line.
 
     The distance h of its other end from the line gives its angle with the line, ``sin beta = h / r``, and the way along

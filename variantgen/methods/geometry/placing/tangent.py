@@ -6,10 +6,10 @@ from collections.abc import Mapping
 
 from variantgen.algebra.expression import Applied, Expression, Ratio
 from variantgen.algebra.normal_form import Signed, positive, summed
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 
 
-class Construction(Placed):
+class Construction(ConstructedPoint):
     """The tangent point on the drum (``centre``, ``radius``) of a thread to the drum (``to``, ``to_radius``)."""
 
     def neighbours(self) -> tuple[str, ...]:

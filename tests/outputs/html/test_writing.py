@@ -6,26 +6,28 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.exam.content import with_figures
+from variantgen.exam.content import SolvedProblem, with_figures
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
-from variantgen.outputs.html.fragments import HtmlStyle, blocks_html, solution_html, statement_html
+from variantgen.outputs.html.fragments import solution_html, statement_html
+from variantgen.outputs.html.writing import HtmlWriting
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Formula, Fraction, Number, Product, Sum, Symbol, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.mathml import to_mathml
-from variantgen.wording.solution.document import FormulaLine, FormulaLines
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, SolutionText
 from variantgen.wording.solution.explain import explain
+from variantgen.wording.statement import Statement
 from variantgen.wording.text import Text
 
 A, B = Symbol("A"), Symbol("B")
-STYLE = HtmlStyle(lambda formula, display: f"<m>{to_plain(formula)}</m>", lambda drawing, millimetres: "<svg/>")
+WRITING = HtmlWriting(lambda formula, display: f"<m>{to_plain(formula)}</m>", lambda *_: "<svg/>")
 
 
 def runs(text: Text) -> list[str]:
     """What holds together, and the text between."""
-    tree = ET.fromstring(f"<p>{STYLE.text(text)}</p>")
+    tree = ET.fromstring(f"<p>{WRITING.text(text)}</p>")
     assert "".join(tree.itertext()) == "".join(part if isinstance(part, str) else to_plain(part) for part in text)
     assert all(node.tag == "m" or node.get("class") == "steady" for node in tree)
     return ["".join(node.itertext()) for node in tree if node.tag == "span"]
@@ -51,17 +53,31 @@ def test_a_formula_holds_to_what_touches_it(text: Text, held: list[str]) -> None
 
 
 def test_formulas_have_commas_and_an_end() -> None:
-    tree = ET.fromstring(f"<p>{STYLE.formulas([A, B], '.')}</p>")
-    assert "".join(tree.itertext()) == "A, B."
-    assert ["".join(node.itertext()) for node in tree] == ["A,", "B."]
+    said = Statement(("Text",), (), (A, B))
+    tree = ET.fromstring(f"<p>{statement_html(said, load_language('en'), WRITING)}</p>")
+    text, asked = tree
+    assert text.text == "Text"
+    assert "".join(asked.itertext()) == "Find: A, B."
+    assert ["".join(node.itertext()) for node in asked] == ["Find:", "A,", "B."]
+
+
+def rows_of(lines: FormulaLines) -> list[ET.Element]:
+    """The rows of formulas of a solution whose check is nothing else."""
+    language, variant = load_language("en"), one_variant("four_bar")
+    text = SolutionText((), (), ("none",), check=(lines,))
+    html = solution_html(SolvedProblem(variant, Statement((), (), ()), text, (), {}), language, WRITING)
+    answer, heading, *found = ET.fromstring(f"<div>{html}</div>")
+    assert (answer.get("class"), heading.tag) == ("answer", "h4")
+    assert all(row.get("class") == "formulas" for row in found)
+    return found
 
 
 def test_signs_stand_in_the_pieces_that_they_end() -> None:
     lines = FormulaLines((FormulaLine((("", A), ("=", B))), FormulaLine((("", B), ("\N{ALMOST EQUAL TO}", A)))))
-    tree = ET.fromstring("".join(blocks_html([lines], STYLE)))
-    formulas = [["".join(piece.itertext()) for piece in formula] for formula in tree]
+    (row,) = rows_of(lines)
+    formulas = [["".join(piece.itertext()) for piece in formula] for formula in row]
     assert formulas == [["A", "=\xa0B;"], ["B", "≈\xa0A."]]
-    assert [node.get("class") for node in tree] == ["formula"] * 2
+    assert [node.get("class") for node in row] == ["formula"] * 2
 
 
 @pytest.mark.parametrize("family", ["four_bar", "planetary_train"])
@@ -78,15 +94,14 @@ def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> N
         captions.append(caption)
         return "<svg/>"
 
-    style = HtmlStyle(to_mathml, lambda drawing, width: "<b/>", "h5", captioned)
+    writing = HtmlWriting(to_mathml, captioned)
     tree = ET.fromstring(
-        f"<div>{statement_html(solved.statement, language, style)}{solution_html(solved, language, style)}</div>"
+        f"<div>{statement_html(solved.statement, language, writing)}{solution_html(solved, language, writing)}</div>"
     )
-    assert len(list(tree.iter("h5"))) == len(written.sections) + (1 if written.check else 0)
+    assert len(list(tree.iter("h4"))) == len(written.sections) + (1 if written.check else 0)
     shown = [one for row in solved.rows for one in row]
     assert len(list(tree.iter("svg"))) == len(captions) == len(shown)
     assert all(caption.startswith({"en": "Fig.", "ru": "Рис."}[lang]) for caption in captions)
-    assert not list(tree.iter("b"))
     said = "".join(tree.itertext())
     assert all(part in said for part in solved.statement.text if isinstance(part, str))
 
@@ -99,8 +114,7 @@ def long(letters: int) -> Formula:
 @pytest.mark.parametrize(("letters", "kind"), [(40, "piece"), (60, "piece long"), (90, "piece longer")])
 def test_fractions_too_long_for_a_line_are_marked(letters: int, kind: str) -> None:
     for formula in (Fraction(long(letters), A), Fraction(A, long(letters))):
-        (written,) = blocks_html([FormulaLines((FormulaLine((("=", formula),)),))], STYLE)
-        ((piece,),) = ET.fromstring(written)
+        (((piece,),),) = rows_of(FormulaLines((FormulaLine((("=", formula),)),)))
         assert piece.get("class") == kind
 
 

@@ -25,7 +25,7 @@ class Ray:
     form: AngleForm
 
 
-class Place(ABC):
+class LocatedPoint(ABC):
     """A point that was placed after others; by default its construction gives nothing but the way here."""
 
     in_system: ClassVar[bool] = False  # placed together with other points, by a system of equations

@@ -1,6 +1,4 @@
-"""The laws of joints: the module of the same stem as the joint in :mod:`variantgen.methods.groups.laws`, if there is
-one.
-"""
+"""The contacts and threads of a scene, by the modules of :mod:`variantgen.methods.groups.contact_laws`."""
 
 from __future__ import annotations
 
@@ -12,7 +10,7 @@ from functools import cache
 from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.linkage.problem import Task
 
-_HOME = "variantgen.methods.groups.laws"
+_HOME = "variantgen.methods.groups.contact_laws"
 
 
 @cache
@@ -20,18 +18,18 @@ def _law(stem: str) -> Callable[[Task, int], NoSlipContact | None] | None:
     """The function ``touch(task, number)`` of a kind of joint."""
     if importlib.util.find_spec(f"{_HOME}.{stem}") is None:
         return None
-    found: Callable[[Task, int], NoSlipContact | None] = importlib.import_module(f"{_HOME}.{stem}").touch
+    found: Callable[[Task, int], NoSlipContact | None] = importlib.import_module(f"{_HOME}.{stem}").contact
     return found
 
 
-def touch_of(task: Task, number: int) -> NoSlipContact | None:
+def contact_of(task: Task, number: int) -> NoSlipContact | None:
     """The contact or thread of a joint of the scene (its number), if the joint is one that its law can treat."""
     joint = task.scene.joints[number]
     law = _law(type(joint).__module__.rpartition(".")[2])
     return None if law is None else law(task, number)
 
 
-def touches(task: Task) -> dict[int, NoSlipContact]:
+def contacts_of_scene(task: Task) -> dict[int, NoSlipContact]:
     """All contacts and threads of a scene, by the number of the joint."""
-    found = {number: touch_of(task, number) for number in range(len(task.scene.joints))}
-    return {number: touch for number, touch in found.items() if touch is not None}
+    found = {number: contact_of(task, number) for number in range(len(task.scene.joints))}
+    return {number: contact for number, contact in found.items() if contact is not None}

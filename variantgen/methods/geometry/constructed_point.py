@@ -13,11 +13,11 @@ from typing import Any
 from variantgen.methods.geometry.angles import AngleForm
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import Place
+from variantgen.methods.geometry.located_point import LocatedPoint
 
 
 @dataclass(frozen=True)
-class Placed(Place):
+class ConstructedPoint(LocatedPoint):
     """A point by its construction: ``fields`` are those of the family file."""
 
     geometry: Geometry

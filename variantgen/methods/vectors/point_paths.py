@@ -15,52 +15,52 @@ _DATA_DIGITS = 3  # decimals of an angle that the statement gives (degrees)
 _ROUNDING = 1e-9
 
 
-def on_track(book: Book, track: PointPath) -> tuple[Known, Term]:
+def on_path(book: Book, point_path: PointPath) -> tuple[Known, Term]:
     """What is known of the vector of a point on its path, and the rest, of unknown magnitude in an assumed direction.
 
     On a line the assumed direction is to the right (or up), on a circle counter-clockwise.
     """
-    name = Name(book.letter, track.point)
-    if track.straight:
-        way, facts = _way_along(book, track)
-        return (), book.term(name, None, line_angle(book, track), way, **facts)
+    name = Name(book.letter, point_path.point)
+    if point_path.straight:
+        way, facts = _way_along(book, point_path)
+        return (), book.term(name, None, line_angle(book, point_path), way, **facts)
     if book.order == 1:
-        return (), across(book, name, None, (track.point, track.centre), 1)
-    normal = _normal(book, track, name.component("n"))
-    return normal, across(book, name.component("tau"), None, (track.point, track.centre), 1)
+        return (), across(book, name, None, (point_path.point, point_path.centre), 1)
+    normal = _normal(book, point_path, name.component("n"))
+    return normal, across(book, name.component("tau"), None, (point_path.point, point_path.centre), 1)
 
 
-def line_angle(book: Book, track: PointPath) -> Value:
+def line_angle(book: Book, point_path: PointPath) -> Value:
     """The angle of a straight path with the x axis: one of the data, or that of a side of a body along the path."""
-    way = forward(track.line)
+    way = forward(point_path.line)
     exact = degrees(way)
     if abs(exact - round(exact, _DATA_DIGITS)) < _ROUNDING:
         return Value(None, "angle", exact)
-    if other := _side_along(book, track):
-        angle = book.geometry.direction(track.point, other)
-        ahead = (book.geometry.vector(track.point, other).conjugate() * way).real > 0
+    if other := _side_along(book, point_path):
+        angle = book.geometry.direction(point_path.point, other)
+        ahead = (book.geometry.vector(point_path.point, other).conjugate() * way).real > 0
         return angle if ahead else Geometry.turned(angle, 180.0)
     return Value(None, "angle", exact, Constant(exact))
 
 
-def _side_along(book: Book, track: PointPath) -> str | None:
+def _side_along(book: Book, point_path: PointPath) -> str | None:
     """A point of the same body in the direction of a straight path."""
     for members in book.task.scene.bodies.values():
-        for other in members if track.point in members else ():
-            side = book.geometry.vector(track.point, other)
-            if other != track.point and abs((side.conjugate() * track.line).imag) < _ROUNDING * abs(side):
+        for other in members if point_path.point in members else ():
+            side = book.geometry.vector(point_path.point, other)
+            if other != point_path.point and abs((side.conjugate() * point_path.line).imag) < _ROUNDING * abs(side):
                 return other
     return None
 
 
-def _way_along(book: Book, track: PointPath) -> tuple[str, dict[str, Fact]]:
-    """How the direction of a straight path is told: by a guide that the figure shows, by a line of the body."""
-    task, point = book.task, track.point
+def _way_along(book: Book, point_path: PointPath) -> tuple[str, dict[str, Fact]]:
+    """How the direction of a straight path is described: by a guide that the figure shows, by a line of the body."""
+    task, point = book.task, point_path.point
     figure, joints = task.form.figure, task.scene.joints
     guided = point not in figure.bare and any(isinstance(joint, Guide) and joint.point == point for joint in joints)
     if guided or any(point in task.scene.bodies[body] for body in task.translating):
         return "guide", {"point": Point(point)}
-    other = _side_along(book, track)
+    other = _side_along(book, point_path)
     # The direction of the centre of a wheel is no matter of the points of its rim.
     if other is None or other in figure.hidden or any(disc.centre == point for disc in figure.discs):
         return "straight", {"point": Point(point)}
@@ -73,25 +73,25 @@ def forward(line: complex) -> complex:
     return line if right > 0 else -line
 
 
-def _normal(book: Book, track: PointPath, name: Name) -> Known:
+def _normal(book: Book, point_path: PointPath, name: Name) -> Known:
     """``a^n = v^2 / r`` or, where the rate of the body that leads the point is known, ``omega^2 r``, to the centre."""
-    arm = book.geometry.length(track.point, track.centre)
-    angle = book.geometry.direction(track.point, track.centre)
-    rate = book.omega.get(track.body) if track.body else None
+    arm = book.geometry.length(point_path.point, point_path.centre)
+    angle = book.geometry.direction(point_path.point, point_path.centre)
+    rate = book.omega.get(point_path.body) if point_path.body else None
     if rate is not None:
         if not rate.sense:
             return ()
         size = book.derive(name, "acceleration", rate.size**2 * arm)
     else:
-        terms = book.velocity[track.point]
+        terms = book.velocity[point_path.point]
         if not terms:
             return ()
-        book.say("common.circle", point=Point(track.point), centre=Point(track.centre))
-        size = book.derive(name, "acceleration", modulus(book, Name("v", track.point), terms) ** 2 / arm)
-    return (book.term(name, size, angle, "towards", start=Point(track.point), end=Point(track.centre)),)
+        book.say("common.circle", point=Point(point_path.point), centre=Point(point_path.centre))
+        size = book.derive(name, "acceleration", modulus(book, Name("v", point_path.point), terms) ** 2 / arm)
+    return (book.term(name, size, angle, "towards", start=Point(point_path.point), end=Point(point_path.centre)),)
 
 
-def settled(term: Term, size: Value) -> Known:
+def directed(term: Term, size: Value) -> Known:
     """An unknown vector that has been found: with its true direction; nothing where it is zero."""
     if size.exact == 0:
         return ()
@@ -99,6 +99,6 @@ def settled(term: Term, size: Value) -> Known:
     return (Term(term.name, positive(size), angle, term.way),)
 
 
-def sense_of(term: Term, size: Value, assumed: int) -> int:
-    """The true sense of a rotation whose vector was assumed in the sense ``assumed``."""
-    return 0 if size.exact == 0 else assumed if size.exact > 0 else -assumed
+def sense_of(size: Value) -> int:
+    """The true sense of a rotation whose vector was assumed counter-clockwise."""
+    return 0 if size.exact == 0 else 1 if size.exact > 0 else -1

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Protocol
 
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import ORIGIN, Place
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint
 from variantgen.methods.linkage.problem import Task
 
 # What a segment costs: itself, a length and a direction that have still to be worked out, a system of equations, an end
@@ -16,7 +16,7 @@ from variantgen.methods.linkage.problem import Task
 _SEGMENT, _LENGTH, _DIRECTION, _SYSTEM, _UNSEEN = 1, 2, 4, 8, 5
 
 
-class Surveyed(Protocol):
+class KnownSegments(Protocol):
     """What is known of the segments between points (:class:`variantgen.methods.geometry.geometry.Geometry`)."""
 
     task: Task
@@ -34,10 +34,10 @@ class Surveyed(Protocol):
         """Whether a length is given or worked out."""
 
 
-class Ways:
+class ShortestPaths:
     """Ways over points; ``places`` are in the order in which they can be placed."""
 
-    def __init__(self, geometry: Surveyed, places: Mapping[str, Place]) -> None:
+    def __init__(self, geometry: KnownSegments, places: Mapping[str, LocatedPoint]) -> None:
         self._geometry = geometry
         self._places = places
         self.rank = {name: i for i, name in enumerate((ORIGIN, *places))}
@@ -87,7 +87,7 @@ class Ways:
                 found.setdefault(other, []).append((name, price))
         return found
 
-    def _from(self, name: str, place: Place) -> set[str]:
+    def _from(self, name: str, place: LocatedPoint) -> set[str]:
         """Neighbours that were placed before; the origin too, once coordinates are known."""
         others = {other for other in place.neighbours() if self.rank[other] < self.rank[name]}
         return others | {ORIGIN} if self._geometry.has_coordinates(name) else others

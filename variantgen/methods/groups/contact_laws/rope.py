@@ -9,13 +9,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from variantgen.mechanism.joints.rope import Bend, Rope
-from variantgen.methods.groups.contact import NoSlipContact, Side, letter_at, metres, resting_letter
+from variantgen.methods.groups.contact import ContactSide, NoSlipContact, letter_at, metres, resting_letter
 from variantgen.methods.linkage.problem import Task
 
 _STILL = 1e-9  # of the largest velocity: a piece of thread that turns slower keeps its direction
 
 
-def touch(task: Task, number: int) -> NoSlipContact | None:
+def contact(task: Task, number: int) -> NoSlipContact | None:
     """The two ends; None where a pulley in between moves, or where a piece of the thread turns."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rope)
@@ -34,7 +34,7 @@ def touch(task: Task, number: int) -> NoSlipContact | None:
     return NoSlipContact("rope", first, second, place="rope.leaves", reason="rope.inextensible")
 
 
-def _tied(task: Task, side: Side) -> Side:
+def _tied(task: Task, side: ContactSide) -> ContactSide:
     """The end of a thread of which the other one is fixed: the point of a body there has no velocity along it."""
     return replace(side, name=resting_letter(task, side.body, side.name)) if side.lever else side
 
@@ -51,13 +51,15 @@ def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
     return all(swing <= _STILL * top for swing in swings)
 
 
-def _side(task: Task, bend: Bend, ray: complex, number: int, end: int) -> Side:
+def _side(task: Task, bend: Bend, ray: complex, number: int, end: int) -> ContactSide:
     """An end of the thread, whose straight piece there has the direction ``ray``."""
     if bend.fixed:
-        return Side(bend.point, "", ray)
+        return ContactSide(bend.point, "", ray)
     if bend.body is None:
-        return Side(bend.point, bend.point, ray)
+        return ContactSide(bend.point, bend.point, ray)
     turn = float(task.scene.frame.sense) * float(bend.side)
     radius = float(bend.radius) / task.length_unit
     place = task.now.z[bend.point] + 1j * turn * radius * ray
-    return Side(letter_at(task, place, (bend.body,), number, end), bend.point, ray, bend.body, radius, -round(turn))
+    return ContactSide(
+        letter_at(task, place, (bend.body,), number, end), bend.point, ray, bend.body, radius, -round(turn)
+    )

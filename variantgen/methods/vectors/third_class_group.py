@@ -19,23 +19,23 @@ from variantgen.methods.solution.book import Book, Known, Rate, resultant
 from variantgen.methods.steps.step import (
     Body,
     Derived,
+    EquationLine,
     Fact,
     LinearSystem,
     NumberOf,
     Point,
     Projection,
     Sentence,
-    Statement,
     Term,
     VectorOf,
 )
+from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.pole import about_pole
-from variantgen.methods.vectors.tracks import on_track, settled
 from variantgen.methods.vectors.vector_equation import share_of, shares, write
 
 
-class Row(NamedTuple):
+class SupportEquation(NamedTuple):
     """An equation ``path * p + arm * rate = right`` for the magnitude p of the pole's vector and the rate."""
 
     path: Value
@@ -43,9 +43,9 @@ class Row(NamedTuple):
     right: Value
 
 
-def solve_coupled(book: Book, group: ThirdClassGroup) -> None:
+def solve_third_class_group(book: Book, group: ThirdClassGroup) -> None:
     """Find the vector of the pole and the rate of the body."""
-    pole, body = group.track.point, group.body
+    pole, body = group.point_path.point, group.body
     for support in group.supports:
         if support.far:
             vector(book, support.far)
@@ -53,7 +53,7 @@ def solve_coupled(book: Book, group: ThirdClassGroup) -> None:
     facts: dict[str, Fact] = {"body": Body(body), "pole": Point(pole)}
     with book.step(f"coupled.{book.measure}", view, **facts):
         book.say(f"coupled.choose_{book.letter}", **facts)
-        known, path = on_track(book, group.track)
+        known, path = on_path(book, group.point_path)
         path = _ahead(path, (book.exact(pole) - resultant(known)) * cmath.rect(1.0, -math.radians(path.angle.exact)))
         rows = [_row(book, group, support, known, path) for support in group.supports]
         size, rate = _solved(book, body, path, rows)
@@ -61,20 +61,20 @@ def solve_coupled(book: Book, group: ThirdClassGroup) -> None:
         book.say(f"coupled.rotation_{book.letter}", **facts)
         for turn in turns:
             assert turn.expression is not None, "it is a product"
-            book.items.append(Statement(turn, turn.expression))
+            book.items.append(EquationLine(turn, turn.expression))
         book.say("coupled.system", True)
         matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
         book.items.append(LinearSystem((size, rate), matrix, right))
         book.items.extend(Derived(value, symbolic=False, numeric=False) for value in (size, rate))
         book.items.extend(Derived(turn, detail=True) for turn in turns)
-        book.vectors[pole] = (*known, *settled(path, size))
+        book.vectors[pole] = (*known, *directed(path, size))
         _enter(book, body, rate)
     _keep_tracked(book, group)
 
 
 def _turning(book: Book, group: ThirdClassGroup, support: Support, rate: Value) -> Value:
     """``v_QP = omega QP``, the vector of the rotation by the rate that is common to all points."""
-    pole = group.track.point
+    pole = group.point_path.point
     name = Name(book.letter, support.point, pole, "tau" if book.order == 2 else "")
     expression = rate * book.geometry.length(support.point, pole)
     return Value(name, book.measure, expression.number(True), expression)
@@ -87,9 +87,9 @@ def _ahead(term: Term, way: complex) -> Term:
     return Term(term.name, None, Geometry.turned(term.angle, 180.0), term.way)
 
 
-def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, path: Term) -> Row:
+def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, path: Term) -> SupportEquation:
     """The equation of one support: ``v_Q = v_P + v_QP`` on the axis across its private unknown vector."""
-    pole, body = group.track.point, group.body
+    pole, body = group.point_path.point, group.body
     start = len(book.items)
     own, private, axis = _supported(book, support)
     turning, turn = about_pole(book, support.point, pole, body)
@@ -101,7 +101,7 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]
     right += [(-share.sign, _projection(share.term.size, share.angle)) for share in shares((*known, *turning), axis)]
     arm = book.geometry.length(support.point, pole)
-    return Row(
+    return SupportEquation(
         _coefficient(path, axis, None),
         _coefficient(turn, axis, arm),
         _value(book.measure, right, book.size_of(book.measure)),
@@ -110,11 +110,11 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
 
 def _supported(book: Book, support: Support) -> tuple[Known, Term, Value]:
     """What a support tells of its point: known vectors, the unknown one, and the axis across that."""
-    if support.track is not None:
-        known, private = on_track(book, support.track)
-        if support.track.straight:
+    if support.point_path is not None:
+        known, private = on_path(book, support.point_path)
+        if support.point_path.straight:
             return known, private, Geometry.turned(private.angle, 90.0)
-        return known, private, book.geometry.direction(support.point, support.track.centre)
+        return known, private, book.geometry.direction(support.point, support.point_path.centre)
     turning, private = about_pole(book, support.point, support.far, support.rod)
     return (*book.vectors[support.far], *turning), private, book.geometry.direction(support.point, support.far)
 
@@ -145,7 +145,7 @@ def _value(measure: str, parts: list[tuple[int, Expression]], scale: float = 0.0
     return Value(None, measure, whole.number(True), whole, scale)
 
 
-def _solved(book: Book, body: str, path: Term, rows: list[Row]) -> tuple[Value, Value]:
+def _solved(book: Book, body: str, path: Term, rows: list[SupportEquation]) -> tuple[Value, Value]:
     """The solution of the two equations by Cramer's rule."""
     (a, b, p), (c, d, q) = rows
     below = a * d - b * c
@@ -171,6 +171,6 @@ def _enter(book: Book, body: str, found: Value) -> None:
 def _keep_tracked(book: Book, group: ThirdClassGroup) -> None:
     """Velocities of points on fixed circles that no body leads, for their normal accelerations."""
     for support in group.supports:
-        circled = support.track is not None and support.track.centre and not support.track.body
+        circled = support.point_path is not None and support.point_path.centre and not support.point_path.body
         if circled and book.order < book.task.order:
             vector(book, support.point)

@@ -10,7 +10,7 @@ import pytest
 from tests.scene_texts import CRANK
 from variantgen.cli import main
 from variantgen.methods import compose
-from variantgen.methods.steps.no_way import NoWayError
+from variantgen.methods.steps.not_applicable import NotApplicableError
 
 # A body on a level line, its three points driven and guided upright: no velocity tells a second direction.
 LEVEL = """
@@ -90,8 +90,8 @@ def test_a_body_on_a_level_line(tmp_path, capsys):
     # v_O = (v_A x_B - v_B x_A) / (x_B - x_A): each datum counts, three standard deviations of 0.13 % of each.
     assert 0.01 <= found["v_O"]["tolerance"] / 5 <= 0.05
     assert main(["solve", path, "--explain"]) == 0
-    told = capsys.readouterr().out
-    assert "is rigid, so that the position of point" in told.replace("\n", " ")
+    output = capsys.readouterr().out
+    assert "is rigid, so that the position of point" in output.replace("\n", " ")
 
 
 def test_a_rope_over_two_movable_pulleys(tmp_path, capsys):
@@ -114,30 +114,30 @@ def test_tolerances_follow_the_data_where_no_method_leads(tmp_path, capsys):
 
 def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     path = written(tmp_path, LEVEL)
     assert answers(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
     assert main(["solve", path, "--explain"]) == 0
-    told = capsys.readouterr()
-    assert "no method of solution leads to omega_p, v_O; the answers themselves" in told.err
+    output = capsys.readouterr()
+    assert "no method of solution leads to omega_p, v_O; the answers themselves" in output.err
     # omega = (20 - 10) / 20, and O is 10 cm to the left of A.
-    assert "omega_p = 0.5 rad/s\nv_O = 5 cm/s" in told.out
+    assert "omega_p = 0.5 rad/s\nv_O = 5 cm/s" in output.out
 
 
 @pytest.mark.parametrize("words", [["solve"], ["solve", "--explain"], ["check"]])
 def test_two_names_for_one_place(tmp_path, capsys, words):
     assert main([words[0], written(tmp_path, TWO_NAMES), *words[1:]]) == 2
-    told = capsys.readouterr().err
-    assert "bodies.OA: the points O and Q of this body lie in one place: two names for one point" in told
-    assert "use one of the names everywhere" in told
+    output = capsys.readouterr().err
+    assert "bodies.OA: the points O and Q of this body lie in one place: two names for one point" in output
+    assert "use one of the names everywhere" in output
 
 
 def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
@@ -147,7 +147,7 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
 
 def test_build_and_show_without_any_method(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
-        raise NoWayError("nowhere")
+        raise NotApplicableError("nowhere")
 
     monkeypatch.setattr(compose.walk, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)

@@ -16,17 +16,17 @@ from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.route import Route
-from variantgen.methods.linkage.timed import law_behind
+from variantgen.methods.linkage.time_laws import law_behind
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
 from variantgen.methods.steps.step import Body, Fact, Point
+from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
-from variantgen.methods.vectors.tracks import on_track
 
 _IN_GROUPS = (Rotation, Extension, RelativeTravel, Circling)  # relative motion: given with a group of the route
 _REST = 1e-12  # of the natural scale: a vector below it is none
 
 
-def take(book: Book) -> None:
+def enter_given_motion(book: Book) -> None:
     """Enter what the drivers give at the order that is being worked out; what has to be worked out is a step.
 
     Raises LookupError for a driver of a kind that neither this step nor a group knows.
@@ -39,20 +39,20 @@ def take(book: Book) -> None:
             elif isinstance(driver, VectorMotion):
                 book.vectors[driver.point] = _straight(book, template, driver.point)
             elif isinstance(driver, Travel):
-                _take_travel(book, template, driver.point)
+                _enter_travel(book, template, driver.point)
             elif not isinstance(driver, _IN_GROUPS):
                 raise LookupError(f"no step takes what is given by {label(driver)}")
     if not made.items:
         book.steps.remove(made)
 
 
-def _take_travel(book: Book, template: ComponentTemplate, point: str) -> None:
+def _enter_travel(book: Book, template: ComponentTemplate, point: str) -> None:
     """A given vector along a path; on a circle the given acceleration is the tangential one, the normal one follows."""
-    track = Route(book).track(point)
-    if book.order == 1 or track is None or track.straight:
+    point_path = Route(book).point_path(point)
+    if book.order == 1 or point_path is None or point_path.straight:
         book.vectors[point] = _straight(book, template, point)
         return
-    normal, path = on_track(book, track)
+    normal, path = on_path(book, point_path)
     rest = book.exact(point) - resultant(normal)
     if abs(rest) < _REST * book.scale:
         book.vectors[point] = normal

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.methods.groups.contact import NoSlipContact, Side, resting_letter
+from variantgen.methods.groups.contact import ContactSide, NoSlipContact, resting_letter
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 
 _SIDEWAYS = 1e-9  # of a vector: what is smaller is rounding
 
 
-def touch(task: Task, number: int) -> NoSlipContact | None:
+def contact(task: Task, number: int) -> NoSlipContact | None:
     """The contact with the line; None where the line turns, because then it carries the contact along."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rolling)
@@ -20,10 +20,10 @@ def touch(task: Task, number: int) -> NoSlipContact | None:
     line = 1j * arm / abs(arm)
     radial = (joint.centre, joint.contact)
     name = joint.contact if joint.on else resting_letter(task, joint.body, joint.contact)
-    wheel = Side(name, joint.centre, line, joint.body, abs(arm), 1, radial)
-    rail = Side(name, _point_of(task, joint), line, radial=radial)
-    track = PointPath(joint.centre, line=line) if _is_along(task, joint.centre, line) else None
-    return NoSlipContact("rack", wheel, rail, track, reason="rack.no_slip")
+    wheel = ContactSide(name, joint.centre, line, joint.body, abs(arm), 1, radial)
+    rail = ContactSide(name, _point_of(task, joint), line, radial=radial)
+    point_path = PointPath(joint.centre, line=line) if _is_along(task, joint.centre, line) else None
+    return NoSlipContact("rack", wheel, rail, point_path, reason="rack.no_slip")
 
 
 def _point_of(task: Task, joint: Rolling) -> str:

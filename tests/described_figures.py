@@ -23,7 +23,7 @@ COMPASS = ("e", "ene", "ne", "nne", "n", "nnw", "nw", "wnw", "w", "wsw", "sw", "
 
 
 @dataclass(frozen=True)
-class Told:
+class DescribedFigure:
     """A figure in one language with what it was made of."""
 
     variant: Variant
@@ -56,7 +56,7 @@ class Told:
 
 
 @cache
-def told(name: str, velocities: bool = False) -> list[Told]:
+def described_figures(name: str, velocities: bool = False) -> list[DescribedFigure]:
     """Every form and language, a few variants each; with ``velocities`` only what needs no accelerations is asked."""
     found = []
     for form in load_family(name).forms.values():
@@ -69,7 +69,7 @@ def told(name: str, velocities: bool = False) -> list[Told]:
         for language in map(load_language, languages()):
             for i, variant in enumerate(variants if asked else []):
                 figure = statement_figure(variant, motion, i, asked, language)
-                found.append(Told(variant, asked, motion, i, language, figure))
+                found.append(DescribedFigure(variant, asked, motion, i, language, figure))
     return found
 
 
@@ -84,7 +84,7 @@ def pattern(phrase: str, **groups: str) -> re.Pattern[str]:
     return re.compile("".join(parts) + r"\Z")
 
 
-def asked_together(name: str, quantity: str) -> list[Told]:
+def asked_together(name: str, quantity: str) -> list[DescribedFigure]:
     """The first form of a family in each language, with one quantity asked."""
     form = next(iter(load_family(name).forms.values()))
     variants = VariantDrawing(load_family(name), None).after([("told", 0)], [0])
@@ -92,7 +92,9 @@ def asked_together(name: str, quantity: str) -> list[Told]:
     motion = solve_variants(variants, 2)
     spoken = [load_language(lang) for lang in languages()]
     return [
-        Told(variants[0], asked, motion, 0, language, statement_figure(variants[0], motion, 0, asked, language))
+        DescribedFigure(
+            variants[0], asked, motion, 0, language, statement_figure(variants[0], motion, 0, asked, language)
+        )
         for language in spoken
     ]
 
@@ -111,7 +113,7 @@ def sector(vector: complex) -> str:
     return COMPASS[sum(angle >= bound for bound in bounds) % 16]
 
 
-def is_between(each: Told, z: dict[str, complex], point: str) -> bool:
+def is_between(each: DescribedFigure, z: dict[str, complex], point: str) -> bool:
     """Whether the parts say of a point that it lies between the ends of a bar, and it does."""
     phrase = pattern(each.words["points_on_bar"], bar=r"(?:[A-Z]\d?){2}", points=r"[^()]+").pattern.removesuffix(r"\Z")
     for found in re.finditer(phrase, each.figure.alt):
@@ -122,7 +124,7 @@ def is_between(each: Told, z: dict[str, complex], point: str) -> bool:
     return False
 
 
-def said_arrows(each: Told) -> dict[str, str]:
+def said_arrows(each: DescribedFigure) -> dict[str, str]:
     """What the text says of each given rate, by its symbol."""
     symbols = sorted(each.labels, key=len, reverse=True)
     return {next(s for s in symbols if item.startswith(s + " ")): item for item in each.items("arrows")}

@@ -54,10 +54,10 @@ def test_an_angle_of_a_triangle_follows_from_rays_that_are_named_before() -> Non
 def test_a_way_along_an_oblique_line_is_introduced_before_it_is_used() -> None:
     for method in ("analytical", "coordinates"):
         _, text = solved("scotch_yoke", "oblique", 1, method)
-        told = sentences(text)
-        assert "the distance h_A" in told
-        assert "its way s_A" in told
-        assert re.search(r"the line makes the angle −?\d+° with the x axis", told)
+        output = sentences(text)
+        assert "the distance h_A" in output
+        assert "its way s_A" in output
+        assert re.search(r"the line makes the angle −?\d+° with the x axis", output)
 
 
 def test_the_acceleration_centre_of_a_solution_is_in_its_figure_though_it_is_not_asked() -> None:
