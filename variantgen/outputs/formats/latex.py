@@ -74,7 +74,7 @@ def read_options(table: Table) -> LatexOptions:
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:
-    """Raise an error if a package is missing, LaTeX is and was asked for, or the titles cannot be printed."""
+    """Raise ToolMissingError without PyLaTeX or a demanded LaTeX, InputError for titles that cannot be printed."""
     try:
         import pylatex  # noqa: F401  (found here, so that the message comes before any work)
     except ImportError:
