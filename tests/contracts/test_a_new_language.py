@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
-import subprocess
-import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
+from tests.package_copy import PackageCopy
 from tests.pdf_text import page_texts
-from variantgen.resources import catalog_dir, templates_dir
 
 FAMILY = "sleeve_on_crank"
 # What the copies of the English files say in German: file, old, new.
@@ -44,45 +40,26 @@ points = 21
 '''
 
 
-@dataclass(frozen=True)
-class Copy:
-    """A copy of the package with the files of the new language."""
-
-    root: Path
-
-    def run(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        environment = {**os.environ, "PYTHONPATH": str(self.root), "PYTHONDONTWRITEBYTECODE": "1"}
-        command = [sys.executable, "-m", "variantgen", *arguments]
-        return subprocess.run(
-            command, cwd=self.root, env=environment, capture_output=True, text=True, encoding="utf-8", check=False
-        )
-
-
 @pytest.fixture(scope="module")
-def german(tmp_path_factory: pytest.TempPathFactory) -> Copy:
-    root = tmp_path_factory.mktemp("package")
-    ignored = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(Path(__file__).resolve().parents[2] / "variantgen", root / "variantgen", ignore=ignored)
-    shutil.copytree(templates_dir(), root / "templates")
-    shutil.copytree(catalog_dir() / FAMILY, root / "catalog" / FAMILY)
+def german(tmp_path_factory: pytest.TempPathFactory) -> PackageCopy:
+    copy = PackageCopy.of(tmp_path_factory.mktemp("package"), [FAMILY])
+    root = copy.root
     for name in ("words/{}.toml", "reading/{}.toml"):
         shutil.copyfile(root / "templates" / name.format("en"), root / "templates" / name.format("de"))
     shutil.copytree(root / "templates/solution/en", root / SOLUTION)
     shutil.copyfile(root / f"catalog/{FAMILY}/statement.en.j2", root / f"catalog/{FAMILY}/statement.de.j2")
     for name, old, new in GERMAN:
-        text = (root / name).read_text("utf-8")
-        assert old in text, (name, old)
-        (root / name).write_text(text.replace(old, new, 1), "utf-8")
+        copy.replace(name, old, new, 1)
     for path in (root / SOLUTION).glob("*.toml"):
         text = re.sub(r"angular velocity of \{body\}", "Winkelgeschwindigkeit {body.wessen}", path.read_text("utf-8"))
         path.write_text(text, "utf-8")
     (root / "exam.toml").write_text(EXAM, "utf-8")
     (root / "class.csv").write_text("Matrikelnummer,name\n7,Zorn Ida\n8,Äppler Jan\n9,Busch Eva\n", "utf-8")
-    return Copy(root)
+    return copy
 
 
 @pytest.fixture(scope="module")
-def built(german: Copy) -> Path:
+def built(german: PackageCopy) -> Path:
     made = german.run("build", "exam.toml", "--roster", "class.csv", "--seed", "1", "--out", "out")
     assert made.returncode == 0, made.stderr
     return german.root / "out"
@@ -112,7 +89,7 @@ def test_html(built: Path) -> None:
     assert "Winkelgeschwindigkeit des" in pages
 
 
-def test_commands_know_it(german: Copy) -> None:
+def test_commands_know_it(german: PackageCopy) -> None:
     assert "language: de or en or ru" in german.run("show", "--help").stdout
     assert "des Gliedes" in german.run("solve", FAMILY, "--explain", "--lang", "de").stdout
     unknown = german.run("solve", FAMILY, "--lang", "dee")
@@ -130,7 +107,7 @@ def test_commands_know_it(german: Copy) -> None:
         (f"{SOLUTION}/relative.toml", r"\nvelocity = .*", "relative.velocity"),
     ],
 )
-def test_what_is_left_out_is_an_error_with_file_and_key(german: Copy, name: str, line: str, key: str) -> None:
+def test_what_is_left_out_is_an_error_with_file_and_key(german: PackageCopy, name: str, line: str, key: str) -> None:
     path = german.root / name
     whole = path.read_text("utf-8")
     damaged, count = re.subn(line, "", whole)

@@ -53,7 +53,10 @@ def number(value: float, measure: str = "") -> str:
 
 
 def written(item: Expression, names: Mapping[Value, str]) -> str:
-    """An expression in Python; values without a variable in ``names`` are written as numbers."""
+    """An expression in Python; values without a variable in ``names`` are written as numbers.
+
+    Raises TypeError for an expression that Python has no operation for.
+    """
     match item:
         case Value():
             return names[item] if item in names else number(item.exact, item.measure)

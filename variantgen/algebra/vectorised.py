@@ -28,8 +28,8 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.linear import LinearSolution
 
-Table = NDArray[np.float64]
-Function = Callable[..., Table]
+Array = NDArray[np.float64]
+Function = Callable[..., Array]
 Places = Mapping[int, int]  # of the numbers of values, by identity
 
 _FUNCTIONS: dict[str, Function] = {
@@ -42,7 +42,7 @@ _FUNCTIONS: dict[str, Function] = {
 }
 
 
-def _root(square: Table) -> Table:
+def _root(square: Array) -> Array:
     """The root; of a square that rounding has made negative, zero."""
     return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
@@ -54,7 +54,7 @@ def _power(exponent: int) -> Function:
 def _linear_solution(count: int, index: int) -> Function:
     """One unknown of a linear system, from right-hand sides and coefficients; not a number where that is singular."""
 
-    def solved(*table: Table) -> Table:
+    def solved(*table: Array) -> Array:
         flat = np.stack(np.broadcast_arrays(*table), axis=-1)
         right, matrix = flat[..., :count, None], flat[..., count:].reshape(*flat.shape[:-1], count, count)
         try:
@@ -67,8 +67,8 @@ def _linear_solution(count: int, index: int) -> Function:
     return solved
 
 
-def rounded_at(number: Table) -> Table:
-    """A value takes the number of its expression: here it may be rounded."""
+def rounded_at(number: Array) -> Array:
+    """The number itself, an array of any shape: an operation that marks where a value may be rounded."""
     return number
 
 
@@ -85,8 +85,8 @@ class Operations:
         self.listed: dict[int, tuple[Function, tuple[int, ...]]] = {}
         self._places: dict[Hashable, int] = {}
 
-    def begin(self, data: Mapping[str, Table]) -> list[Any]:
-        """The numbers that are known without operations, by place."""
+    def begin(self, data: Mapping[str, Array]) -> list[Any]:
+        """The numbers that are known without operations, by place; ``data`` by name are scalars or of shape (N,)."""
         numbers = self.start.copy()
         for name, place in self.given.items():
             numbers[place] = data[name]
@@ -146,7 +146,7 @@ class Operations:
             found[place] = own[0] if function is rounded_at else self.operation(function, *own)
         return found
 
-    def _new(self, key: Hashable = None, number: Table | None = None) -> int:
+    def _new(self, key: Hashable = None, number: Array | None = None) -> int:
         place = len(self.start)
         self.start.append(number)
         if key is not None:

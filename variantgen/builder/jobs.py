@@ -33,7 +33,10 @@ class Job(Protocol):
 
 
 def perform(spec: BuildSpec, job: Job) -> Any:
-    """Do a job in this process. This is what executors are given."""
+    """Do a job in this process; executors are given this function.
+
+    Raises VerificationError, with the seed, where two computations of a variant disagree.
+    """
     with worker_context(spec) as setting, _without_collector():
         try:
             return job.run(setting)

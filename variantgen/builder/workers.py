@@ -61,7 +61,10 @@ class PoolWorkers:
     there: Callable[[], bool] = lambda: True
 
     def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
-        """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
+        """Do jobs; results come with the keys of the jobs, in the order in which they are ready.
+
+        Raises WorkerLostError when a process has died or nobody has been there for long.
+        """
         pending: dict[Future[Any], _Key] = {}
         try:
             for key, job in jobs:

@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 def late(
     arguments: argparse.Namespace, exam: Exam, students: Sequence[Student], folders: tuple[Path, ...]
 ) -> tuple[Path, Sequence[Student], Sequence[HandedOutSheet]]:
-    """Where to build, for whom, and which sheets are handed out; reports who is new, gone or changed since."""
+    """Where to build, for whom, and which sheets are handed out; reports who is new, gone or changed since.
+
+    Raises InputError for ``--only-new`` with ``--force``, and where there is no earlier build of this exam.
+    """
     if not arguments.only_new and not arguments.out.exists():
         return arguments.out, students, ()
     from variantgen.finished.late import (

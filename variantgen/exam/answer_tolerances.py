@@ -33,7 +33,7 @@ from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, parameter_arrays
 
-Table = NDArray[np.float64]
+Array = NDArray[np.float64]
 Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed in it
 
 # Where no method leads to an answer: three standard deviations of data rounded to three digits (0.13 % each), by the
@@ -51,7 +51,7 @@ class AnswerTolerances:
     """
 
     tolerance: Tolerance = _USUAL
-    _errors: dict[tuple[object, ...], Table] = field(default_factory=dict)
+    _errors: dict[tuple[object, ...], Array] = field(default_factory=dict)
     _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
 
     def __call__(
@@ -80,8 +80,8 @@ class AnswerTolerances:
             self._marks.update(zip((keys[i] for i in new), wrong.within(needed), strict=True))
         return [self._marks[key] for key in keys]
 
-    def keep(self, variants: Sequence[Variant], asked: Sequence[Quantity], errors: Table, wrong: _WrongAnswers) -> None:
-        """Keep what the screens have found of variants that passed them."""
+    def keep(self, variants: Sequence[Variant], asked: Sequence[Quantity], errors: Array, wrong: _WrongAnswers) -> None:
+        """Keep what the screens have found of variants that passed them: ``errors`` of shape (answers, N)."""
         keys = _keys(variants, asked)
         self._errors.update(zip(keys, errors.T, strict=True))
         if wrong.names:
@@ -89,7 +89,7 @@ class AnswerTolerances:
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
-    ) -> Table:
+    ) -> Array:
         """Relative tolerances of the answers (for an angle in radians), shape (answers, N).
 
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``. An answer of zero or
@@ -108,13 +108,13 @@ class AnswerTolerances:
         self._marks.clear()
 
 
-def _at_least(errors: Table, floor: float) -> Table:
+def _at_least(errors: Array, floor: float) -> Array:
     """The tolerances for relative errors of a hand calculation: the floor, or the errors rounded up."""
     steps = np.ceil(errors / _STEP - 1e-6) * _STEP
     return np.asarray(np.where(errors > floor, steps, floor))
 
 
-def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Table:
+def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Array:
     """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
     errors = _calculation(variants[0], asked).errors(variants, motion, places)
     chosen = np.array(places, dtype=int)
@@ -138,7 +138,7 @@ def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: 
     return table
 
 
-def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
+def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Array:
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     return sensitivity(variants[0].form, parameter_arrays(variants), on_paper, asked, motion)
 
@@ -151,19 +151,19 @@ class _WrongAnswers:
     """By mistake how far each answer is from the wrong one, shape (mistakes, answers, N)."""
 
     names: tuple[str, ...]
-    distances: Table
+    distances: Array
 
     def at(self, places: list[int]) -> _WrongAnswers:
         """Of some variants."""
         return _WrongAnswers(self.names, self.distances[..., places])
 
-    def seen(self, tolerances: Table | float) -> NDArray[np.bool_]:
+    def seen(self, tolerances: Array | float) -> NDArray[np.bool_]:
         """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
         touched = np.isfinite(self.distances)
         shown = touched & (self.distances > tolerances)
         return np.asarray(np.all(~np.any(touched, axis=1) | np.any(shown, axis=1), axis=0))
 
-    def within(self, tolerances: Table) -> list[Marks]:
+    def within(self, tolerances: Array) -> list[Marks]:
         """By variant and answer the mistakes that change the answer by less than its tolerance."""
         count, size = tolerances.shape
         found: list[list[list[str]]] = [[[] for _ in range(count)] for _ in range(size)]
@@ -183,11 +183,14 @@ class ToleranceScreening:
     wrong: _WrongAnswers
 
     def of_all(self) -> dict[str, NDArray[np.bool_]]:
-        """What a mistake rules out already, however well the answers can be worked out."""
+        """The screen of plausible mistakes, shape (N,): which variants show each of them."""
         return {_MISTAKES: self.wrong.seen(self.form.screens.mistakes)}
 
     def of_survivors(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
-        """Whether hand calculations keep within the ceiling and tell the mistakes; what passes is kept."""
+        """The screens of hand calculation for the variants at these indices, shape (len(places),) each.
+
+        They keep within the ceiling and still show the mistakes; what is found for those that pass is kept.
+        """
         chosen, screens = list(places), self.form.screens
         errors, wrong = hand_errors(variants, self.asked, self.motion, chosen), self.wrong.at(chosen)
         needed = _at_least(errors, _USUAL.floor)

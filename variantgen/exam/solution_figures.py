@@ -17,6 +17,7 @@ from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.text import Text
+from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
 _MOST = 3  # figures in a row
@@ -68,8 +69,10 @@ class SolutionFigures:
                 shown = self.asked if name == STATEMENT else self._shown
                 try:
                     self._drawn[name] = view(name).draw(self.variant, *self._place, shown, self.language)
-                except InputError as error:
-                    if name == STATEMENT or error.problems[0].file:  # a word is missing in a file of the language
+                except MissingWordError:
+                    raise
+                except InputError:
+                    if name == STATEMENT:
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)

@@ -62,7 +62,10 @@ def read_family(path: Path) -> Family:
 
 
 def parse_family(data: dict[str, Any], path: Path) -> Family:
-    """A family from the content of its file; ``path`` gives its name and folder."""
+    """A family from the content of its file; ``path`` gives its name and folder.
+
+    Raises InputError with every problem found.
+    """
     problems: list[Problem] = []
     top = Table(data, "", problems)
     for key, letter, kind in _unseen(data, ""):

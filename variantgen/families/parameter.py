@@ -36,7 +36,7 @@ class Parameter:
         return np.array([self._to_si(value) for value in self.printed])
 
     def in_si(self, printed: Iterable[Decimal]) -> NDArray[np.float64]:
-        """Printed values in SI; they need not lie on the grid."""
+        """Printed values in SI, shape (N,); they need not lie on the grid."""
         known = self._on_grid
         return np.array([known[value] if value in known else self._to_si(value) for value in printed])
 

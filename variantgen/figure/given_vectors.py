@@ -12,9 +12,7 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate
-from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.mechanism.drivers.travel import Travel
-from variantgen.mechanism.drivers.vector_motion import VectorMotion
+from variantgen.mechanism.linkage import driven_body, driven_point
 from variantgen.methods.graphical.vector_chain import SlidingPoint, VectorChain
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.vectors.given_motion import as_stated, unsigned
@@ -30,12 +28,11 @@ def given_vectors(task: Task, chain: VectorChain, order: int, language: Language
     kind, _ = _LETTERS[order]
     found = {}
     for template, driver in zip(task.form.drivers, task.scene.drivers, strict=True):
-        if not isinstance(driver, Travel | VectorMotion):
-            continue
+        point = driven_point(driver)
         # What is given of a point on a circle is its tangential acceleration only.
-        circling = any(turn.point == driver.point and turn.pole in chain.resting for turn in chain.turns)
-        if order == 1 or not circling:
-            found[driver.point] = _symbol(task, template, kind, Name(kind, driver.point), language)
+        circling = any(turn.point == point and turn.pole in chain.resting for turn in chain.turns)
+        if point and (order == 1 or not circling):
+            found[point] = _symbol(task, template, kind, Name(kind, point), language)
     return {point: symbol for point, symbol in found.items() if symbol is not None}
 
 
@@ -44,8 +41,8 @@ def given_rates(task: Task, order: int, language: Language) -> dict[str, Symbol]
     _, kind = _LETTERS[order]
     found = {}
     for template, driver in zip(task.form.drivers, task.scene.drivers, strict=True):
-        if isinstance(driver, Rotation) and driver.relative_to is None:
-            found[driver.body] = _symbol(task, template, kind, Name(kind, driver.body), language)
+        if body := driven_body(driver):
+            found[body] = _symbol(task, template, kind, Name(kind, body), language)
     return {body: symbol for body, symbol in found.items() if symbol is not None}
 
 

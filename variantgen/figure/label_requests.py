@@ -103,7 +103,7 @@ def _offsets(formula: Formula, clear: float) -> Places:
 
 
 def far_from(request: LabelRequest) -> tuple[Places, Costs]:
-    """Candidates from which only a leader can lead to what is named, with their distances as costs."""
+    """Candidates far from what is named, which need a leader, with their distances as costs: shape (P,) each."""
     support = _support(request.box, _FAR_WAYS)
     places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
     costs = _FAR_RINGS[:, None] + 0.01 * np.arange(24)[None, :]

@@ -269,9 +269,11 @@ def _leader(request: LabelRequest, place: complex) -> Path | None:
     step = place - request.anchor
     way = step / abs(step)
     half_width, half_height = request.box
-    reach = min(half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf)
+    to_edge = min(
+        half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf
+    )
     start = request.anchor + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
-    end = place - (reach + _LEADER_GAP) * way
+    end = place - (to_edge + _LEADER_GAP) * way
     if ((end - start) * way.conjugate()).real < 1.0:
         return None
     return Path((start, end), Layer.LABEL, THIN)

@@ -213,10 +213,10 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     width, height = label_size(formula)
     half = 0.5 * math.hypot(width, height)
     inside = [radius - half - off for off in (0.9, 2.4, 4.2, 6.5) if radius - half - off > half]
-    reach = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
+    distances = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
     ways = np.exp(1j * math.tau / 24 * np.arange(24))
     centre = board.sketch.at[mark.centre]
-    places = centre + np.array(reach)[:, None] * ways[None, :]
-    costs = 1.5 * np.arange(len(reach))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
+    places = centre + np.array(distances)[:, None] * ways[None, :]
+    costs = 1.5 * np.arange(len(distances))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
     rim = tuple(complex(place) for place in centre + radius * ways[::4])
     board.sketch.label(LabelRequest(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))

@@ -38,7 +38,7 @@ class Sketch:
     lines: list[Line] = field(default_factory=list)
     requests: list[LabelRequest] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
-    reach: dict[str, float] = field(default_factory=dict)
+    symbol_radius: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
     _corners: list[complex] = field(default_factory=list)
     _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
@@ -146,7 +146,7 @@ class Sketch:
     def circle_crossings(
         self, centre: complex, radii: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) from a centre in which the lines drawn so far cross circles about it, and which of them."""
+        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
         segments = self._segments()
         start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
         # |start + t step| = radius
@@ -163,7 +163,10 @@ class Sketch:
     def corners_near_circles(
         self, centre: complex, radii: NDArray[np.float64], margin: float
     ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of the beginnings of segments within a margin of circles about a centre; which circle."""
+        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
+
+        Near is within ``margin`` (u) of the ``radii``, shape (R,).
+        """
         arms = self._segments()[:, 0] - centre
         circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
         return np.arctan2(arms.imag, arms.real)[arm], circle

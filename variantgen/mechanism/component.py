@@ -127,7 +127,7 @@ def discover(package: str) -> dict[str, type]:
     """Component classes of a package, by kind (= module name), in alphabetical order.
 
     Every public module of the package defines exactly one public dataclass (besides the parts it is made of); there is
-    no list to edit.
+    no list to edit. Raises TypeError for a module without one, or with several.
     """
     home: ModuleType = importlib.import_module(package)
     found: dict[str, type] = {}

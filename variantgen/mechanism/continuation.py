@@ -175,7 +175,7 @@ class Continuation:
         return Placement({**at.z, **self.marked(at)}, at.frame, at.turned)
 
     def marked(self, at: Placement) -> dict[str, ComplexField]:
-        """Where the places are that joints mark (contacts of wheels)."""
+        """Places (m), shape (N,) each, that joints mark and no body carries along: contacts of wheels."""
         return {name: z for joint in self.scene.joints for name, z in joint.marked(at, self.start).items()}
 
     def _possible(self, now: Placement, before: Placement) -> bool:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
+from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
 from variantgen.mechanism.scene import Scene, fixed_points
 
 
@@ -66,3 +66,19 @@ class Linkage:
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))
         return found
+
+
+def driven_body(driver: Constraint) -> str | None:
+    """The body whose own rotation a driver gives; None for any other driver."""
+    match driver.shapes():
+        case (Shape((), (body,)),):
+            return body
+    return None
+
+
+def driven_point(driver: Constraint) -> str | None:
+    """The point whose own motion a driver gives, as a vector (two rows) or along its path (one); None for any other."""
+    match tuple(set(driver.shapes())):
+        case (Shape((point,), ()),):
+            return point
+    return None

@@ -82,7 +82,10 @@ class FormSampler:
         return found
 
     def first(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
-        """The first attempt of each stream that passes all screens, not yet verified."""
+        """The first attempt of each stream that passes all screens, not yet verified.
+
+        Raises InputError where so many attempts fail that more of them are hopeless.
+        """
         width = len(self.names) + 1
         for stream, skipped in zip(streams, done, strict=True):
             stream.words(skipped * width)
@@ -147,7 +150,7 @@ class FormSampler:
             promising = promising.take(np.flatnonzero(left))
 
     def valid(self, attempts: Attempts) -> NDArray[np.int64]:
-        """Owners of the attempts that pass all screens."""
+        """Owners of the attempts that pass all screens, shape (K,)."""
         promising = self._promising(attempts)
         return promising.owner[self._conditioned(promising)] if promising.owner.size else promising.owner
 

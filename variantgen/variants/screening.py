@@ -100,8 +100,8 @@ def _box(
     """Lower left and upper right corner of everything that will be drawn."""
     corners = [z]
     for disc in (disc for disc in form.figure.discs if not disc.arc):
-        reach = np.asarray(disc.radius.value(values)) * (1 + 1j)
-        corners += [(motion.z[disc.centre] + reach)[None], (motion.z[disc.centre] - reach)[None]]
+        half_box = np.asarray(disc.radius.value(values)) * (1 + 1j)
+        corners += [(motion.z[disc.centre] + half_box)[None], (motion.z[disc.centre] - half_box)[None]]
     every = np.concatenate(corners)
     low = np.min(every.real, axis=0) + 1j * np.min(every.imag, axis=0)
     return low, np.max(every.real, axis=0) + 1j * np.max(every.imag, axis=0)

@@ -55,7 +55,7 @@ class Traits:
         return int(self.identity.size)
 
     def take(self, chosen: NDArray[np.intp]) -> Traits:
-        """Those at the given places."""
+        """The traits at the given indices, shape (K,)."""
         return Traits(self.identity[chosen], self.room[chosen], self.place[chosen], self.attempt[chosen])
 
     @staticmethod

@@ -324,7 +324,7 @@ def test_one_quiz_draws_a_question_for_each_problem(drawn: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("problem", "table", "told"),
+    ("problem", "table", "output"),
     [
         (
             'family = "four_bar"\nask = ["v_B", "omega_AB"]',

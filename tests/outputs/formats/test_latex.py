@@ -242,7 +242,7 @@ def test_text_appears_as_it_stands(tmp_path: Path, language: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "engine", "told"),
+    ("name", "engine", "output"),
     [
         ("学生 Ann", "pdflatex", ["student 7", "学 (U+5B66), 生 (U+751F)", 'engine = "lualatex"', "font"]),
         ("שלום", "pdflatex", ["student 7", "U+05E9", "latex out of the formats"]),
@@ -270,7 +270,7 @@ def test_a_title_is_checked_before_anything_is_made(tmp_path: Path, capsys: pyte
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "output"),
     [
         ('engine = "xelatex"', "latex.engine: unknown engine"),
         ('compile = "yes"', "latex.compile: expected true or false"),

@@ -330,7 +330,7 @@ def test_shares_are_equal_and_sum_up(points: int | None, parts: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("table", "told"),
+    ("table", "output"),
     [
         ('[qti21]\nfigures = "jpg"', ['qti21.figures: expected one of "png", "svg"', "jpg"]),
         ('[qti30]\ntests = "student"', ["qti30.tests", "did you mean students?"]),

@@ -76,7 +76,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Build the folder."""
+    """Build the folder. Raises InputError for options, files or names that cannot be used."""
     from variantgen.builder import build, scheduled_workers
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS

@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print a report per family."""
+    """Print a report per family. Raises InputError for a wrong option and for files that cannot be read."""
     from variantgen.check.family import check_family
     from variantgen.check.figures import FigureFolder
     from variantgen.check.report import Report

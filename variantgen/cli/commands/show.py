@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print the problem or write its page."""
+    """Print the problem or write its page. Raises InputError where it cannot be read or solved."""
     from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, asked_quantities, one_variant, solution_document

@@ -27,7 +27,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print parameters and answers, the solution in words, or all numbers as JSON."""
+    """Print parameters and answers, the solution in words, or all numbers as JSON.
+
+    Raises InputError where the problem cannot be read or solved, and for options that contradict each other.
+    """
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
     from variantgen.families.folders import family_folders

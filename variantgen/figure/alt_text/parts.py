@@ -127,9 +127,9 @@ def _members(alt_text: AltText, body: str) -> tuple[list[str], list[str]]:
     for point in alt_text.shown(alt_text.board.form.bodies[body]):
         if point == centre or any(point in pair for pair in bars) or point in alt_text.between[body]:
             continue
-        reach = abs(alt_text.at(point) - alt_text.at(centre))
-        if abs(reach - rim) < _ON_RIM * rim:
+        distance = abs(alt_text.at(point) - alt_text.at(centre))
+        if abs(distance - rim) < _ON_RIM * rim:
             on_rim.append(alt_text.name(point))
-        elif reach < rim:
+        elif distance < rim:
             inside.append(alt_text.name(point))
     return on_rim, inside

@@ -135,8 +135,8 @@ def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArr
     along, ring = board.sketch.corners_near_circles(centre, radii, _MARGIN)
     direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
     gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    reach = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
-    angle, met = (gaps < reach[owner]).nonzero()
+    half_angle = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
+    angle, met = (gaps < half_angle[owner]).nonzero()
     count = np.bincount(owner[met] * _ANGLES.size + angle, minlength=len(radii) * _ANGLES.size)
     return np.minimum(count, 5).astype(float).reshape(len(radii), -1)
 

@@ -44,5 +44,5 @@ class LineCircle:
         height = np.abs(cross(ray, offset))
         room = (self.distance - height) * (self.distance + height)
         meets = apart & (room >= 0)
-        reach = dot(ray, offset) + self.branch * np.sqrt(np.where(meets, room, 0.0))
-        return start + reach * ray, meets
+        along_line = dot(ray, offset) + self.branch * np.sqrt(np.where(meets, room, 0.0))
+        return start + along_line * ray, meets

@@ -39,8 +39,8 @@ class LineLine:
         w, w_exists = _direction(at, self.second, self.second_angle, self.second_towards)
         sine = cross(u, w)
         crosses = u_exists & w_exists & (np.abs(sine) > 16 * EPS)
-        reach = cross(at[self.second] - at[self.first], w) / np.where(crosses, sine, 1.0)
-        return at[self.first] + reach * u, crosses
+        along_line = cross(at[self.second] - at[self.first], w) / np.where(crosses, sine, 1.0)
+        return at[self.first] + along_line * u, crosses
 
 
 def _direction(at: Mapping[str, Complex], start: str, angle: Angle, towards: str | None) -> tuple[Complex, Flags]:

@@ -50,8 +50,8 @@ class RelativeTravel:
         """``2 omega n.(v - v_A) - omega^2 u.d``."""
         u, omega = self.direction(at), speeds.omega[self.body]
         shift = speeds.v[self.point] - speeds.v[self.along[0]]
-        reach = dot(u, at.z[self.point] - at.z[self.along[0]])
-        return (omega * (2.0 * cross(u, shift) - omega * reach),)
+        along_line = dot(u, at.z[self.point] - at.z[self.along[0]])
+        return (omega * (2.0 * cross(u, shift) - omega * along_line),)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Way along the line less ``v t + a t^2 / 2`` (m)."""

@@ -83,8 +83,8 @@ class Rope(Joint):
         good: Flags = True
         for first, second in pairwise(self.path):
             gap = np.abs(at.z[second.point] - at.z[first.point])
-            reach = np.abs(first.side * first.radius - second.side * second.radius)
-            good = good & (gap > reach) & (gap > 0)
+            lever = np.abs(first.side * first.radius - second.side * second.radius)
+            good = good & (gap > lever) & (gap > 0)
         return good
 
     def intact(self, moved: Placement, start: Placement) -> Flags:
@@ -136,8 +136,8 @@ class Rope(Joint):
                     points[bend.point] = points.get(bend.point, 0.0) + sign * ray
         for bend, sign in self._drums:
             assert bend.body is not None
-            reach = sign * at.frame.sense * bend.side * bend.radius
-            turning[bend.body] = turning.get(bend.body, 0.0) + reach
+            lever = sign * at.frame.sense * bend.side * bend.radius
+            turning[bend.body] = turning.get(bend.body, 0.0) + lever
         return (ScalarRow(points, turning),)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:

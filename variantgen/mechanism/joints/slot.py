@@ -52,8 +52,8 @@ class Slot(Joint):
     def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
         """The velocity rows of the class docstring."""
         u = self.direction(at)
-        reach = dot(u, at.z[self.point] - at.z[self.along[0]])
-        line = ScalarRow({self.point: 1j * u, self.along[0]: -1j * u}, {self.body: -reach})
+        along_line = dot(u, at.z[self.point] - at.z[self.along[0]])
+        line = ScalarRow({self.point: 1j * u, self.along[0]: -1j * u}, {self.body: -along_line})
         if self.sleeve is None:
             return (line,)
         return line, ScalarRow({}, {self.body: 1.0, self.sleeve: -1.0})

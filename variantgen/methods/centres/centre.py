@@ -38,7 +38,10 @@ def named_place(book: Book, place: complex) -> str:
 
 
 def difference(name: Name | None, first: Value, second: Value) -> Value:
-    """The angle between two directions, 0 to 180 degrees, as their difference."""
+    """The angle between two directions, 0 to 180 degrees, as their difference.
+
+    Raises ArithmeticError where it is no difference of the two: a defect of the caller.
+    """
     exact = between(first.exact, second.exact)
     for sign in (1, -1):
         turn = exact - sign * (first.exact - second.exact)

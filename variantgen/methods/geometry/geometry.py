@@ -49,7 +49,7 @@ class Geometry(PositionLines):
         template = self.task.form.points[point]
         stem = template.component.__module__.rpartition(".")[2]
         module = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}")
-        found: LocatedPoint = module.Construction(self, point, template.fields)
+        found: LocatedPoint = module.Derivation(self, point, template.fields)
         return found
 
     # What is known.

@@ -11,13 +11,15 @@ from numpy.typing import NDArray
 from variantgen.algebra.expression import Total, Value
 from variantgen.algebra.values import in_order
 from variantgen.algebra.vectorised import Operations, rounded_at
+from variantgen.families.family import Form
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
+from variantgen.variants.variant import Variant
 
-Table = NDArray[np.float64]
-Numbers = dict[str, Table]  # printed, by parameter
+Array = NDArray[np.float64]
+Numbers = dict[str, Array]  # printed, by parameter
 
 DIGITS = 3  # significant digits of a careful hand calculation
 _HALF_DEGREE_DIGIT = 0.05  # degrees: angles are written with one decimal
@@ -51,20 +53,23 @@ class RepeatableCalculation:
         self._angles = [row for row, measure in enumerate(measures) if measure == "angle"]
 
     @staticmethod
-    def of(task: Task) -> RepeatableCalculation:
-        """That of a task. Raises LookupError where the methods do not lead to what is asked."""
-        found = work_out(Book(task, style=natural(task)))
+    def of(task: Task, answers: Mapping[str, Value] | None = None) -> RepeatableCalculation:
+        """That of a task, with its ``answers`` by the names of the quantities or else group by group.
+
+        Raises one of NOT_APPLICABLE where the methods do not lead to what is asked.
+        """
+        found = work_out(Book(task, style=natural(task))) if answers is None else answers
         # A datum in an unusual unit is converted first: the printed number is what that starts from.
         printed = {name: in_order([v])[0] if v.expression else v for name, v in task.given.items()}
         given = {id(leaf): name for name, leaf in printed.items()}
         return RepeatableCalculation([found[quantity.name] for quantity in task.asked], given)
 
-    def repeat(self, data: Numbers) -> Table:
+    def repeat(self, data: Numbers) -> Array:
         """The answers for other data (printed numbers by parameter, shape (N,)), shape (answers, N)."""
         numbers = self._exact(data)
         return _rows([numbers[place] for place in self.answers], _size(data))
 
-    def errors(self, data: Numbers, exact: Mapping[int, Table] | None = None) -> Table:
+    def errors(self, data: Numbers, exact: Mapping[int, Array] | None = None) -> Array:
         """What rounding makes of the answers, in their units, shape (answers, N).
 
         ``exact`` are the numbers of answers and of what is rounded, by place, where they are known already.
@@ -76,7 +81,7 @@ class RepeatableCalculation:
         parts = [slice(start, start + _TOGETHER) for start in range(0, size, _TOGETHER)]
         return np.concatenate([self._errors(cut(data, part), right[:, part], off[:, part]) for part in parts], axis=1)
 
-    def _errors(self, data: Numbers, right: Table, off: Table) -> Table:
+    def _errors(self, data: Numbers, right: Array, off: Array) -> Array:
         # In row k of a table the k-th rounded value is off.
         numbers, row = self.operations.begin(data), 0
         for place, (function, operands) in self.operations.listed.items():
@@ -97,14 +102,24 @@ class RepeatableCalculation:
             np.minimum(bound, _DEVIATIONS * deviation, out=errors)
         return found
 
-    def _exact(self, data: Numbers) -> list[Table]:
+    def _exact(self, data: Numbers) -> list[Array]:
         """All numbers by place."""
         numbers = self.operations.begin(data)
         self.operations.run(numbers, self.operations.listed)
         return numbers
 
 
-def _rows(rows: Sequence[Table], size: int) -> Table:
+def printed_data(form: Form, variants: Sequence[Variant]) -> Numbers:
+    """The printed numbers by parameter, shape (N,), magnitudes of rates as a solution has them."""
+    found = {}
+    for name, parameter in form.parameters.items():
+        if parameter.unit is not None:
+            column = np.array([float(variant.printed[name]) for variant in variants])
+            found[name] = np.abs(column) if parameter.is_rate else column
+    return found
+
+
+def _rows(rows: Sequence[Array], size: int) -> Array:
     """A table of rows, some of which are one number for all."""
     table = np.empty((len(rows), size))
     for row, numbers in zip(table, rows, strict=True):
@@ -129,7 +144,7 @@ def _is_copy(value: Value) -> bool:
     return isinstance(item, Value)
 
 
-def _half_units(angles: Sequence[int], numbers: Table) -> Table:
+def _half_units(angles: Sequence[int], numbers: Array) -> Array:
     """Half units of the last digits that are kept; nothing for a number that has no more digits.
 
     ``angles`` are the rows of angles.

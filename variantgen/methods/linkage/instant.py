@@ -48,9 +48,13 @@ class Instant:
         turn = 1j * self.epsilon[body] - self.omega[body] ** 2
         return self.a[pole] + turn * (self.z[point] - self.z[pole])
 
+    def relative_velocity(self, point: str, body: str) -> complex:
+        """The velocity (m/s) of a point relative to a body."""
+        return self.v[point] - self.transport_velocity(point, body)
+
     def coriolis(self, point: str, body: str) -> complex:
         """The Coriolis acceleration (m/s^2) of a point that slides on a body."""
-        return 2j * self.omega[body] * (self.v[point] - self.transport_velocity(point, body))
+        return 2j * self.omega[body] * self.relative_velocity(point, body)
 
     def relative_acceleration(self, point: str, body: str) -> complex:
         """The acceleration (m/s^2) of a point relative to a body."""

@@ -37,7 +37,7 @@ def views_of(book: Book) -> tuple[str, ...]:
 
 
 def sides_of(book: Book, number: int, group: ContactGroup) -> tuple[ContactSide, ContactSide]:
-    """The known and the sought side of a contact."""
+    """The known and the sought side of a contact. Raises LookupError where no side is sought."""
     touch = _contact(book, number)
     for known, sought in touch.ways:
         if (group.body and sought.body == group.body) or (not group.body and sought.centre == group.point):

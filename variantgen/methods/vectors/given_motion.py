@@ -11,8 +11,7 @@ from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.mechanism.drivers.travel import Travel
-from variantgen.mechanism.drivers.vector_motion import VectorMotion
+from variantgen.mechanism.linkage import driven_body, driven_point
 from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.route import Route
@@ -33,13 +32,13 @@ def enter_given_motion(book: Book) -> None:
     """
     with book.step(f"given.{book.measure}") as made:
         for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
-            if isinstance(driver, Rotation) and driver.relative_to is None:
+            if body := driven_body(driver):
                 value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)
-                book.rates[driver.body] = Rate(value, _sign(book.exact_rate(driver.body)))
-            elif isinstance(driver, VectorMotion):
-                book.vectors[driver.point] = _straight(book, template, driver.point)
-            elif isinstance(driver, Travel):
-                _enter_travel(book, template, driver.point)
+                book.rates[body] = Rate(value, _sign(book.exact_rate(body)))
+            elif (point := driven_point(driver)) and len(driver.shapes()) == 2:
+                book.vectors[point] = _straight(book, template, point)
+            elif point:
+                _enter_travel(book, template, point)
             elif not isinstance(driver, _IN_GROUPS):
                 raise LookupError(f"no step takes what is given by {label(driver)}")
     if not made.items:
@@ -123,7 +122,7 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
 def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
     """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
     fields = template.fields
-    if template.component is Rotation:
+    if key in ("omega", "epsilon"):
         return Name(key, fields["body"])
     is_relative = template.component in (RelativeTravel, Circling, Extension)
     target = fields["end"] if template.component is Extension else fields["point"]

@@ -12,6 +12,8 @@ A module has
 - ``write_key``: a function that writes only those of its files that show tolerances, from the pieces of ``SUMMARIES``;
   None where all files do.
 
+A module that makes several formats has them in ``FORMATS``, by their names, instead (``qti``).
+
 ``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
 """
 
@@ -33,10 +35,15 @@ from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS
+from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group
 from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
-FORMATS = tuple(sorted(info.name for info in pkgutil.iter_modules(__path__)))
+_SEVERAL = {"qti": ("qti21", "qti30")}  # modules that make more formats than one
+_MODULES = {
+    name: info.name for info in pkgutil.iter_modules(__path__) for name in _SEVERAL.get(info.name, (info.name,))
+}
+FORMATS = tuple(sorted(_MODULES))
 COMMON = ("key.csv", "manifest.json")  # files of every build
 
 # The engine remembers the layouts of its last documents. Five problems with all answers, the engine alone on sheets and
@@ -78,6 +85,12 @@ class Chunk:
         """The sheets of these students."""
         return self.content.sheets
 
+    def key_parts(self, grouped: bool) -> list[tuple[Sequence[Sheet], bool]]:
+        """These students, or those of each of their groups, and whether the document of a key begins with them."""
+        if grouped:
+            return [(own, group in self.beginning) for group, own in by_group(self.sheets).items()]
+        return [(self.sheets, self.first)]
+
 
 @dataclass(frozen=True)
 class WholeExam:
@@ -96,9 +109,16 @@ class WholeExam:
     pieces: dict[str, list[Path]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
 
+    def of_groups(self, target: str, groups: GroupFiles) -> dict[str, list[Path]]:
+        """The pieces of each group, of sheets, of solutions or of a key by student and by problem."""
+        pieces = self.pieces[target]
+        if target == "key":
+            return both_halves(pieces, groups, STUDENTS_PER_OVERVIEW)
+        return groups.of_students(pieces) if target == "solutions" else groups.of_parts(pieces, STUDENTS_PER_PART)
+
 
 class Format(Protocol):
-    """A module of this package."""
+    """A module of this package, or one of the ``FORMATS`` of a module that makes several."""
 
     HELP: str
     FILES: tuple[str, ...]
@@ -120,8 +140,9 @@ class Format(Protocol):
 
 
 def format_of(name: str) -> Format:
-    """The module of a format, loaded when it is asked for: to load all takes a fifth as long as to start a build."""
-    return cast(Format, importlib.import_module(f"{__name__}.{name}"))
+    """A format, loaded when it is asked for: to load all takes a fifth as long as to start a build."""
+    module = importlib.import_module(f"{__name__}.{_MODULES[name]}")
+    return cast(Format, module.FORMATS[name] if _MODULES[name] in _SEVERAL else module)
 
 
 def chosen(names: Sequence[str], key: str = "formats") -> tuple[str, ...]:

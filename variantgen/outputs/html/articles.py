@@ -37,9 +37,8 @@ def sheet_article(content: Content, number: int) -> bytes:
     language, writing = exam.spoken, page_writing(sheet.code)
     return rendered(
         "sheet.html.j2",
-        **_head(exam, sheet, language),
+        **_head(exam, sheet, language, sheet_data(content, number, writing, {})),
         title=exam.title,
-        student=sheet_data(content, number, writing, {}),
         words=language.words("sheet"),
         answers=language.words("html")["answers"],
         **notices_data(exam, language, writing),
@@ -53,16 +52,21 @@ def solution_article(content: Content, number: int) -> bytes:
     words = data["words"]
     return rendered(
         "solution.html.j2",
-        **_head(exam, sheet, exam.explained),
+        **_head(exam, sheet, exam.explained, data["students"][0]),
         title=f"{words['solutions']}: {exam.title}",
-        student=data["students"][0],
         words=words,
     )
 
 
-def _head(exam: Exam, sheet: Sheet, language: Language) -> dict[str, Any]:
+def _head(exam: Exam, sheet: Sheet, language: Language, student: dict[str, Any]) -> dict[str, Any]:
     """Whose article it is, and in which exam."""
-    return {"course": exam.course, "code": sheet.code, "variant": language.words("key")["variant"]}
+    return {
+        "course": exam.course,
+        "code": sheet.code,
+        "variant": language.words("key")["variant"],
+        "student": student,
+        "notes": student["notes"],
+    }
 
 
 def student_key(exam: Exam, sheets: Sequence[Sheet]) -> bytes:

@@ -91,7 +91,7 @@ class MechanismPicture:
         self.drawing, self.paper = moving.still(subject.driver_sweep.sweep.instant)
         self.tracks = [self.paper.at(z) for z in moving.paths.values()]
         self.corners = [0.0, complex(self.drawing.width, self.drawing.height)]
-        self.corners += [z for track in self.tracks for z in track]
+        self.corners += [z for trajectory in self.tracks for z in trajectory]
 
     @property
     def proportion(self) -> float:
@@ -102,11 +102,11 @@ class MechanismPicture:
     def draw(self, axes: Any) -> None:
         """Draw it on axes."""
         frame_paper(axes, self.corners, _PAPER_EDGE)
-        for track in self.tracks:
-            axes.plot(track.real, track.imag, color="0.35", linewidth=0.6, zorder=1.5)
+        for trajectory in self.tracks:
+            axes.plot(trajectory.real, trajectory.imag, color="0.35", linewidth=0.6, zorder=1.5)
         for ground in self.subject.moving.ground:
-            track = self.paper.at(ground)
-            axes.plot(track.real, track.imag, color="black", linewidth=0.9, zorder=1.6)
+            trajectory = self.paper.at(ground)
+            axes.plot(trajectory.real, trajectory.imag, color="black", linewidth=0.9, zorder=1.6)
         draw_lines(axes, self.drawing.lines, drawing_weight(axes))
         _draw_labels(axes, self.drawing)
         _number_paper(self.subject, axes, self.paper)

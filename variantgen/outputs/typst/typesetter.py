@@ -53,7 +53,7 @@ class Typesetter:
         """The document; one entry for PDF, one per page for PNG (``ppi`` dots to the inch) and SVG.
 
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
-        those of PDF that it conforms to.
+        those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
         with_alt = tagged and form == "pdf"
         inputs = {"data": _json(data, with_alt), "form": form}

@@ -19,8 +19,8 @@ def state(model: Model, driver: RelativeTravel, template: ComponentTemplate) -> 
     """The way s of the slot is given; without a slot ``(x - x_A) cos phi + (y - y_A) sin phi = s``."""
     point, body = driver.point, driver.body
     pole, line = model.pole(body), model.now(*driver.along)
-    reach = (model.now(pole, point) * (line / abs(line)).conjugate()).real
-    way = model.slide(point, body, reach)
+    along_line = (model.now(pole, point) * (line / abs(line)).conjugate()).real
+    way = model.slide(point, body, along_line)
     model.prescribe(way, *rates(model, driver, template))
     if any((path.point, path.body) == (point, body) for path in model.task.linkage.slides):
         return

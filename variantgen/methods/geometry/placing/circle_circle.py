@@ -13,7 +13,7 @@ from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.steps.step import EquationLine, Point, Segment
 
 
-class Construction(ConstructedPoint):
+class Derivation(ConstructedPoint):
     """The point at ``first_distance`` from ``first`` and ``second_distance`` from ``second``."""
 
     def neighbours(self) -> tuple[str, ...]:

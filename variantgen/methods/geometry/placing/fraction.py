@@ -9,7 +9,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Pair, Ray
 
 
-class Construction(ConstructedPoint):
+class Derivation(ConstructedPoint):
     """``z = z_start + part * (z_end - z_start)``."""
 
     def neighbours(self) -> tuple[str, ...]:

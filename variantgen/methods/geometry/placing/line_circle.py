@@ -12,7 +12,7 @@ from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(ConstructedPoint):
+class Derivation(ConstructedPoint):
     """The link ``centre`` - point of given length, whose end is led along a line.
 
     The distance h of its other end from the line gives its angle with the line, ``sin beta = h / r``, and the way along
@@ -64,6 +64,6 @@ class Construction(ConstructedPoint):
         else:
             _, height = positive(summed(geometry.projected("sin", way, line)))
             flat = geometry.is_nothing(height)
-            reach = link if flat else SquareRoot(summed([(1, link**2), (-1, height**2)]))
-            parts.append((1 if self._is_ahead() else -1, reach))
+            along_line = link if flat else SquareRoot(summed([(1, link**2), (-1, height**2)]))
+            parts.append((1 if self._is_ahead() else -1, along_line))
         return positive(summed(parts))[1]

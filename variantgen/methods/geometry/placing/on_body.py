@@ -7,7 +7,7 @@ from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(ConstructedPoint):
+class Derivation(ConstructedPoint):
     """``along`` the ray ``origin`` -> ``towards`` and ``across`` it, to its left."""
 
     def neighbours(self) -> tuple[str, ...]:
