@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import Expression, Value, cos
+from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres import velocity_centre
-from variantgen.methods.centres.centre import difference
+from variantgen.methods.geometry.angle_sums import difference
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
@@ -72,9 +72,8 @@ def _equate(book: Book, first: Term, path: Term, facts: dict[str, Fact]) -> None
     shares = [_share(term, axis) for term in (first, path)]
     line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), (shares[0],), (shares[1],)))
-    assert first.size is not None
-    speed: Expression = first.size if shares[0].angle is None else first.size * cos(shares[0].angle)
-    size = book.derive(path.name, "velocity", speed if shares[1].angle is None else speed / cos(shares[1].angle))
+    speed, beside = shares[0].size, shares[1].factor
+    size = book.derive(path.name, "velocity", speed if beside is None else speed / beside)
     book.velocity[point] = (Term(path.name, size, path.angle, path.way),)
 
 

@@ -36,7 +36,7 @@ def _tangential(book: Book, name: Name, terms: Known, ends: tuple[str, str], sen
         return None
     sought = across(book, name, None, ends, sense)
     book.say("known_points.tangential", vector=VectorOf(name))
-    size = book.derive(name, book.measure, sum_of(shares(terms, sought.angle)))
+    size = book.derive(name, book.measure, sum_of(shares(book, terms, sought.angle)))
     return Term(name, size, sought.angle, sought.way)
 
 

@@ -43,7 +43,7 @@ def line_angle(book: Book, point_path: PointPath) -> Value:
         angle = book.geometry.direction(point_path.point, other)
         ahead = (book.geometry.vector(point_path.point, other).conjugate() * way).real > 0
         return angle if ahead else Geometry.turned(angle, 180.0)
-    return Value(None, "angle", exact, Constant(exact))
+    return Value(None, "angle", exact, Constant(exact, "angle"))
 
 
 def _side_along(book: Book, point_path: PointPath) -> str | None:

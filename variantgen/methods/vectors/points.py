@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, cos, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
@@ -137,7 +137,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
-        parts = shares(terms, axis)
+        parts = shares(book, terms, axis)
         own = name.component(word)
         whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
         size = book.derive(own, book.measure, whole)
@@ -153,8 +153,7 @@ def sum_of(parts: Sequence[Share]) -> Expression:
         return Constant(0.0)
     terms: list[tuple[int, Expression]] = []
     for share in parts:
-        assert share.term.size is not None
-        terms.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
+        terms.append((share.sign, share.size))
     return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Total(tuple(terms))
 
 
