@@ -39,9 +39,9 @@ class Name(NamedTuple):
     @property
     def whole(self) -> Name:
         """The vector of which this is a component: ``a_B`` of ``a^n_B``."""
-        left = " ".join(word for word in self.part.split() if word not in ("n", "tau", "x", "y"))
+        left = " ".join(word for word in self.part.split() if word not in ("n", "tau", "x", "y", "xi", "eta"))
         return self._replace(part=left)
 
     def component(self, word: str) -> Name:
-        """A component of this vector: ``n``, ``tau``, ``x`` or ``y``."""
+        """A component of this vector: ``n``, ``tau``, ``x``, ``y``, ``xi`` or ``eta``."""
         return self._replace(part=f"{self.part} {word}".strip())

@@ -240,7 +240,7 @@ def _is_opposite(value: Value) -> bool:
 
 def _is_magnitude(name: Name) -> bool:
     """Whether it is the name of a vector that is no component along an axis."""
-    return name.kind in ("v", "a") and not name.part.endswith(("x", "y"))
+    return name.kind in ("v", "a") and not name.part.endswith(("x", "y", "xi", "eta"))
 
 
 def _headed(name: Name) -> Name:

@@ -27,6 +27,15 @@ def angle_sum(angle: Value) -> AngleForm:
     return found.turned(360.0 * turns)
 
 
+def is_by_drawing(direction: Value) -> bool:
+    """Whether a direction is counted from one that only the drawing shows."""
+    parts = (atom for atom, _ in angle_sum(direction).parts if isinstance(atom, Value))
+    return any(
+        atom.name is not None and atom.name.kind == "direction" and isinstance(atom.expression, Constant)
+        for atom in parts
+    )
+
+
 def _sum(item: Expression) -> AngleForm | None:
     """An expression as a sum of angles; None for another one."""
     match item:
@@ -97,8 +106,9 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     """
     form = _matched(angle_sum(first).minus(angle_sum(second)), size, 180.0)
     rest = form.times(-1.0).turned(90.0)
-    if form.parts and not tidy(rest.constant) and any(count > 0 for _, count in rest.parts):
-        return "sin", valued(None, rest)
+    for found in (rest, form.turned(90.0)):
+        if found.parts and not tidy(found.constant) and any(count > 0 for _, count in found.parts):
+            return "sin", valued(None, found)
     return "cos", valued(None, form)
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
+from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
@@ -27,19 +28,9 @@ from variantgen.methods.steps.step import Derived, Point, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
+_SAME = 1e-7  # degrees within which two directions are one
 _X, _Y = AngleForm(), AngleForm((), 90.0)
-_LETTERS = (
-    "psi",
-    "beta",
-    "gamma",
-    "delta",
-    "lambda",
-    "kappa",
-    "nu",
-    "sigma",
-    "zeta",
-    "eta",
-)  # for angles without points
+_LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # for angles without points
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
@@ -51,7 +42,7 @@ class Geometry(PositionLines):
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
         self._corners: dict[tuple[str, frozenset[str]], Value] = {}
-        self._letters: list[str] = []
+        self._letters = 0  # given to angles
         self.unnamed_radii = UnnamedRadii()
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
@@ -217,11 +208,12 @@ class Geometry(PositionLines):
         return self._entered(name, "angle", expression)
 
     def letter(self) -> Name:
-        """A Greek letter that stands for nothing yet."""
+        """A Greek letter that stands for nothing yet; when they are used up, with a number."""
         form = self.task.form
-        taken = {*form.parameters, *form.symbols.values(), *self._letters}
-        self._letters.append(next(letter for letter in _LETTERS if letter not in taken))
-        return Name("inclination", self._letters[-1])
+        letters = [letter for letter in _LETTERS if letter not in {*form.parameters, *form.symbols.values()}]
+        self._letters += 1
+        number, place = divmod(self._letters - 1, len(letters))
+        return Name("inclination", letters[place], str(number) if number else "")
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point of the figure that lies in a direction from another one as it is given, or nothing."""
@@ -232,6 +224,16 @@ class Geometry(PositionLines):
                 if found is not None and found.is_along(form) and between(self.number(found), self.number(form)) < 90:
                     return name
         return ""
+
+    def stated_angle(self, stated: object, way: complex) -> Value:
+        """The direction of a line that the family gives by an angle, to the side of ``way`` (paper)."""
+        if isinstance(stated, FamilyExpression):
+            form = self.on_bases(self.angles.on_paper(self.angles.read(stated)))
+            form = form if between(self.number(form), degrees(way)) < 90.0 else form.turned(180.0)
+            if form.parts and between(self.number(form), degrees(way)) < _SAME:
+                expression = self.angle(form)
+                return Value(None, "angle", expression.number(True), expression)
+        return Value(None, "angle", degrees(way))
 
     @staticmethod
     def turned(angle: Value, by: float, name: Name | None = None) -> Value:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angle_sums import is_by_drawing
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.solution.book import Book, Known, Rate, along
@@ -133,10 +134,19 @@ def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
 
 
-def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
+def components(book: Book, name: Name, terms: Sequence[Term], paper: bool = False) -> Known:
+    """The sum of known vectors by its projections on two axes, which keep their signs.
+
+    The axes are x and y of the paper or, where only the drawing shows how the mechanism lies there (and not ``paper``),
+    one along the first of the vectors and one across it.
+    """
     found = []
-    for axis, word in ((RIGHT, "x"), (UP, "y")):
+    axes = ((RIGHT, "x"), (UP, "y"))
+    if not paper and book.graphics is None and all(is_by_drawing(term.angle) for term in terms):
+        first = terms[0].angle
+        axes = ((first, "xi"), (Geometry.turned(first, 90.0), "eta"))
+        book.say("axes.own", False, vector=VectorOf(terms[0].name))
+    for axis, word in axes:
         parts = shares(book, terms, axis)
         own = name.component(word)
         whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)

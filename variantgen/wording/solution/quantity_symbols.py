@@ -51,7 +51,7 @@ class Symbols:
             case "angle":
                 return self._corner(name)
             case "inclination":
-                return Symbol(name.of)
+                return Symbol(name.of, (Index(name.about),) if name.about else ())
             case "mu":
                 return Symbol("mu", self._body_index(name.of))
             case "length" | "direction":
@@ -119,7 +119,7 @@ class Symbols:
         words = name.part.split()
         index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
         index.append(Index(name.of + name.about))
-        index += [Index(w) for w in words if w in ("x", "y")]
+        index += [Index(w) for w in words if w in ("x", "y", "xi", "eta")]
         upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
         return Symbol(self.language.letter(name.kind), tuple(index), upper)
 
