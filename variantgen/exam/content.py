@@ -124,7 +124,7 @@ def with_figures(
     from variantgen.exam.shown import Figures, view_order
 
     said = known.said if known else statement(variant, asked, language)
-    figures = Figures(variant, asked, language, place, known.figure if known else None, text.centres)
+    figures = Figures(variant, asked, language, place, known.figure if known else None, text)
     figures.draw(view_order(text))
     return Solved(variant, said, text, figures.rows(), figures.numbers, explained)
 

@@ -17,7 +17,8 @@ from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.no_way import NO_WAY
 from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
-from variantgen.methods.steps.step import Item, Listing, Solution
+from variantgen.methods.steps.step import Item, Listing, PointVectors, Solution, Step
+from variantgen.methods.vectors.point_vectors import point_vectors
 from variantgen.variants.attempts import VerificationError
 
 _NOT_LED: tuple[type[Exception], ...] = (*NO_WAY, VerificationError)
@@ -55,7 +56,21 @@ def _chosen(task: Task, choice: Choice) -> Solution:
     results = [*found.values(), *items_values(check)]
     steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
-    return Solution(tuple(steps), tuple(found.items()), check, centres=_acceleration_centres(book))
+    centres, vectors = _acceleration_centres(book), _vectors(book, steps)
+    return Solution(tuple(steps), tuple(found.items()), check, centres=centres, vectors=vectors)
+
+
+def named_vectors(task: Task) -> tuple[PointVectors, ...]:
+    """The vectors of the natural solution of a task; those of the points alone where no method leads to it."""
+    try:
+        return solution(task).vectors
+    except _NOT_LED:
+        return _vectors(Book(task), ())
+
+
+def _vectors(book: Book, steps: Sequence[Step]) -> tuple[PointVectors, ...]:
+    """What figures draw of each order that is asked."""
+    return tuple(point_vectors(book, steps, order) for order in range(1, book.task.order + 1))
 
 
 def _acceleration_centres(book: Book) -> tuple[Quantity, ...]:
@@ -77,7 +92,7 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
     check = tuple(_checked_by_links(book.task))
     digits = (method.digits + 1,) if method.digits else DIGITS
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
-    return Solution(tuple(steps), tuple(found.items()), check, method.digits)
+    return Solution(tuple(steps), tuple(found.items()), check, method.digits, vectors=_vectors(book, steps))
 
 
 def _checked_by_links(task: Task) -> list[Item]:

@@ -17,6 +17,7 @@ from variantgen.figure.solved import solved
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.vector_chain import Cylinder, SlidingPoint, Turn, VectorChain, taken_apart
 from variantgen.methods.linkage.instant import Instant
+from variantgen.methods.steps.step import PointVectors
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Index, Symbol
 from variantgen.wording.language import Language
@@ -32,7 +33,14 @@ from variantgen.wording.vector_names import (
 ORDER = 2
 
 
-def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
+def draw(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    vectors: Sequence[PointVectors] = (),
+) -> Drawing:
     """The plan of one variant. Raises InputError where accelerations are not asked or there are none."""
     found = solved(variant, motion, index, asked, ORDER)
     scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)

@@ -18,6 +18,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import pole_letter
 from variantgen.methods.graphical.vector_chain import Cylinder, SlidingPoint, Turn, VectorChain
 from variantgen.methods.linkage.instant import Instant
+from variantgen.methods.steps.step import PointVectors
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
@@ -27,7 +28,14 @@ ORDER = 1
 _AT_REST = 1e-9  # of the largest velocity
 
 
-def draw(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language) -> Drawing:
+def draw(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    vectors: Sequence[PointVectors] = (),
+) -> Drawing:
     """The plan of one variant. Raises InputError where nothing moves."""
     found = solved(variant, motion, index, asked, ORDER)
     scale = scale_of_plan(found.chain, found.now, ORDER, found.unit)

@@ -113,8 +113,11 @@ class Term:
     @property
     def point(self) -> str:
         """The point whose vector it is, also where the data give the vector a letter of its own."""
-        fact = self.way.facts.get("point")
-        return fact.name if self.name.kind == "parameter" and isinstance(fact, Point) else self.name.of
+        if self.name.kind != "parameter":
+            return self.name.of
+        fact = self.way.facts.get("point") or self.way.facts["segment"]
+        assert isinstance(fact, Point | Segment)
+        return fact.name if isinstance(fact, Point) else fact.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,6 +200,8 @@ class ChainGraph:
     legs: tuple[Leg, ...]
 
 
+Named: TypeAlias = "tuple[Name, complex]"
+
 Item: TypeAlias = (
     Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
 )
@@ -212,11 +217,26 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
+class PointVectors:
+    """Names of a solution at one order (1 velocities, 2 accelerations), with vectors in m/s or m/s^2.
+
+    ``own`` are the vectors of the points themselves, ``terms`` what they are put together from, ``compound`` the points
+    whose motion is compound; ``rates`` are the names of the rates of all bodies.
+    """
+
+    own: dict[str, Named]
+    rates: dict[str, Name]
+    compound: frozenset[str]
+    terms: dict[str, list[Named]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
     """A whole solution: the steps, the answers with their values, the check by another method.
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
-    ``centres`` are the rays to acceleration centres that it speaks of.
+    ``centres`` are the rays to acceleration centres that it speaks of. Its figures draw ``vectors``: first those of
+    the velocities, then, where accelerations are asked, those of the accelerations.
     """
 
     steps: tuple[Step, ...]
@@ -224,3 +244,4 @@ class Solution:
     check: tuple[Item, ...] = ()
     approximate: int = 0
     centres: tuple[Quantity, ...] = ()
+    vectors: tuple[PointVectors, ...] = ()

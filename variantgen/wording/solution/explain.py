@@ -83,6 +83,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
         found.centres,
+        found.vectors,
     )
 
 
