@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
+from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm
 from variantgen.methods.algebra.expression import Value
@@ -16,8 +18,9 @@ from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
-from variantgen.methods.steps.step import Item, Listing, PointVectors, Solution, Step
+from variantgen.methods.steps.step import Item, Listing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 from variantgen.variants.attempts import VerificationError
 
@@ -60,12 +63,15 @@ def _chosen(task: Task, choice: Choice) -> Solution:
     return Solution(tuple(steps), tuple(found.items()), check, centres=centres, vectors=vectors)
 
 
-def named_vectors(task: Task) -> tuple[PointVectors, ...]:
-    """The vectors of the natural solution of a task; those of the points alone where no method leads to it."""
-    try:
-        return solution(task).vectors
-    except _NOT_LED:
-        return _vectors(Book(task), ())
+def named_vectors(task: Task, methods: Sequence[str] = ()) -> tuple[PointVectors, ...]:
+    """The vectors of a solution by the ``methods``, or by the natural ones where they do not apply.
+
+    Those of the points alone where no method leads to what is asked.
+    """
+    for wished in dict.fromkeys((tuple(methods), ())):
+        with suppress(InputError, *_NOT_LED):
+            return solution(task, wished).vectors
+    return _vectors(Book(task), ())
 
 
 def _vectors(book: Book, steps: Sequence[Step]) -> tuple[PointVectors, ...]:

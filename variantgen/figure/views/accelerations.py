@@ -19,7 +19,7 @@ from variantgen.figure.solved import Solved, solved
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.figure.vectors import Named, Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.steps.step import PointVectors
+from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -70,6 +70,5 @@ def _annotate(found: Solved, named: Vectors, board: MotionBoard, stretch: float)
 def components(found: Solved, named: Vectors) -> dict[str, Named]:
     """The acceleration of each point of the chain, first, and what it is put together from (m/s^2)."""
     points = named.telling(found.chain.points)
-    resting = [point for point in named.found.terms if point in named.found.compound and point in named.task.fixed]
     parts = {point: [named.own(point), *named.terms(point)] for point in points}
-    return parts | {point: named.terms(point) for point in resting}
+    return parts | {point: named.terms(point) for point in named.slid_over()}

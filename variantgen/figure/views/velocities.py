@@ -18,7 +18,7 @@ from variantgen.figure.solved import Solved, solved
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.steps.step import PointVectors
+from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -51,7 +51,7 @@ def _annotate(found: Solved, named: Vectors, board: MotionBoard, stretch: float)
     shown = [*(now.v[name] for name in points), *(vector for terms in parts.values() for _, vector in terms)]
     scale = stretch * scale_of([*shown, *(contact.velocity for contact in touching.values())])
     straight = set()
-    for name in points:
+    for name in (*points, *named.slid_over()):
         vectors = named_together([named.own(name), *parts.get(name, [])], scale)
         for i, (symbol, vector) in enumerate(vectors):
             whole = i == 0 and abs(vector - now.v[name]) * scale < NOTHING

@@ -9,6 +9,7 @@ from typing import TypeAlias
 from variantgen.families.quantities import Quantity
 from variantgen.methods.algebra.expression import Expression, Value
 from variantgen.methods.algebra.name import Name
+from variantgen.methods.steps.point_vectors import PointVectors
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,8 +201,6 @@ class ChainGraph:
     legs: tuple[Leg, ...]
 
 
-Named: TypeAlias = "tuple[Name, complex]"
-
 Item: TypeAlias = (
     Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
 )
@@ -214,20 +213,6 @@ class Step:
     heading: Sentence
     items: list[Item] = field(default_factory=list)
     views: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class PointVectors:
-    """Names of a solution at one order (1 velocities, 2 accelerations), with vectors in m/s or m/s^2.
-
-    ``own`` are the vectors of the points themselves, ``terms`` what they are put together from, ``compound`` the points
-    whose motion is compound; ``rates`` are the names of the rates of all bodies.
-    """
-
-    own: dict[str, Named]
-    rates: dict[str, Name]
-    compound: frozenset[str]
-    terms: dict[str, list[Named]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

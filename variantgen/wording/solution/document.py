@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from variantgen.families.quantities import Quantity
-from variantgen.methods.steps.step import PointVectors
+from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.wording.formula import Formula
 from variantgen.wording.text import Text
 
