@@ -23,9 +23,10 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.sketch import HINGE
-from variantgen.outputs.typesetter import figure_data, typesetter
-from variantgen.variants.draw import Drawing as Draws
-from variantgen.variants.needed import shown_points
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
+from variantgen.variants.draw import FamilySampler as Draws
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import load_language

@@ -55,7 +55,7 @@ def replay(folder: Path) -> Clock:
     """CPU milliseconds of the engine by template."""
     import typst
 
-    from variantgen.outputs.typesetter import typesetter
+    from variantgen.outputs.typst.typesetter import typesetter
 
     clock = Clock()
     made: Any = None

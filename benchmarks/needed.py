@@ -17,6 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from benchmarks.measure import write_beside
+from variantgen.algebra.values import in_order
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family
@@ -25,11 +26,10 @@ from variantgen.families.restrict import restrict
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
-from variantgen.methods.algebra.values import in_order
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.single import one_variant
-from variantgen.variants.needed import given_names
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import solve_variants
 
 HEAD = """\

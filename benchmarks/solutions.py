@@ -21,25 +21,25 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import exams, processes
-from benchmarks.exams import FIVE_FAMILIES
+from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
 from benchmarks.measure import Clock, machine_line, write_beside
 from variantgen.builder import build
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam, read_exam
 from variantgen.exam.confirm import confirm
-from variantgen.exam.content import Content, PosedProblem, Solved
+from variantgen.exam.content import Content, PosedProblem, SolvedProblem
+from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.exam.shown import Figures, view_order
+from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.load import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
-from variantgen.outputs.key_data import key_by_problem, key_by_student
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import problem_data, solutions_data
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
 
@@ -68,19 +68,19 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
     for item, (motion, place) in zip(items, solved, strict=True):
         with clock.measuring(STATEMENT):
             drawing = statement_figure(item.variant, motion, place, item.asked, language)
-            known = {id(drawing): figure_data(drawing)}
+            known = {id(drawing): TYPST.figure(drawing)}
         with clock.measuring(METHODS):
             task = task_of(item.variant, motion, place, item.asked)
             found = solution(task)
         with clock.measuring(TEXT):
             text = written(task, found, language)
         posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
-        figures = Figures(item.variant, item.asked, language, (motion, place), drawing, text)
+        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing, text)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            solved = Solved(item.variant, posed.said, text, figures.rows(), figures.numbers)
-            made.append(problem_data(solved, language, known))
+            solved = SolvedProblem(item.variant, posed.statement, text, figures.rows(), figures.numbers)
+            made.append(problem_data(solved, language, TYPST, known))
     with clock.measuring(JSON):
         json.dumps(made, ensure_ascii=False, separators=(",", ":"))
 
@@ -88,7 +88,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
 def typesetting_cost(exam: Path, students: int) -> Clock:
     """The engine alone on the sheets, the key and the solutions of an exam, everything else being prepared."""
     plan = read_exam(exam)
-    sheets = assemble(replace(plan, seed="0"), numbered(students)).sheets
+    sheets = drawn_sheets(replace(plan, seed="0"), numbered(students))
     clock = Clock()
     with typesetter() as engine:
         for target, template, data in _documents(plan, sheets):
@@ -101,10 +101,10 @@ def _documents(plan: Exam, sheets: Sequence[Sheet]) -> Iterator[tuple[str, str, 
     """What a build gives to the engine: target, template and data."""
     for i in range(0, len(sheets), STUDENTS_PER_PART):
         content = Content(plan, sheets[i : i + STUDENTS_PER_PART])
-        yield SHEETS, "sheets.typ", sheets_data(content)
-        yield from ((SOLUTIONS, "solutions.typ", solutions_data(content, n)) for n in range(len(content.sheets)))
+        yield SHEETS, "sheets.typ", sheets_data(content, TYPST)
+        yield from ((SOLUTIONS, "solutions.typ", solutions_data(content, n, TYPST)) for n in range(len(content.sheets)))
     for data in (key_by_student, key_by_problem):
-        yield from ((KEY, "key.typ", data(plan, sheets[i : i + 40], i == 0)) for i in range(0, len(sheets), 40))
+        yield from ((KEY, "key.typ", data(plan, sheets[i : i + 40], i == 0, TYPST)) for i in range(0, len(sheets), 40))
 
 
 def in_fresh_process(task: str, exam: Path, students: int) -> Clock:
@@ -137,13 +137,13 @@ def class_table(students: int) -> list[str]:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of(FIVE_FAMILIES, Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(students)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(students))
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
-            assemble(replace(exam, seed="0"), numbered(students))
+            drawn_sheets(replace(exam, seed="0"), numbered(students))
         _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
-            sheets_data(Content(exam, sheets))
+            sheets_data(Content(exam, sheets), TYPST)
         measure_solutions(exam, sheets, clock)
         engine = in_fresh_process("typesetting", exam.path, students)
         whole = in_fresh_process("building", exam.path, students)["build"]
@@ -174,7 +174,7 @@ def family_row(family: str, variants: int) -> str:
     clock = Clock()
     with tempfile.TemporaryDirectory() as name:
         exam = exam_of([family], Path(name))
-        sheets = assemble(replace(exam, seed="0"), numbered(variants)).sheets
+        sheets = drawn_sheets(replace(exam, seed="0"), numbered(variants))
         known = {item.variant.form.name: sheet for sheet in sheets for item in sheet.items}
         measure_solutions(exam, list(known.values()), Clock())
         measure_solutions(exam, sheets, clock)

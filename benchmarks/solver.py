@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from benchmarks.measure import Table, fastest
 from benchmarks.options import Options
 from benchmarks.rivals import EXTRA, MECHANISMS, Mechanism, ways
-from variantgen.families.family import Family, Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import solve
 from variantgen.variants.draw import draw
-from variantgen.variants.variant import Variant, columns
+from variantgen.variants.variant import Variant, parameter_arrays
 
 TITLE = "The solver"
 SIZES = (1, 10, 100, 1000, 10_000)
@@ -67,7 +68,7 @@ def catalogue_table(forms: Sequence[tuple[Family, Form]], sizes: Sequence[int], 
     for family, form in forms:
         variants = drawn(family, form, min(_DRAWN, max(sizes)))
         turns = {"sense": np.array([v.sense for v in variants]), "turns": np.array([v.turns for v in variants])}
-        known = columns(variants)
+        known = parameter_arrays(variants)
         calls: dict[str, Callable[[], object]] = {}
         for size in sizes:
             pose = repeated(turns, size)
@@ -83,7 +84,7 @@ def comparison(mechanism: Mechanism, sizes: Sequence[int], rounds: int) -> Table
     """One form by all ways: microseconds per variant, and how far the results are from those of the program."""
     family = load_family(mechanism.family)
     form = family.forms[mechanism.form]
-    known = columns(drawn(family, form, min(_DRAWN, max(sizes))))
+    known = parameter_arrays(drawn(family, form, min(_DRAWN, max(sizes))))
     seconds: dict[str, list[float]] = {}
     differences: dict[str, float | None] = {}
     missing: list[str] = []

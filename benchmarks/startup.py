@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 import sys
 import tempfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from benchmarks import processes
@@ -45,7 +46,12 @@ def run(options: Options) -> list[Table]:
                 ran = processes.run(command, settings)
                 if turn or options.quick:  # the first round puts the files into the memory of the system
                     found.setdefault(title, []).append(ran)
-    table = Table(
+    return [table(found)]
+
+
+def table(found: Mapping[str, Sequence[Ran]]) -> Table:
+    """What the runs of each command took, above those of Python alone."""
+    made = Table(
         "Commands in a fresh process",
         (
             "command",
@@ -62,5 +68,5 @@ def run(options: Options) -> list[Table]:
     for title, runs in found.items():
         best = processes.least(runs)
         medians = [statistics.median(values) for values in ([r.wall for r in runs], [r.cpu for r in runs])]
-        table.add(title, best.wall, medians[0], best.cpu, medians[1], best.cpu - alone)
-    return [table]
+        made.add(title, best.wall, medians[0], best.cpu, medians[1], best.cpu - alone)
+    return made

@@ -56,8 +56,8 @@ class Browser:
         whole.write_text('<!doctype html><meta charset="utf-8">' + _LISTENER + "".join(frames), encoding="utf-8")
         found = re.search(r'<pre id="found">(.+?)</pre>', self.dom(whole), re.DOTALL)
         assert found, "no script has said anything"
-        told = json.loads(unescape(found[1]))
-        return [told[str(number)] for number in range(len(views))]
+        output = json.loads(unescape(found[1]))
+        return [output[str(number)] for number in range(len(views))]
 
     def printed(self, page: Path) -> Path:
         """The page as PDF."""

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.near import Near
@@ -267,7 +267,7 @@ def slider_crank_from_picture() -> Scene:
         {"OA": ("O", "A"), "AB": ("A", "B")},
         (Pivot("O"), Guide("B")),
         (Rotation("OA", 2.0, -1.0),),
-        conditions=(Distance("A", "B", 0.6), Line("B", "O")),
+        conditions=(Distance("A", "B", 0.6), PointOnLine("B", "O")),
     )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
 from variantgen.mechanism.constructions.coordinates import Coordinates
-from variantgen.mechanism.constructions.fraction import Fraction
+from variantgen.mechanism.constructions.fraction import SegmentFraction
 from variantgen.mechanism.constructions.line_circle import LineCircle
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -39,7 +39,7 @@ def four_bar(
             "C": Coordinates(d, 0.0),
             "A": Polar("O", a, phi),
             "B": CircleCircle("A", b, "C", c, side),
-            "M": Fraction("A", "B"),
+            "M": SegmentFraction("A", "B"),
         },
         {"OA": ("O", "A"), "AB": ("A", "B", "M"), "BC": ("C", "B")},
         (Pivot("O"), Pivot("C")),
@@ -72,7 +72,7 @@ def sleeve_on_crank(oa: Any, oc: Any, ab: Any, h: Any, phi: Any, omega: Any, eps
             "C": Polar("O", oc, phi),
             "G": Coordinates(0.0, h),
             "B": LineCircle("G", "A", ab),
-            "D": Fraction("B", "C", 1.5),
+            "D": SegmentFraction("B", "C", 1.5),
         },
         {"OA": ("O", "A", "C"), "AB": ("A", "B"), "BD": ("B", "D")},
         (Pivot("O"), Guide("B"), Slot("C", "BD", ("B", "D"))),

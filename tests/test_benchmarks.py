@@ -51,25 +51,34 @@ def test_document_holds_every_table(measured: Path) -> None:
 def test_starting(measured: Path) -> None:
     (rows,) = tables(measured, "startup")
     assert [row["command"] for row in rows] == list(startup.commands(measured))
-    assert rows[0]["command"] == startup.PYTHON
-    for row in rows:
-        assert 0 < row["CPU, least, s"] <= row["CPU, median, s"]
-        assert 0 < row["wall, least, s"] <= row["wall, median, s"]
-        assert row["CPU above Python alone, s"] == pytest.approx(row["CPU, least, s"] - rows[0]["CPU, least, s"])
+    took = {row["command"]: row["CPU, least, s"] for row in rows}
+    assert 0 < took[startup.PYTHON] < took["--help"] < took["build sample_en --variants 1"]
+
+
+def test_what_starting_takes_above_python() -> None:
+    def ran(wall: float, cpu: float) -> Ran:
+        return Ran(wall, cpu, 30.0, None, 0.0)
+
+    made = startup.table({startup.PYTHON: [ran(3, 2), ran(5, 1), ran(9, 3)], "--help": [ran(4, 6), ran(8, 9)]})
+    assert made.rows == [(startup.PYTHON, 3, 5, 1, 2, 0), ("--help", 4, 6, 6, 7.5, 5)]
 
 
 def test_scale(measured: Path) -> None:
     (time,), (memory,), mark, (compared,) = tables(measured, "scale")
     assert time["students"] == memory["students"] == compared["students"] == 2
-    assert 0 < time["engine alone, ms"] < time["CPU per student, ms"] == pytest.approx(500 * time["CPU, s"])
-    assert time["CPU / engine"] == pytest.approx(time["CPU per student, ms"] / time["engine alone, ms"])
-    assert time["throughput of two"] == pytest.approx(time["wall, s"] / time["wall of two processes, s"])
+    # The engine is a part of the build, and more than nothing; a build takes less than a minute.
+    assert 0 < time["engine alone, ms"] < time["CPU per student, ms"] < 30_000
     assert memory["peak of one process, MB"] > 30
     assert 0.01 < memory["output, MB"] < memory["written, MB"]
-    factor = mark[0]["here"] / mark[0]["there"]
-    assert compared["R/exams by wall, converted, ms"] == pytest.approx(836 * factor)
-    assert compared["R/exams by user CPU, converted, ms"] == pytest.approx(754 * factor)
-    assert compared["times less"] == pytest.approx(836 * factor / compared["CPU per student here, ms"])
+    assert all(row["here"] > 0 for row in mark)
+
+
+def test_another_machine_is_compared_by_the_yardstick() -> None:
+    there = yardstick.THERE
+    slow = yardstick.Mark(*(2 * number for number in vars(there).values()))
+    # R/exams took 836 ms of time and 754 ms of CPU for a student; here everything takes twice as long.
+    (row,) = yardstick.comparison(slow, [(100, 0.05)]).rows
+    assert row == pytest.approx((100, 50, 1672, 33.44, 1508, 30.16))
 
 
 def test_stages(measured: Path) -> None:
@@ -83,8 +92,8 @@ def test_stages(measured: Path) -> None:
     assert every["stage"] == stages.ALL
     assert bare["stage"] == stages.BARE
     assert bare[case] > 0
-    assert every[case] == pytest.approx(sum(named.values()))
     assert named[stages.REST] < 0.2 * every[case]
+    assert 0.5 < every[case] / bare[case] < 2  # the clocks cost little, and nothing is counted twice
 
 
 def test_solver_and_others_agree(measured: Path) -> None:

@@ -19,9 +19,9 @@ SOURCES = sorted((ROOT / "variantgen").rglob("*.py"))
 
 def test_extras_that_are_told_are_those_of_the_package() -> None:
     """From the folder: the package is on no index."""
-    told = [name for names in re.findall(r"\.\[([a-z,]+)\]", TOLD) for name in names.split(",")]
-    assert set(told) <= EXTRAS
-    assert {"xlsx", "latex", "plots", "dask", "accuracy"} <= set(told)
+    output = [name for names in re.findall(r"\.\[([a-z,]+)\]", TOLD) for name in names.split(",")]
+    assert set(output) <= EXTRAS
+    assert {"xlsx", "latex", "plots", "dask", "accuracy"} <= set(output)
     assert "pip install variantgen" not in TOLD
     assert "variantgen[" not in TOLD
 

@@ -70,8 +70,8 @@ def refused(command: list[str], capsys: pytest.CaptureFixture[str], seconds: flo
 def test_a_key_of_very_many_parts(key: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam = tmp_path / "exam.toml"
     exam.write_text(EXAM + key + (" = 1\n" if not key.startswith("[") else "\n") + PROBLEM, "utf-8")
-    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert "exam.toml: a key of more than 50 parts in line 3 (got " in told
+    output = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "exam.toml: a key of more than 50 parts in line 3 (got " in output
     assert [path.name for path in tmp_path.iterdir()] == ["exam.toml"]
 
 
@@ -79,26 +79,26 @@ def test_a_key_of_very_many_parts(key: str, tmp_path: Path, capsys: pytest.Captu
 def test_points_in_texts_are_no_keys(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam = tmp_path / "exam.toml"
     exam.write_text(f"title = '{text}'\nlanguage = \"en\"\ncolour = 1\n{PROBLEM}", "utf-8")
-    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert "colour: unknown key" in told
-    assert "parts" not in told
+    output = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "colour: unknown key" in output
+    assert "parts" not in output
 
 
 def test_problems_without_number(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam = tmp_path / "exam.toml"
     exam.write_text(EXAM + PROBLEM * 3700, "utf-8")
-    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert "exam.toml: problem: expected at most 100 entries (got 3700)\n    leave some out" in told
-    assert "at least one problem" not in told
+    output = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "exam.toml: problem: expected at most 100 entries (got 3700)\n    leave some out" in output
+    assert "at least one problem" not in output
 
 
 @pytest.mark.parametrize(("key", "value"), [("families", "four_bar"), ("ask", "v_B"), ("form", "crank")])
 def test_lists_of_a_problem(key: str, value: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam, family = tmp_path / "exam.toml", "" if key == "families" else 'family = "four_bar"'
     exam.write_text(f"{EXAM}[[problem]]\n{family}\n{key} = {[value] * 9000}\n", "utf-8")
-    told = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert f"exam.toml: problem[1].{key}: expected at most 100 entries (got 9000)" in told
-    assert "missing" not in told
+    output = refused(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert f"exam.toml: problem[1].{key}: expected at most 100 entries (got 9000)" in output
+    assert "missing" not in output
 
 
 @pytest.mark.parametrize(
@@ -114,9 +114,9 @@ def test_lists_of_a_problem(key: str, value: str, tmp_path: Path, capsys: pytest
 def test_sections_of_a_family_without_end(
     section: str, lines: list[str], key: str, bound: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    told = refused(["check", family(tmp_path, **{section: "\n".join(lines)})], capsys)
-    assert f"family.toml: {key}: expected at most {bound} entries (got " in told
-    assert "unknown" not in told
+    output = refused(["check", family(tmp_path, **{section: "\n".join(lines)})], capsys)
+    assert f"family.toml: {key}: expected at most {bound} entries (got " in output
+    assert "unknown" not in output
 
 
 def test_derived_quantities_may_stand_in_any_order(tmp_path: Path) -> None:
@@ -140,12 +140,12 @@ def test_files_of_a_family_are_no_links(
         os.mkfifo(folder / name)
     else:
         (folder / name).symlink_to({"link": secret, "folder link": tmp_path, "dangling": tmp_path / "none"}[kind])
-    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    output = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
     if name == "family.toml" and kind != "link":
-        assert "unknown family (got own)" in told
+        assert "unknown family (got own)" in output
     else:
         expected = "expected a file" if kind == "pipe" else "a file of a family may not be a link"
-        assert f"own/{name}: {expected}" in told
+        assert f"own/{name}: {expected}" in output
     assert not (tmp_path / "out").exists()
 
 
@@ -153,8 +153,8 @@ def test_files_of_a_family_are_no_links(
 def test_files_of_a_family_are_small(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = own_family(tmp_path)
     os.truncate(folder / name, 3_000_000_000)
-    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert f"own/{name}: the file is larger than 200 kB" in told
+    output = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert f"own/{name}: the file is larger than 200 kB" in output
 
 
 def test_other_files_in_the_folder_of_a_family_are_not_read(tmp_path: Path) -> None:
@@ -177,8 +177,8 @@ def test_no_family_has_hundreds_of_statements(tmp_path: Path, capsys: pytest.Cap
     folder = own_family(tmp_path)
     for number in range(60):
         (folder / f"statement.{number}.j2").touch()
-    told = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
-    assert "own: expected at most 50 files of a family (got 64)" in told
+    output = refused(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")], capsys)
+    assert "own: expected at most 50 files of a family (got 64)" in output
 
 
 def own_family(folder: Path) -> Path:

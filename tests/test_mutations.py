@@ -83,7 +83,7 @@ def step(content: bytes, kind: str, at: int, length: int, other: bytes) -> bytes
             return b"".join(lines)
 
 
-def told(*arguments: str) -> tuple[int, str]:
+def output(*arguments: str) -> tuple[int, str]:
     """Exit code and messages of a command."""
     out = io.StringIO()
     with redirect_stderr(out), redirect_stdout(out):
@@ -107,12 +107,14 @@ def check(name: str, damage: Callable[[bytes], bytes]) -> int:
         target = folder / name
         target.write_bytes(damage(target.read_bytes()))
         out = folder / "out"
-        code, said = told("build", str(folder / "exam.toml"), "--roster", str(folder / "class.csv"), "--out", str(out))
+        code, said = output(
+            "build", str(folder / "exam.toml"), "--roster", str(folder / "class.csv"), "--out", str(out)
+        )
         assert code in {0, 1, 2}, said
         assert out.exists() == (code == 0), said
         assert sorted(path.name for path in folder.iterdir() if path.name != "out") == ["class.csv", "exam.toml", "own"]
         if code == 0:
-            again, told_again = told("verify", str(out), "--families", str(folder))
+            again, told_again = output("verify", str(out), "--families", str(folder))
             assert again == 0, told_again
         else:
             assert said.strip(), "a message is expected"
@@ -154,7 +156,7 @@ def workbook() -> bytes:
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = workplace(tmp_path_factory.mktemp("finished"))
     roster, out = str(folder / "class.csv"), str(folder / "out")
-    assert told("build", str(folder / "exam.toml"), "--roster", roster, "--out", out)[0] == 0
+    assert output("build", str(folder / "exam.toml"), "--roster", roster, "--out", out)[0] == 0
     return folder
 
 
@@ -164,7 +166,7 @@ def test_manifest(damage: Callable[[bytes], bytes], finished: Path) -> None:
     sound = manifest.read_bytes()
     try:
         manifest.write_bytes(damage(sound))
-        code, said = told("verify", str(finished / "out"), "--families", str(finished))
+        code, said = output("verify", str(finished / "out"), "--families", str(finished))
         assert code in {0, 1, 2}, said
         assert said.strip()
         if code == 0:  # what was damaged is nothing that a sheet or the key says

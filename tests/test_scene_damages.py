@@ -95,8 +95,8 @@ def damages(data: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
 def outcome(path: Path, data: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
     path.write_text(document(data), encoding="utf-8")
     code = main(["solve", str(path), "--json"])
-    told = capsys.readouterr()
-    return code, told.out, told.err
+    output = capsys.readouterr()
+    return code, output.out, output.err
 
 
 def assert_sound(code: int, out: str, err: str) -> None:
@@ -181,11 +181,11 @@ rotation = { body = "OA", omega = 2 }
         (BASE + "[[joints]]\nrope.path = []\n", "joints.rope of nothing: a rope needs at least two bends: its ends"),
     ],
 )
-def test_overgrown_and_empty_parts(text, told, tmp_path, capsys):
+def test_overgrown_and_empty_parts(text, output, tmp_path, capsys):
     path = tmp_path / "scene.toml"
     path.write_text(text, encoding="utf-8")
     assert main(["solve", str(path)]) == 2
-    assert told in capsys.readouterr().err
+    assert output in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("count", [180])

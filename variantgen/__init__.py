@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from variantgen.families.load import family_names, load_family
     from variantgen.mechanism.scene import Scene
     from variantgen.mechanism.solve import solve
-    from variantgen.outputs.explanation import explain
-    from variantgen.outputs.picture import picture
+    from variantgen.outputs.single.explanation import explain
+    from variantgen.outputs.single.picture import picture
     from variantgen.single import answers, solution_document
     from variantgen.variants.draw import draw
     from variantgen.version import VERSION as __version__  # noqa: N811  (the name that tools look for)
@@ -34,10 +34,10 @@ _HOMES = {
     "answers": "single",
     "build": "builder",
     "draw": "variants.draw",
-    "explain": "outputs.explanation",
+    "explain": "outputs.single.explanation",
     "family_names": "families.load",
     "load_family": "families.load",
-    "picture": "outputs.picture",
+    "picture": "outputs.single.picture",
     "read_roster": "exam.roster",
     "solution_document": "single",
     "solve": "mechanism.solve",

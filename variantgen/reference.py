@@ -9,7 +9,8 @@ from __future__ import annotations
 import inspect
 import re
 
-from variantgen.families.expressions import CONSTANTS, FUNCTIONS
+from variantgen.families.dimensions import CONSTANTS
+from variantgen.families.expressions import FUNCTIONS
 from variantgen.families.units import UNITS
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.resources import catalog_dir

@@ -29,6 +29,11 @@ def templates_dir() -> Path:
     return _root() / "templates"
 
 
+def languages() -> list[str]:
+    """Names of the languages there are: each has its file of words."""
+    return sorted(path.stem for path in (templates_dir() / "words").glob("*.toml"))
+
+
 def folder_hash(folder: Path) -> str:
     """Hash (16 hex digits) of the names and bytes of all files below a folder, in sorted order."""
     digest = hashlib.sha256()

@@ -105,7 +105,8 @@ def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity
 def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, Any]:
     """The solved variant as plain data (the document of ``solve --json``); what was not computed is absent.
 
-    Points and bodies in SI and radians, answers in their printed units.
+    Points and bodies in SI and radians, answers in their printed units. Raises InputError for numbers beyond all
+    bounds.
     """
     asked = asked_quantities(variant, ask)
     motion = solve_variants([variant], max(q.order for q in asked))

@@ -10,21 +10,21 @@ import pytest
 from tests.mechanisms import wheel
 from variantgen.accuracy.cases import cancellation, dead_points, far_centres
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
-from variantgen.accuracy.computed import Computed, Group
-from variantgen.accuracy.measure import FAILURES, Errors, discovered, measure, part, truths
+from variantgen.accuracy.computed import CaseGroup, Computed
+from variantgen.accuracy.measure import FAILURES, Errors, discovered, measure, part, reference_cases
 from variantgen.accuracy.run import case_modules
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.mechanism.solve import solve
 
 
 @pytest.fixture(scope="module")
-def group() -> Group:
+def group() -> CaseGroup:
     return grouped("four-bar", four_bars(np.random.default_rng(3), 3), 3)
 
 
 @pytest.fixture(scope="module")
-def known(group: Group) -> list:
-    return truths(group)[1]
+def known(group: CaseGroup) -> list:
+    return reference_cases(group)[1]
 
 
 # By way: what the largest error of velocities and of accelerations is below, on ordinary four-bars.
@@ -41,7 +41,7 @@ LEAST = {
 
 
 @pytest.mark.parametrize("way", discovered())
-def test_every_way_computes_the_motion(way: str, group: Group, known: list) -> None:
+def test_every_way_computes_the_motion(way: str, group: CaseGroup, known: list) -> None:
     found = measure(way, group, known, 0)
     assert len(found.rows) + sum(found.failures.values()) == 3
     if way != "newton":
@@ -52,14 +52,14 @@ def test_every_way_computes_the_motion(way: str, group: Group, known: list) -> N
 
 
 def test_slider_crank_by_textbook_and_by_complex_step() -> None:
-    group, known = truths(grouped("slider-crank", slider_cranks(np.random.default_rng(5), 3), 3))
+    group, known = reference_cases(grouped("slider-crank", slider_cranks(np.random.default_rng(5), 3), 3))
     for way in ("closed_form", "complex_step"):
         found = np.array(measure(way, group, known, 0).rows)
         assert found[:, 1].max() < 1e-14
         assert found[:, 2].max() < LEAST[way][1]
 
 
-def test_time_is_taken_for_a_whole_batch(group: Group, known: list) -> None:
+def test_time_is_taken_for_a_whole_batch(group: CaseGroup, known: list) -> None:
     found = measure("production", group, known, 1)
     assert found.batch == discovered()["production"].BATCH
     assert 0 < found.seconds < 1
@@ -70,7 +70,7 @@ def test_only_variants_with_a_result_are_timed() -> None:
     bars = FourBar(*(np.array(x) for x in ((0.3, 0.3), (0.8, 0.8), (0.3, 0.3), (0.8, 0.8), (0.0, 1.0))),
                    np.ones(2), np.ones(2), np.ones(2))  # fmt: skip
     group = grouped("parallelograms", bars, 2)
-    sound, known = truths(part(group, [1]))
+    sound, known = reference_cases(part(group, [1]))
     found = measure("dense", group, [known[0], known[0]], 1)
     assert found.failures["exception"] + found.failures["wrong branch"] + found.failures["refused"] == 1
     assert sound.size == 1
@@ -79,7 +79,7 @@ def test_only_variants_with_a_result_are_timed() -> None:
 
 def test_ways_that_do_not_apply_say_so() -> None:
     motion = solve(wheel(0.3, 1.0, 2.0))
-    group = Group("wheel", motion.scene, 1)
+    group = CaseGroup("wheel", motion.scene, 1)
     assert "closed form" in measure("closed_form", group, [], 0).absent
 
 
@@ -88,10 +88,10 @@ class _Failing(ModuleType):
 
     BATCH = 1
 
-    def applies(self, group: Group) -> str:
+    def applies(self, group: CaseGroup) -> str:
         return ""
 
-    def prepare(self, group: Group) -> object:
+    def prepare(self, group: CaseGroup) -> object:
         right = discovered()["production"].prepare(group)()
         flags = np.zeros(group.size, bool)
 
@@ -104,7 +104,7 @@ class _Failing(ModuleType):
 
         return spoilt
 
-    def change(self, group: Group, right: Computed) -> tuple:
+    def change(self, group: CaseGroup, right: Computed) -> tuple:
         base = group.scene.points["C"].x
         wrong = np.where(base == self.mirrored, np.conj(right.z["B"]), right.z["B"])
         v = np.where(base == self.nan, np.nan, right.v["B"])
@@ -113,7 +113,7 @@ class _Failing(ModuleType):
 
 def test_failures_are_counted_and_not_averaged(monkeypatch: pytest.MonkeyPatch) -> None:
     group = grouped("four-bar", four_bars(np.random.default_rng(4), 4), 4)
-    group, known = truths(group)
+    group, known = reference_cases(group)
     way = _Failing("failing")
     way.singular, way.mirrored, way.nan = group.scene.points["C"].x[:3]
     every = {**discovered(), "failing": way}
@@ -161,7 +161,7 @@ def test_accelerations_cancel() -> None:
         assert np.all(np.abs(value) < 1e3 * (remainder + 1e-14) * scale)
 
 
-def test_part_of_a_group_may_repeat(group: Group) -> None:
+def test_part_of_a_group_may_repeat(group: CaseGroup) -> None:
     several = part(group, [2, 0, 2])
     assert several.size == 3
     z, whole = solve(several.scene).z["B"], solve(group.scene).z["B"]

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from variantgen.accuracy.overtime.compare import DIRECT, follow
-from variantgen.accuracy.overtime.integrate import METHODS, integrate, possible
-from variantgen.accuracy.overtime.passage import Passage, passing, turning
+from variantgen.accuracy.integration.compare import DIRECT, follow
+from variantgen.accuracy.integration.integrate import METHODS, integrate, possible
+from variantgen.accuracy.integration.passage import Passage, passing, turning
 
 
 @pytest.fixture(scope="module")

@@ -12,10 +12,10 @@ from variantgen.accuracy.condition import condition
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import exact_number, many_digits
 from variantgen.accuracy.reference.branches import on_branch
+from variantgen.accuracy.reference.checked_positions import positions
 from variantgen.accuracy.reference.definitions import definition
 from variantgen.accuracy.reference.exact_scene import data, exact_scene, kind, wide_scene
-from variantgen.accuracy.reference.motion import Exact, solve_exactly
-from variantgen.accuracy.reference.placed import positions
+from variantgen.accuracy.reference.motion import ExactMotion, solve_exactly
 from variantgen.accuracy.reference.positions import NoSuchPointError, construction
 from variantgen.mechanism.component import discover
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
@@ -30,7 +30,7 @@ from variantgen.mechanism.solve import solve
 TINY = 1e-22  # derivatives by mpmath.diff have about a third of the digits carried
 
 
-def exactly(scene: Scene) -> Exact:
+def exactly(scene: Scene) -> ExactMotion:
     with many_digits():
         return solve_exactly(exact_scene(scene, 0, 1)).exact
 
@@ -82,7 +82,7 @@ def test_solver_agrees_with_the_reference(name: str, frame: Frame) -> None:
             {k: exact_number(x[0]) for k, x in t.items()}
             for t in (motion.z, motion.v, motion.a, motion.omega, motion.epsilon)
         ]
-        gaps = deviation(Exact({}, *tables, exact.size), exact)
+        gaps = deviation(ExactMotion({}, *tables, exact.size), exact)
     assert max(float(gap) for gap in gaps) < 4e-15
 
 

@@ -12,10 +12,10 @@ import pytest
 from variantgen.accuracy import summary
 from variantgen.accuracy.cases import dead_points, length_ratios, scales
 from variantgen.accuracy.measure import discovered
+from variantgen.accuracy.report.docs_summary import summary as short
 from variantgen.accuracy.report.findings import findings
-from variantgen.accuracy.report.short import summary as short
-from variantgen.accuracy.report.written import FILES, write
-from variantgen.accuracy.run import QUICK, Measured, run
+from variantgen.accuracy.report.report_files import FILES, write
+from variantgen.accuracy.run import QUICK, Measurement, run
 from variantgen.cli import main
 from variantgen.resources import catalog_dir
 
@@ -23,13 +23,13 @@ TINY = replace(QUICK, count=6, timed=1, rounds=1, turns=(1,), gaps=(1e-3,), chec
 
 
 @pytest.fixture(scope="module")
-def measured() -> Measured:
+def measured() -> Measurement:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("variantgen.accuracy.run.case_modules", lambda: [scales, dead_points, length_ratios])
         return run(TINY)
 
 
-def test_folder_is_whole(measured: Measured, tmp_path: Path) -> None:
+def test_folder_is_whole(measured: Measurement, tmp_path: Path) -> None:
     write(measured, tmp_path)
     names = {path.name for path in tmp_path.iterdir()}
     assert {
@@ -51,14 +51,14 @@ def test_folder_is_whole(measured: Measured, tmp_path: Path) -> None:
     assert all(str(value) in text for value in measured.machine.values())
 
 
-def test_findings_are_sentences_with_numbers(measured: Measured) -> None:
+def test_findings_are_sentences_with_numbers(measured: Measurement) -> None:
     found = findings(measured)
     assert len(found) > 5
     assert all(sentence.endswith(".") and "nan" not in sentence for sentence in found)
     assert any("No exception, no NaN and no wrong branch" in sentence for sentence in found)
 
 
-def test_summary_replaces_the_marked_part_only(measured: Measured) -> None:
+def test_summary_replaces_the_marked_part_only(measured: Measurement) -> None:
     text = "before\n<!-- accuracy -->\nold\n<!-- end of accuracy -->\nafter\n"
     new = summary.refreshed(text, short(measured))
     assert new.startswith("before\n<!-- accuracy -->\n| class of cases")

@@ -8,7 +8,7 @@ import pytest
 
 from variantgen.accuracy.precise import exact_number, many_digits
 from variantgen.accuracy.reference.series import Series, series
-from variantgen.mechanism.arithmetic import unit
+from variantgen.mechanism.arithmetic import unit_vector
 
 X = (0.7, 1.3, -0.4)
 Y = (-1.1, 0.6, 0.9)
@@ -20,7 +20,7 @@ EXPRESSIONS = {
     "root": (lambda x, y: np.sqrt(x * x + y**2), lambda x, y: mpmath.sqrt(x * x + y**2)),
     "circle": (lambda x, y: np.cos(x) * np.sin(y), lambda x, y: mpmath.cos(x) * mpmath.sin(y)),
     "exponential": (lambda x, y: np.real(np.exp(1j * x) * y), lambda x, y: mpmath.re(mpmath.expj(x) * y)),
-    "unit vector": (lambda x, y: np.imag(unit(x)), lambda x, y: mpmath.sin(x)),
+    "unit vector": (lambda x, y: np.imag(unit_vector(x)), lambda x, y: mpmath.sin(x)),
     "angle": (lambda x, y: np.arctan2(y, x), lambda x, y: mpmath.atan2(y, x)),
     "size": (lambda x, y: np.abs(x + 1j * y), lambda x, y: mpmath.sqrt(x * x + y * y)),
     "size of a real number": (lambda x, y: np.abs(y), lambda x, y: -y),

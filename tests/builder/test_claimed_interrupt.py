@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from variantgen.builder import claimed as module
+from variantgen.builder import folder_lock as module
 from variantgen.errors import InputError
 
 
@@ -18,19 +18,19 @@ def test_an_interrupt_before_the_lock_leaves_no_folder(tmp_path: Path, monkeypat
     real, calls = module._is_locked, [interrupted]
     monkeypatch.setattr(module, "_is_locked", lambda file: calls.pop()(file) if calls else real(file))
     folder = tmp_path / ".out.unfinished"
-    with pytest.raises(KeyboardInterrupt), module.claimed(folder, tmp_path / "out"):
+    with pytest.raises(KeyboardInterrupt), module.locked_folder(folder, tmp_path / "out"):
         pass
     assert list(tmp_path.iterdir()) == []
 
 
 def test_an_interrupt_leaves_the_folder_of_another_build(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = tmp_path / ".out.unfinished"
-    with module.claimed(folder, tmp_path / "out"):
+    with module.locked_folder(folder, tmp_path / "out"):
         with monkeypatch.context() as patched:
             patched.setattr(module, "_is_locked", interrupted)
-            with pytest.raises(KeyboardInterrupt), module.claimed(folder, tmp_path / "out"):
+            with pytest.raises(KeyboardInterrupt), module.locked_folder(folder, tmp_path / "out"):
                 pass
         assert [path.name for path in folder.iterdir()] == [module.LOCK]
-        with pytest.raises(InputError, match="another build"), module.claimed(folder, tmp_path / "out"):
+        with pytest.raises(InputError, match="another build"), module.locked_folder(folder, tmp_path / "out"):
             pass
     assert not folder.exists()

@@ -15,7 +15,7 @@ import pytest
 
 from tests.builder.small_exams import content, exam
 from variantgen.builder import build, unfinished_folder
-from variantgen.builder.claimed import claimed
+from variantgen.builder.folder_lock import locked_folder
 from variantgen.builder.sealed import digest, write
 from variantgen.builder.unfinished import Unfinished
 from variantgen.cli import main
@@ -233,9 +233,9 @@ def test_what_is_no_folder_of_parts_is_left_alone(
     before = content(tmp_path)
     arguments = ["build", "sample_en", "--variants", "1", "--out", str(tmp_path / "out"), "--no-solutions"]
     assert main([*arguments, "--resume"] if resume else arguments) == 2
-    told = capsys.readouterr().err
-    assert str(hidden) in told
-    assert "move what is there away" in told
+    output = capsys.readouterr().err
+    assert str(hidden) in output
+    assert "move what is there away" in output
     assert content(tmp_path) == before
     assert not (tmp_path / "out").exists()
 
@@ -243,7 +243,7 @@ def test_what_is_no_folder_of_parts_is_left_alone(
 def test_the_folder_of_another_user(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / ".out.unfinished").mkdir()
     monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)
-    with pytest.raises(InputError, match="another user"), claimed(tmp_path / ".out.unfinished", tmp_path / "out"):
+    with pytest.raises(InputError, match="another user"), locked_folder(tmp_path / ".out.unfinished", tmp_path / "out"):
         pass
 
 
@@ -275,7 +275,7 @@ def test_a_disk_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         raise OSError(errno.ENOLCK, "No locks available")
 
     monkeypatch.setattr(fcntl, "flock", refused)
-    with claimed(tmp_path / ".out.unfinished", tmp_path / "out"):
+    with locked_folder(tmp_path / ".out.unfinished", tmp_path / "out"):
         assert (tmp_path / ".out.unfinished").is_dir()
     assert list(tmp_path.iterdir()) == []
 
@@ -290,7 +290,7 @@ def test_the_lock_is_held_until_the_folder_is_gone(tmp_path: Path) -> None:
     def take(who: int) -> None:
         while turns[who] < 60:
             try:
-                with claimed(folder, tmp_path / "out"):
+                with locked_folder(folder, tmp_path / "out"):
                     inside.append(who)
                     if len(inside) > 1:
                         clashes.append("two at once")

@@ -22,7 +22,7 @@ from variantgen.builder.build_spec import OtherVersionError
 from variantgen.builder.workers import PoolWorkers
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
 from variantgen.skeletons import new_family
 
@@ -190,10 +190,10 @@ def test_workers_that_are_slow_are_waited_for(monkeypatch: pytest.MonkeyPatch, t
 def test_workers_of_another_version_are_refused(tmp_path: Path) -> None:
     from variantgen.builder.build_spec import BuildSpec
 
-    carried = BuildSpec.of(replace(exam(tmp_path), seed="1"))
-    assert carried.exam(tmp_path).title == "Quiz"
+    spec = BuildSpec.of(replace(exam(tmp_path), seed="1"))
+    assert spec.exam(tmp_path).title == "Quiz"
     with pytest.raises(OtherVersionError, match=r"0\.0 "):
-        replace(carried, made_with={**carried.made_with, "program": "0.0 of another time"}).exam(tmp_path)
+        replace(spec, made_with={**spec.made_with, "program": "0.0 of another time"}).exam(tmp_path)
 
 
 def test_an_exam_that_is_not_that_of_its_text_cannot_be_carried(tmp_path: Path) -> None:
@@ -218,14 +218,14 @@ def test_errors_come_back_from_workers(tmp_path: Path) -> None:
 
 def test_threads_take_turns(tmp_path: Path) -> None:
     """The engine has but one memory: jobs in one process come one after the other."""
-    from variantgen.builder.build_spec import BuildSpec, setting_of
+    from variantgen.builder.build_spec import BuildSpec, worker_context
 
-    carried = BuildSpec.of(replace(exam(tmp_path), seed="1"))
+    spec = BuildSpec.of(replace(exam(tmp_path), seed="1"))
     inside = 0
 
     def enter() -> None:
         nonlocal inside
-        with setting_of(carried):
+        with worker_context(spec):
             inside += 1
             assert inside == 1
             inside -= 1

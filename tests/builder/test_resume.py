@@ -16,7 +16,7 @@ import pytest
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from variantgen.builder import build, unfinished_folder
-from variantgen.builder.jobs import Draw, Make
+from variantgen.builder.jobs import DrawJob, RenderJob
 from variantgen.builder.unfinished import Unfinished
 from variantgen.cli import main
 from variantgen.errors import InputError
@@ -55,7 +55,7 @@ def stopped(folder: Path, stage: str, after: int) -> None:
 def jobs(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The jobs that are done, by their kinds."""
     done: list[str] = []
-    for kind in (Draw, Make):
+    for kind in (DrawJob, RenderJob):
 
         def noted(self, setting, kind=kind, run=kind.run):  # type: ignore[no-untyped-def]
             done.append(kind.__name__)
@@ -81,7 +81,7 @@ def test_it_goes_on_without_doing_anything_twice(
     jobs.clear()
     found = build(exam(tmp_path), numbered(STUDENTS), tmp_path / "out", resume=True)
     assert content(tmp_path / "out") == reference
-    assert (jobs.count("Draw"), jobs.count("Make")) == (drawn, made)
+    assert (jobs.count("DrawJob"), jobs.count("RenderJob")) == (drawn, made)
     assert found.kept == JOBS - made
     assert not unfinished_folder(tmp_path / "out").exists()
 
@@ -90,7 +90,7 @@ def test_without_resume_it_begins_anew(reference: dict[str, bytes], jobs: list[s
     stopped(tmp_path, "typesetting", 24)
     jobs.clear()
     build(exam(tmp_path), numbered(STUDENTS), tmp_path / "out")
-    assert (jobs.count("Draw"), jobs.count("Make")) == (2, JOBS)
+    assert (jobs.count("DrawJob"), jobs.count("RenderJob")) == (2, JOBS)
     assert content(tmp_path / "out") == reference
 
 
@@ -120,7 +120,7 @@ def test_damaged_pieces_are_made_again(reference: dict[str, bytes], jobs: list[s
     victim.write_bytes(victim.read_bytes()[:-10])
     jobs.clear()
     build(exam(tmp_path), numbered(STUDENTS), tmp_path / "out", resume=True)
-    assert jobs.count("Make") == JOBS - 1
+    assert jobs.count("RenderJob") == JOBS - 1
     assert content(tmp_path / "out") == reference
 
 
@@ -134,7 +134,7 @@ def test_who_draws_again_is_decided_as_without_interruption(tmp_path: Path) -> N
     whole = build(exam(tmp_path, text), students, tmp_path / "whole")
     assert len(whole.redrawn) > 10
 
-    for when in ("settle", "put_changed"):
+    for when in ("mark_drawn", "put_changed"):
         real = getattr(Unfinished, when)
         calls: list[int] = []
 
@@ -212,10 +212,10 @@ def test_two_builds_of_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
-    from variantgen.exam.assembly import assemble
+    from benchmarks.exams import drawn_sheets
 
     found = exam(tmp_path)
-    items = assemble(replace(found, seed="1"), numbered(3)).sheets[1].items
+    items = drawn_sheets(replace(found, seed="1"), numbered(3))[1].items
     content = pack(found, items)
     again = unpack(found, content)
     assert again == items

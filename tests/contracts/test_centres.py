@@ -15,8 +15,8 @@ from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.style import Style
-from variantgen.variants.draw import Drawing
+from variantgen.methods.steps.method_style import MethodStyle
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 
 SEEDS = 3
@@ -31,16 +31,16 @@ USED = {
 }
 
 STYLES = {
-    "velocity_centre": Style("velocity_centre"),
-    "projections": Style("projections"),
-    "acceleration_centre": Style("pole", "acceleration_centre"),
+    "velocity_centre": MethodStyle("velocity_centre"),
+    "projections": MethodStyle("projections"),
+    "acceleration_centre": MethodStyle("velocity_pole", "acceleration_centre"),
 }
 
 
 @cache
 def drawn(name: str, form: str) -> tuple[list[Variant], Motion]:
     family = restrict(load_family(name), None, None, (form,) if form else ())
-    variants = Drawing(family, None).after([("methods", i) for i in range(SEEDS)], [0] * SEEDS)
+    variants = FamilySampler(family, None).after([("methods", i) for i in range(SEEDS)], [0] * SEEDS)
     return variants, solve_variants(variants, 2)
 
 

@@ -9,11 +9,11 @@ import string
 
 import pytest
 
-from tests.told import COMPASS, Told, asked_together, pattern, told, words_of
+from tests.described_figures import COMPASS, DescribedFigure, asked_together, described_figures, pattern, words_of
 from variantgen.families.load import family_names
 from variantgen.mechanism.component import discover
-from variantgen.variants.needed import shown_points
-from variantgen.wording.formula import About, letters, to_plain
+from variantgen.variants.printed_data import shown_points
+from variantgen.wording.formula import SymbolProperty, letters, to_plain
 from variantgen.wording.language import languages, load_language
 
 FAMILIES = family_names()
@@ -22,7 +22,7 @@ KINDS = [*discover("variantgen.mechanism.joints"), *discover("variantgen.mechani
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_text_is_whole_and_short(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         text = each.figure.alt
         assert 100 < len(text) <= 900, text
         assert 3 <= len(re.findall(r"\.(?: |$)", text)) <= 8, text
@@ -34,7 +34,7 @@ def test_text_is_whole_and_short(name: str) -> None:
 @pytest.mark.parametrize("velocities", [False, True])
 @pytest.mark.parametrize("name", FAMILIES)
 def test_everything_labelled_is_named_and_nothing_else(name: str, velocities: bool) -> None:
-    for each in told(name, velocities):
+    for each in described_figures(name, velocities):
         text = each.figure.alt
         points = {each.named(point) for point in shown_points(each.variant, each.asked)}
         assert points <= each.labels
@@ -62,7 +62,7 @@ def test_axes_are_told_where_they_are_drawn(quantity: str, shown: bool) -> None:
 
 @pytest.mark.parametrize("name", ["point_on_rotating_disc", "sliding_block_on_rotating_rod"])
 def test_right_angles_are_told_and_right(name: str) -> None:
-    marked = [each for each in told(name) if each.variant.form.figure.right_angles]
+    marked = [each for each in described_figures(name) if each.variant.form.figure.right_angles]
     assert marked
     for each in marked:
         said = [item for item in each.items("marks") if pattern(each.words["right_angle"], corner=".*?").match(item)]
@@ -74,16 +74,16 @@ def test_right_angles_are_told_and_right(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_nothing_asked_is_told(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         for quantity in each.asked:
             formula = each.language.quantity(quantity, each.variant.form.symbols)
-            symbol = to_plain(formula.symbol if isinstance(formula, About) else formula)
+            symbol = to_plain(formula.symbol if isinstance(formula, SymbolProperty) else formula)
             assert not re.search(rf"(?<!\w){re.escape(symbol)}(?!\w)", each.figure.alt), (symbol, each.figure.alt)
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_each_language_keeps_to_its_letters(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         if each.language.name == "ru":
             assert not re.search(r"[a-z]{2}", each.figure.alt.replace("rel", "")), each.figure.alt
         else:
@@ -92,8 +92,8 @@ def test_each_language_keeps_to_its_letters(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_languages_say_the_same(name: str) -> None:
-    by_variant: dict[int, list[Told]] = {}
-    for each in told(name):
+    by_variant: dict[int, list[DescribedFigure]] = {}
+    for each in described_figures(name):
         by_variant.setdefault(id(each.variant), []).append(each)
     for group in by_variant.values():
         for key in ("parts", "positions", "marks", "arrows"):
@@ -114,15 +114,36 @@ def test_every_joint_and_driver_has_its_phrase(stem: str, lang: str) -> None:
 
 
 def slots(phrase: str) -> set[str]:
-    return {slot for _, slot, _, _ in string.Formatter().parse(phrase) if slot}
+    return {slot.partition(".")[0] for _, slot, _, _ in string.Formatter().parse(phrase) if slot}
 
 
 @pytest.mark.parametrize("table", ["figure", "figure_place", "figure_way", "figure_side", "figure_line"])
 def test_languages_have_the_same_phrases_with_the_same_slots(table: str) -> None:
     spoken = [load_language(lang).words(table) for lang in languages()]
-    for words in spoken[1:]:
-        assert list(words) == list(spoken[0])
-        assert {key: slots(text) for key, text in words.items()} == {key: slots(t) for key, t in spoken[0].items()}
+    for words in spoken:
+        assert [key for key in words if "." not in key] == [key for key in spoken[0] if "." not in key]
+        for key, text in words.items():  # a form of a phrase has the slots of the phrase
+            assert slots(text) == slots(spoken[0][key.partition(".")[0]]), key
+
+
+# What inflects, by the slots that it stands in.
+NOUNS = {
+    "body disc first second other sleeve bodies": ("body", "disc", "disc_about"),
+    "hinged": ("hinged", "on_fixed_hinge"),
+    "line": ("level", "upright", "rising", "falling"),
+}
+
+
+@pytest.mark.parametrize("lang", languages())
+def test_words_have_every_form_that_a_phrase_asks_for(lang: str) -> None:
+    language = load_language(lang)
+    known = {*language.words("figure"), *language.words("figure_line_attribute")}
+    for phrase in language.words("figure").values():
+        for _, slot, _, _ in string.Formatter().parse(phrase):
+            name, _, form = (slot or "").partition(".")
+            if form:
+                nouns = next(nouns for slots, nouns in NOUNS.items() if name in slots.split())
+                assert {f"{noun}.{form}" for noun in nouns} <= known, phrase
 
 
 @pytest.mark.parametrize("lang", languages())

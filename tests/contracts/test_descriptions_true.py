@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from tests.told import Told, is_between, pattern, said_arrows, sector, told
+from tests.described_figures import DescribedFigure, described_figures, is_between, pattern, said_arrows, sector
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.load import family_names
 from variantgen.mechanism.drivers.circling import Circling
@@ -19,14 +19,14 @@ from variantgen.mechanism.drivers.vector_motion import VectorMotion
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.motion import take_scene
 from variantgen.mechanism.relative import relative_motion
-from variantgen.variants.needed import given_names, shown_points
+from variantgen.variants.printed_data import given_names, shown_points
 
 FAMILIES = family_names()
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_positions_are_true_and_complete(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         z = {each.named(point): each.z[point] for point in shown_points(each.variant, each.asked)}
         seen: set[str] = set()
         for item in each.items("positions"):
@@ -47,7 +47,7 @@ def test_positions_are_true_and_complete(name: str) -> None:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_every_given_rate_has_its_arrow(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         rates = {
             each.named(parameter.symbol)
             for key in given_names(each.variant, each.asked)
@@ -59,7 +59,7 @@ def test_every_given_rate_has_its_arrow(name: str) -> None:
         assert rates <= set(said_arrows(each)) <= rates | constants, each.figure.alt
 
 
-def rotations(each: Told) -> dict[str, float]:
+def rotations(each: DescribedFigure) -> dict[str, float]:
     """Solved rates of rotation by the phrase of their sense: first omega, then epsilon, by body."""
     found = {}
     for driver in each.motion.scene.drivers:
@@ -72,7 +72,7 @@ def rotations(each: Told) -> dict[str, float]:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_senses_of_rotation_are_those_of_the_solved_motion(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         arrows = {symbol: item for symbol, item in said_arrows(each).items() if symbol[0] in "ωε"}
         solved = {key: rate for key, rate in rotations(each).items() if rate != 0}
         assert len(arrows) == len(solved), each.figure.alt
@@ -86,7 +86,7 @@ def test_senses_of_rotation_are_those_of_the_solved_motion(name: str) -> None:
             assert not re.search(rf"(?<![\w-]){wrong}", item), item
 
 
-def vectors(each: Told) -> list[complex]:
+def vectors(each: DescribedFigure) -> list[complex]:
     """Given vectors on paper, by driver, velocity before acceleration; the velocity of a free fall is not given."""
     scene = take_scene(each.motion.scene, each.place, each.motion.size)
     falls = any(parameter.constant for parameter in each.variant.form.parameters.values())
@@ -100,7 +100,7 @@ def vectors(each: Told) -> list[complex]:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_straight_arrows_point_where_the_drivers_do(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         ways = vectors(each)
         if not ways:
             continue
@@ -119,7 +119,7 @@ def test_straight_arrows_point_where_the_drivers_do(name: str) -> None:
 @pytest.mark.parametrize("name", ["sliding_block_on_rotating_rod", "point_on_rotating_disc", "parallelogram_with_disc"])
 def test_arrows_of_relative_motion_are_those_of_the_solved_motion(name: str) -> None:
     checked = 0
-    for each in told(name):
+    for each in described_figures(name):
         z = each.z
         for driver in each.motion.scene.drivers:
             if not isinstance(driver, RelativeTravel | Circling):
@@ -142,7 +142,7 @@ def test_arrows_of_relative_motion_are_those_of_the_solved_motion(name: str) -> 
 
 
 def test_arrows_of_a_cylinder_point_as_its_length_changes() -> None:
-    for each in told("hydraulic_hoist"):
+    for each in described_figures("hydraulic_hoist"):
         [driver] = each.motion.scene.drivers
         assert isinstance(driver, Extension)
         step = each.z[driver.end] - each.z[driver.start]
@@ -155,7 +155,7 @@ def test_arrows_of_a_cylinder_point_as_its_length_changes() -> None:
 @pytest.mark.parametrize("name", FAMILIES)
 def test_axes_named_as_rays_of_angles_are_true(name: str) -> None:
     axes = {"ray_right": 1, "ray_up": 1j, "ray_left": -1, "ray_down": -1j}
-    for each in told(name):
+    for each in described_figures(name):
         hints = [mark for mark in each.variant.form.figure.angles if mark.name in given_names(each.variant, each.asked)]
         items = each.items("marks")
         frame = take_scene(each.motion.scene, each.place, each.motion.size).frame
@@ -181,7 +181,7 @@ def before_side(phrase: str) -> str:
     "name", ["rolling_wheel", "wheel_between_racks", "pulley_and_wheel", "spool", "wheel_with_rod"]
 )
 def test_lines_touch_wheels_on_the_side_of_the_contact(name: str) -> None:
-    for each in told(name):
+    for each in described_figures(name):
         for joint in each.motion.scene.joints:
             if isinstance(joint, Rolling):
                 key = sector(each.z[joint.contact] - each.z[joint.centre])
@@ -193,7 +193,7 @@ def test_lines_touch_wheels_on_the_side_of_the_contact(name: str) -> None:
 @pytest.mark.parametrize("name", ["movable_pulley", "winch_with_pulley", "pulley_and_wheel", "spool"])
 def test_ropes_hang_from_the_side_on_which_they_are(name: str) -> None:
     """Vertical pieces: over fixed pulleys, round movable ones below, off drums to the side where the load hangs."""
-    for each in told(name):
+    for each in described_figures(name):
         sides, text = each.language.words("figure_side"), each.figure.alt
         phrases = {key: each.words[key].split("{touch}")[0] for key in ("rope_pulley", "rope_disc", "rope_larger_rim")}
         if name in ("movable_pulley", "winch_with_pulley"):

@@ -12,13 +12,13 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.cli.app import _parser
-from variantgen.exam import assembly, sheets
+from variantgen.exam import allocation, sheets
 from variantgen.families.load import family_names, load_family
+from variantgen.families.method_names import METHODS
 from variantgen.families.restrict import restrict
-from variantgen.families.solving import METHODS
 from variantgen.figure.views import view_names
 from variantgen.outputs.figures import back_ends
-from variantgen.outputs.formats import chosen, formats, parse_exam
+from variantgen.outputs.formats import FORMATS, chosen, format_of, parse_exam
 from variantgen.tables import Table
 from variantgen.variants import draw, seeding
 
@@ -189,10 +189,10 @@ def test_the_table_of_outputs_is_complete() -> None:
     for first, rest in re.findall(r"^\| (`[^|]+`) \| (.*) \|$", BY_NAME["docs/outputs.md"], re.MULTILINE):
         for format_name in SPAN.findall(first):
             rows[format_name] = rest
-    assert rows.keys() == set(formats())
+    assert rows.keys() == set(FORMATS)
     for format_name, row in rows.items():
         table = Table({}, format_name, [])
-        formats()[format_name].read_options(table)
+        format_of(format_name).read_options(table)
         assert table._seen
         assert all(f"`{key}`" in row for key in table._seen), (format_name, table._seen)
 
@@ -227,7 +227,7 @@ def test_the_walk_of_the_seed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
         return seeding.digest(*parts)
 
     monkeypatch.setattr(draw, "Stream", Watched)
-    monkeypatch.setattr(assembly, "digest", digest)
+    monkeypatch.setattr(allocation, "digest", digest)
     monkeypatch.setattr(sheets, "digest", digest)
     arguments = ["sample_en", "--variants", "1", "--seed", "word", "--no-solutions", "--format", "html"]
     assert main(["build", *arguments, "--out", str(tmp_path / "out")]) == 0
@@ -267,7 +267,7 @@ def test_the_map_names_every_room() -> None:
 def test_whoever_asks_for_kinds_of_joints_is_named() -> None:
     """Modules that know a joint or a driver by its class, outside the folders with a module for each kind."""
     own = (
-        "mechanism/|figure/symbols/|figure/alt_text/kinds/|methods/coordinates/equations/|methods/groups/laws/"
+        "mechanism/|figure/symbols/|figure/alt_text/kinds/|methods/coordinates/equations/|methods/groups/contact_laws/"
         "|accuracy/"
     )
     asking = re.compile(r"from variantgen\.mechanism\.(?:joints|drivers)\.")

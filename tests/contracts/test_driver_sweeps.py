@@ -7,7 +7,7 @@ import pytest
 
 from variantgen.families.load import family_names, load_family
 from variantgen.mechanism.rows import Placement
-from variantgen.mechanism.sweep import End, Sweep
+from variantgen.mechanism.sweep import Sweep, SweepEnd
 from variantgen.single import answers, asked_quantities, one_variant
 from variantgen.variants.driver_sweep import DriverSweep, driver_sweep
 from variantgen.variants.variant import Variant
@@ -47,7 +47,7 @@ def test_velocities_are_the_slopes_of_places(gone: tuple[Variant, DriverSweep]) 
     sweep = found.sweep
     at = even_places(sweep)
     assert len(at) > 20
-    time = (sweep.way[at + 1] - sweep.way[at]) / sweep.lead.rate
+    time = (sweep.way[at + 1] - sweep.way[at]) / sweep.leading_driver.rate
     speed = max(float(np.max(np.abs(v[at]))) for v in sweep.motion.v.values())
 
     def slope(values: np.ndarray) -> np.ndarray:
@@ -94,11 +94,11 @@ def test_ends_are_what_they_say(gone: tuple[Variant, DriverSweep]) -> None:
     assert np.all(np.diff(sweep.way) > 0)
     for end, index in zip(sweep.ends, (0, -1), strict=True):
         transmission = float(sweep.motion.transmission[index])
-        if end is End.DEAD_POINT:
+        if end is SweepEnd.DEAD_POINT:
             assert transmission < 0.02
-        if end is End.JOINT:
+        if end is SweepEnd.JOINT:
             assert transmission > 1e-4
-    if sweep.ends == (End.TURN, End.TURN):
+    if sweep.ends == (SweepEnd.TURN, SweepEnd.TURN):
         assert sweep.way[-1] - sweep.way[0] == pytest.approx(2 * np.pi)
     # Neighbouring positions are close: no jump to another branch.
     size = float(sweep.motion.length_scale()[sweep.instant])

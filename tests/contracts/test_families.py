@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from variantgen.check.family import check_family
-from variantgen.families.expressions import Expression
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
 from variantgen.figure.faults import figure_faults, inspect_labels, leaders
 from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.variants.draw import Drawing as VariantDrawing
-from variantgen.variants.needed import given_names
+from variantgen.variants.draw import FamilySampler as VariantDrawing
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, to_plain, to_typst
 from variantgen.wording.language import languages, load_language
@@ -155,7 +155,7 @@ def given_rates(variant: Variant) -> dict[str, float]:
     return found
 
 
-def sources(derived: Mapping[str, Expression], names: Iterable[str]) -> set[str]:
+def sources(derived: Mapping[str, FamilyExpression], names: Iterable[str]) -> set[str]:
     found: set[str] = set()
     for name in names:
         found |= sources(derived, derived[name].names) if name in derived else {name}

@@ -97,7 +97,8 @@ def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -
         "wording.solution.",
         "figure.views.",
         "figure.alt_text.",
-        "outputs.web.",
+        "outputs.html.",
+        "outputs.platforms.",
         "outputs.qti.",
         "outputs.latex.",
     )

@@ -17,9 +17,9 @@ from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
-from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.batch import Tally
-from variantgen.variants.draw import Drawing, draw
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import RejectionCounts
+from variantgen.variants.draw import FamilySampler, draw
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import languages, load_language
@@ -117,7 +117,7 @@ def test_statements_and_figures(name: str, form: str) -> None:
 def test_forms_that_have_none_have_none(name: str, form: str) -> None:
     family = load_family(name)
     nice = hand_friendly(replace(family.forms[form], nice=replace(family.forms[form].nice, possible=True)))
-    drawing = FormDrawing(family, nice, read_ask(nice), Tally(), name)
+    drawing = FormSampler(family, nice, read_ask(nice), RejectionCounts(), name)
     size, width = 20_000, len(drawing.names) + 1
     words = Stream("none", name).words(size * width).reshape(-1, width)
     attempts = drawing._attempts(words, np.arange(size), np.arange(size))
@@ -133,7 +133,7 @@ def test_a_variant_depends_on_its_key_alone(name: str) -> None:
     assert [draw(family, None, [key])[0].printed for key in keys[::6]] == [v.printed for v in together[::6]]
     assert draw(family, None, keys[::-1])[::-1] == together
     # The second choice of a student follows the first in the same stream.
-    second = Drawing(family, None).after(keys, [variant.attempt for variant in together])
+    second = FamilySampler(family, None).after(keys, [variant.attempt for variant in together])
     assert all(later.attempt > first.attempt for later, first in zip(second, together, strict=True))
 
 

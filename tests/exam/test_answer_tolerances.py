@@ -11,21 +11,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.builder import build
 from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.family import frame
+from variantgen.families.draw_rules import frame
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.draw import draw
-from variantgen.variants.variant import columns, solve_variants
+from variantgen.variants.variant import parameter_arrays, solve_variants
 
 EXAM = """
 title = "Exam"
@@ -94,7 +94,7 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
     right = np.array([quantity.value(motion) for quantity in asked])
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     named = tight.unnoticed(variants, asked, motion, range(40))
-    for name, values in wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion).items():
+    for name, values in wrong_answers(variants[0].form, parameter_arrays(variants), on_paper, asked, motion).items():
         distance = distances(right, values, asked)
         for i in range(40):
             touched = np.isfinite(distance[:, i])
@@ -129,9 +129,9 @@ def test_where_no_method_leads_to_an_answer_the_data_decide(monkeypatch: pytest.
 def test_a_tolerance_depends_on_the_variant_alone(tmp_path: Path) -> None:
     exam = read_exam(written(tmp_path, ""))
     students = [Student(f"s{i}", "", "") for i in range(6)]
-    some = {sheet.student.id: sheet for sheet in assemble(replace(exam, seed="5"), students).sheets}
+    some = {sheet.student.id: sheet for sheet in drawn_sheets(replace(exam, seed="5"), students)}
     more = [Student("new", "", ""), *students[::-1]]
-    for sheet in assemble(replace(exam, seed="5"), more).sheets[1:]:
+    for sheet in drawn_sheets(replace(exam, seed="5"), more)[1:]:
         assert sheet.items == some[sheet.student.id].items
 
 
@@ -140,8 +140,8 @@ def test_a_sheet_is_the_same_in_a_class_and_alone(tmp_path: Path, family: str) -
     path = tmp_path / "exam.toml"
     path.write_text(f'title = "T"\nlanguage = "en"\n[[problem]]\nfamily = "{family}"\n', "utf-8")
     exam, students = read_exam(path), numbered(9)
-    for sheet in assemble(replace(exam, seed="8"), students).sheets:
-        alone = assemble(replace(read_exam(path), seed="8"), [sheet.student]).sheets[0]
+    for sheet in drawn_sheets(replace(exam, seed="8"), students):
+        alone = drawn_sheets(replace(read_exam(path), seed="8"), [sheet.student])[0]
         assert alone.items[0].variant.printed == sheet.items[0].variant.printed
         assert alone.items[0].answers == sheet.items[0].answers
 
@@ -155,8 +155,8 @@ def test_key_and_manifest_have_the_tolerances(tmp_path: Path, language: str, wor
     out = tmp_path / "out"
     build(exam, numbered(8), out, "7")
     content = json.loads((out / "manifest.json").read_text("utf-8"))
-    told = content["exam"]
-    assert (told["tolerance"], told["tolerance_ceiling"], told["mistakes_screened"]) == (0.01, None, True)
+    output = content["exam"]
+    assert (output["tolerance"], output["tolerance_ceiling"], output["mistakes_screened"]) == (0.01, None, True)
     answers = [a for s in content["students"] for p in s["problems"] for a in p["answers"]]
     wide = [a for a in answers if a["relative_tolerance"] > 0.01]
     assert wide
@@ -176,5 +176,5 @@ def test_key_and_manifest_have_the_tolerances(tmp_path: Path, language: str, wor
 
 def test_the_floor_is_the_least_tolerance(tmp_path: Path) -> None:
     exam = replace(read_exam(written(tmp_path, "")), tolerance=Tolerance(0.04, 0.05))
-    sheets = assemble(replace(exam, seed="1"), [Student("a", "", "")]).sheets
+    sheets = drawn_sheets(replace(exam, seed="1"), [Student("a", "", "")])
     assert all(answer.relative_tolerance == 0.04 for item in sheets[0].items for answer in item.answers)

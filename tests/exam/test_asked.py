@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
 from variantgen.families.asking import read_ask
 from variantgen.outputs.formats import read_exam
@@ -77,7 +77,7 @@ def test_each_form_by_itself(tmp_path: Path) -> None:
         "slider_crank offset": ["v_B", "omega_AB", "a_B", "epsilon_AB"],
         "slider_crank driven_by_slider": ["omega_OA", "omega_AB"],
     }
-    sheets = assemble(replace(found, seed="7"), numbered(12)).sheets
+    sheets = drawn_sheets(replace(found, seed="7"), numbered(12))
     for item in (sheet.items[0] for sheet in sheets):
         names = [answer.quantity.name for answer in item.answers]
         assert names == asked(found)[f"slider_crank {item.variant.form.name}"]

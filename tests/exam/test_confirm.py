@@ -16,13 +16,13 @@ from variantgen.families.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand import evaluation
 from variantgen.variants.attempts import VerificationError
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant
 
 
 @pytest.fixture(scope="module")
 def drawn() -> list[Variant]:
-    return Drawing(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
+    return FamilySampler(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
 
 
 def spoiled(motion: Motion, **changes: object) -> Motion:
@@ -63,7 +63,7 @@ def test_whatever_is_wrong_is_noticed(drawn: list[Variant], table: str, name: st
 
 
 def test_each_method_notices_a_wrong_rate_by_itself(drawn: list[Variant]) -> None:
-    from variantgen.methods.by_groups.walk import velocities
+    from variantgen.methods.by_groups.solve_groups import velocities
     from variantgen.methods.linkage.problem import task_of
     from variantgen.methods.solution.book import Book
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.sheets import Item
 from variantgen.wording.language import load_language
@@ -29,8 +29,7 @@ ask = ["omega_gear2", "v_A"]
 def items(problem: str, students: Sequence[Student]) -> list[Item]:
     text = f'title = "T"\nlanguage = "en"\n[[problem]]\n{problem}'
     return [
-        sheet.items[0]
-        for sheet in assemble(replace(parse_exam(text, Path("exam.toml"), ()), seed="3"), students).sheets
+        sheet.items[0] for sheet in drawn_sheets(replace(parse_exam(text, Path("exam.toml"), ()), seed="3"), students)
     ]
 
 

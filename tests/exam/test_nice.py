@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 
 PROBLEM = '[[problem]]\nfamily = "ladder"\nform = "driven_at_wall"\nask = ["v_B", "omega_AB"]\n'
@@ -30,7 +30,7 @@ def written(folder: Path, content: str) -> Path:
 def test_problems_with_and_without(tmp_path: Path) -> None:
     exam = read_exam(written(tmp_path, HEAD + PROBLEM + "nice = true\n" + PROBLEM))
     assert [task.nice for task in exam.tasks] == [True, False]
-    sheets = assemble(replace(exam, seed="1"), numbered(20)).sheets
+    sheets = drawn_sheets(replace(exam, seed="1"), numbered(20))
     angles = [[float(item.variant.printed["phi"]) for item in sheet.items] for sheet in sheets]
     assert {first for first, _ in angles} == {30, 45, 60}
     assert len({second for _, second in angles}) > 5
@@ -44,10 +44,10 @@ def test_problems_with_and_without(tmp_path: Path) -> None:
 
 def test_a_problem_without_nice_is_not_changed_by_one_with(tmp_path: Path) -> None:
     students = numbered(12)
-    one = assemble(replace(read_exam(written(tmp_path, HEAD + PROBLEM)), seed="1"), students).sheets
-    two = assemble(
+    one = drawn_sheets(replace(read_exam(written(tmp_path, HEAD + PROBLEM)), seed="1"), students)
+    two = drawn_sheets(
         replace(read_exam(written(tmp_path, HEAD + PROBLEM + PROBLEM + "nice = true\n")), seed="1"), students
-    ).sheets
+    )
     assert [s.items[0].variant.printed for s in one] == [s.items[0].variant.printed for s in two]
 
 

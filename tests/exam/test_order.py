@@ -10,8 +10,8 @@ import pikepdf
 import pytest
 
 from variantgen.cli import main
-from variantgen.exam.order import in_order, natural
 from variantgen.exam.roster import Student
+from variantgen.exam.student_order import in_order, natural
 
 EXAM = 'title = "T"\nlanguage = "ru"\n{}[solutions]\ndepth = "none"\n[[problem]]\nfamily = "four_bar"\n'
 
@@ -34,6 +34,20 @@ def test_names(names: list[str]) -> None:
     mixed = [Student(str(i), name) for i, name in enumerate(names)]
     random.Random(3).shuffle(mixed)
     assert [s.name for s in in_order(mixed)] == names
+
+
+@pytest.mark.parametrize(
+    ("alphabet", "names"),
+    [
+        ("abcdefghijklmnopqrstuvwxyzåäö", ["Axel", "Édith", "Erik", "Zorn", "Åberg", "Ärlig", "Öberg", "Иванов"]),
+        ("aąbcćdeęfghijklłmnńoópqrsśtuvwxyzźż", ["Adam", "Ąka", "Bo", "Lys", "Łuk", "Müller", "Muz", "Zyta", "Żak"]),
+        ("абвгґдеєжзиіїйклмнопрстуфхцчшщьюя", ["Гук", "Ґава", "Еко", "Єва", "Ирин", "Іван", "Їжак", "Йова"]),
+    ],
+)
+def test_names_in_the_alphabet_of_a_language(alphabet: str, names: list[str]) -> None:
+    mixed = [Student(str(i), name) for i, name in enumerate(names)]
+    random.Random(3).shuffle(mixed)
+    assert [s.name for s in in_order(mixed, alphabet=alphabet)] == names
 
 
 def test_groups_first_and_numbers_as_numbers() -> None:

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet
 from variantgen.exam.tolerance import Tolerance
@@ -33,7 +33,7 @@ def exam(folder: Path, top: str, *own: str) -> Exam:
 
 
 def sheets(found: Exam) -> tuple[Sheet, ...]:
-    return assemble(replace(found, seed="3"), numbered(20)).sheets
+    return drawn_sheets(replace(found, seed="3"), numbered(20))
 
 
 def test_each_problem_is_marked_by_its_own(tmp_path: Path) -> None:

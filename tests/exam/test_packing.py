@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from tests.builder.small_exams import exam
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item
@@ -46,7 +46,7 @@ Packed = tuple[Exam, list[Item], bytes]
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory: pytest.TempPathFactory) -> Packed:
     found = exam(tmp_path_factory.mktemp("exam"), TEXT)
-    items = [item for sheet in assemble(replace(found, seed="1"), numbered(6)).sheets for item in sheet.items]
+    items = [item for sheet in drawn_sheets(replace(found, seed="1"), numbered(6)) for item in sheet.items]
     return found, items, pack(found, items)
 
 
@@ -97,7 +97,7 @@ def test_no_field_is_forgotten() -> None:
         "unit",
         "value",
         "tolerance",
-        "margin",
+        "relative_tolerance",
         "surd",
         "unnoticed",
     ]
@@ -148,7 +148,7 @@ def test_changed_data_are_refused_or_problems_of_the_exam(packed: Packed) -> Non
     """Whatever stands in the data, what is read are whole problems of this very exam, which stays as it is."""
     found, items, _ = packed
     document = json.loads(pack(found, items[:3]))
-    told = [(task.points, task.number, task.ask) for task in found.tasks]
+    output = [(task.points, task.number, task.ask) for task in found.tasks]
     dice, refused = random.Random(5), 0
     every = places(document)[1:]
     other = [None, True, -1, 7, 10**30, 1.5, "NaN", "points", "../x", [], [1, 2, 3], {}, {"points": 99}, float("inf")]
@@ -174,4 +174,4 @@ def test_changed_data_are_refused_or_problems_of_the_exam(packed: Packed) -> Non
             assert all(value.is_finite() for value in item.variant.printed.values())
             assert all(math.isfinite(answer.value) for answer in item.answers)
     assert refused > 1000
-    assert [(task.points, task.number, task.ask) for task in found.tasks] == told
+    assert [(task.points, task.number, task.ask) for task in found.tasks] == output

@@ -84,9 +84,9 @@ def test_namesakes_are_told_apart_and_reported(tmp_path: Path) -> None:
     ids = [s.id for s in found.students]
     assert ids[:3] == ["Ann Lee (A)", "Ann Lee (B)", "Bob (A)"]
     assert len(set(ids)) == 6
-    (told,) = [note for note in found.notes if "namesakes" in note]
-    assert "row 2, row 5, row 6, row 7" in told
-    assert "take the sheet of another" in told
+    (output,) = [note for note in found.notes if "namesakes" in note]
+    assert "row 2, row 5, row 6, row 7" in output
+    assert "take the sheet of another" in output
 
 
 def test_a_template_with_more_numbers_than_names(tmp_path: Path) -> None:

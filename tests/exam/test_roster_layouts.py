@@ -81,9 +81,9 @@ def test_a_worksheet_for_each_group(tmp_path: Path) -> None:
         ("Юн Ян (М-21)", "Юн Ян", "М-21"),
         ("Ким Вера (М-22)", "Ким Вера", "М-22"),
     ]
-    told = "\n".join(found.notes)
+    output = "\n".join(found.notes)
     for part in ("Заметки is left out", "М-22, columns that are not used: Балл", "М-21, above the header"):
-        assert part in told
+        assert part in output
 
 
 def test_a_worksheet_without_the_ids_of_the_others(tmp_path: Path) -> None:

@@ -50,10 +50,10 @@ def repeated(piece: str, times: int) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("told", ["A1:C6", "A1:B11", "A1", "C3:C4", "A1:C2000"])
-def test_a_wrong_dimension_loses_nobody(told: str, tmp_path: Path) -> None:
-    path = changed(tmp_path, SHEET, lambda text: iter([text.replace('ref="A1:C11"', f'ref="{told}"')]))
+def test_a_wrong_dimension_loses_nobody(output: str, tmp_path: Path) -> None:
+    path = changed(tmp_path, SHEET, lambda text: iter([text.replace('ref="A1:C11"', f'ref="{output}"')]))
     with zipfile.ZipFile(path) as parts:
-        assert f'<dimension ref="{told}"' in parts.read(SHEET).decode()
+        assert f'<dimension ref="{output}"' in parts.read(SHEET).decode()
     assert [(s.id, s.name, s.group) for s in read_roster(path)] == [(f"s{i}", f"N{i}", "A") for i in range(10)]
 
 

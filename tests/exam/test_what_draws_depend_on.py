@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.assembly import Drawer, assemble, wishes_of
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.allocation import DrawRequest, ProblemSampler
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
@@ -36,7 +37,7 @@ def problems(four_bar: list[str] = FOUR_BAR, spool: list[str] = SPOOL, more: str
 
 
 def sheets(text: str) -> tuple[Sheet, ...]:
-    return assemble(replace(parse_exam(text, Path("exam.toml"), ()), seed="11"), STUDENTS).sheets
+    return drawn_sheets(replace(parse_exam(text, Path("exam.toml"), ()), seed="11"), STUDENTS)
 
 
 def data(text: str) -> Data:
@@ -112,8 +113,9 @@ def test_an_explicit_ceiling_draws_only_those_again_who_need_more(usual: Data) -
     assert len(moved - above) <= 3
     assert max(a.relative_tolerance for s in cut.values() for i in s.items for a in i.answers) <= 0.015 + 1e-12
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer, wishes = Drawer(replace(exam, seed="11")), wishes_of(exam, STUDENTS)
-    assert drawer.cut(wishes, drawer.variants(wishes)) == len(above)
+    drawer = ProblemSampler(replace(exam, seed="11"))
+    requests = [DrawRequest(student, place) for student in STUDENTS for place in range(len(exam.tasks))]
+    assert drawer.cut(requests, drawer.variants(requests)) == len(above)
 
 
 def test_questions_that_the_family_does_not_ask_are_looked_at() -> None:

@@ -12,7 +12,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import read_exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.families.cases import load_cases
 from variantgen.families.load import load_family, read_family
 from variantgen.resources import catalog_dir

@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from variantgen.errors import InputError
-from variantgen.families.derivative import derivative
 from variantgen.families.expressions import parse
 from variantgen.families.load import read_family
 from variantgen.mechanism.solve import solve
@@ -42,19 +41,19 @@ def test_first_and_second_derivative(text: str, t: float, k: float) -> None:
             return eval(text, {}, {**BY_MPMATH, "t": x, "R": mpmath.mpf(0.7), "k": mpmath.mpf(k)})
 
         expected = [float(mpmath.diff(function, t, n)) for n in (1, 2)]
-    first = derivative(law, "t")
+    first = law.derivative("t")
     assert float(first.value(values)) == pytest.approx(expected[0], rel=1e-9, abs=1e-9)
-    assert float(derivative(first, "t").value(values)) == pytest.approx(expected[1], rel=1e-8, abs=1e-8)
+    assert float(first.derivative("t").value(values)) == pytest.approx(expected[1], rel=1e-8, abs=1e-8)
 
 
 @pytest.mark.parametrize("text", ["abs(t)", "min(t, 1)", "max(1, t)", "atan2(t, 1)"])
 def test_functions_without_a_derivative_are_refused(text: str) -> None:
     with pytest.raises(InputError, match="no derivative here"):
-        derivative(parse(text), "t")
+        parse(text).derivative("t")
 
 
 def test_constants_under_such_functions_are_fine() -> None:
-    assert float(derivative(parse("abs(R) * t"), "t").value({"R": -2.0, "t": 1.0})) == 2.0
+    assert float(parse("abs(R) * t").derivative("t").value({"R": -2.0, "t": 1.0})) == 2.0
 
 
 SCENE = """

@@ -17,8 +17,8 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.solve import solve
-from variantgen.outputs.explanation import explain
-from variantgen.outputs.key_content import equation
+from variantgen.outputs.documents.key_content import equation
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 from variantgen.variants.draw import draw
 from variantgen.wording.formula import to_plain, to_typst
@@ -117,9 +117,9 @@ def test_a_sense_is_a_whole_number(language: str) -> None:
     for seed in range(4):
         variant = one_variant("four_bar", seed=str(seed), ask=["omega_AB.sense"])
         (answer,) = answer_variants([variant], [("omega_AB.sense",)], [Tolerance()])[0]
-        told = f"sgn ω_AB = {'1' if answer.value > 0 else '−1'}"
+        output = f"sgn ω_AB = {'1' if answer.value > 0 else '−1'}"
         words = load_language(language)
         said = plain_problem(variant, [answer.quantity], [(answer.value, answer.unit, answer.surd)], words)
-        assert f"{told}." in said
-        assert to_plain(equation(answer, words, variant.form.symbols)).strip() == told
-        assert f"{told}." in str(explain(variant, language, ask=["omega_AB.sense"]))
+        assert f"{output}." in said
+        assert to_plain(equation(answer, words, variant.form.symbols)).strip() == output
+        assert f"{output}." in str(explain(variant, language, ask=["omega_AB.sense"]))

@@ -98,7 +98,7 @@ travel = { point = "O", v = 10, angle = 0 }
 
 
 @pytest.fixture
-def told(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+def output(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     def solve(text: str, code: int, *words: str) -> str:
         path = tmp_path / f"scene{len(list(tmp_path.iterdir()))}.toml"
         path.write_text(text, encoding="utf-8")
@@ -109,37 +109,39 @@ def told(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     return solve
 
 
-def test_a_crank_that_leads_a_wheel_on_a_circle(told):
-    message = told(PLANET, 2)
+def test_a_crank_that_leads_a_wheel_on_a_circle(output):
+    message = output(PLANET, 2)
     assert 'write gears = { body = "wheel", centre = "A", other_centre = "O", ... } in its place' in message
     assert "or leave out the driver of the crank" in message
     meshed = PLANET.replace("rolling_on_circle", "gears").replace("around", "other_centre")
     # The carrier turns at 2, the planet at 2 (1 + R / r) = 2 * 30 / 10.
-    assert "omega_wheel = 6 rad/s" in told(meshed, 0)
+    assert "omega_wheel = 6 rad/s" in output(meshed, 0)
 
 
-def test_two_belts_at_one_wheel(told):
-    assert "write axle_held = true in one of the joints rolling of pinion" in told(BELTS, 2)
+def test_two_belts_at_one_wheel(output):
+    assert "write axle_held = true in one of the joints rolling of pinion" in output(BELTS, 2)
     held = BELTS.replace('on_point = "B" }', 'on_point = "B", axle_held = true }')
     # The centre goes at the mean speed, the wheel turns clockwise at the difference over its diameter.
-    assert told(held, 0).split() == ["v_O", "=", "15", "cm/s", "omega_pinion", "=", "-0.5", "rad/s"]
+    assert output(held, 0).split() == ["v_O", "=", "15", "cm/s", "omega_pinion", "=", "-0.5", "rad/s"]
 
 
-def test_sides_of_a_rope_are_told_in_words(told):
-    message = told(ROPE, 2)
+def test_sides_of_a_rope_are_told_in_words(output):
+    message = output(ROPE, 2)
     assert 'rope.path[2].side: expected "left" or "right" (of the circle, looking along the rope' in message
     assert "as where it goes up, over a pulley to the right, and down again" in message
-    assert "v_T = 7 cm/s" in told(ROPE.replace('"up"', '"left"'), 0)  # so it does here
+    assert "v_T = 7 cm/s" in output(ROPE.replace('"up"', '"left"'), 0)  # so it does here
 
 
 @pytest.mark.parametrize("small", ["1e-15", "-2.4e-16", '"1e-15 cm"'])
-def test_what_rounding_left_of_a_zero_is_zero(told, small):
-    assert "omega_OA = 2 rad/s" in told(CRANK.replace("y = 0", f"y = {small}"), 0)
+def test_what_rounding_left_of_a_zero_is_zero(output, small):
+    assert "omega_OA = 2 rad/s" in output(CRANK.replace("y = 0", f"y = {small}"), 0)
 
 
-def test_a_fraction_among_values(told):
+def test_a_fraction_among_values(output):
     text = CRANK.replace("distance = 20", 'distance = "R"')
-    message = told('[parameters]\nR = { unit = "cm", values = ["5/3"] }\n' + text.replace('length_unit = "cm"', ""), 2)
+    message = output(
+        '[parameters]\nR = { unit = "cm", values = ["5/3"] }\n' + text.replace('length_unit = "cm"', ""), 2
+    )
     assert "parameters.R.values: expected a list of numbers (got ['5/3'])" in message
     assert "write each as a decimal number without quotes, 1.667 for 5/3" in message
     assert "unknown name" not in message  # R is known, only wrong
@@ -165,8 +167,8 @@ def test_a_quantity_that_one_form_is_given(capsys):
         ("x_A", "not asked; ask for a rate of A: v_A, a_A"),
     ],
 )
-def test_quantities_in_other_letters(told, asked, remedy):
-    assert remedy in told(f'ask = ["{asked}"]\n{CRANK}', 2)
+def test_quantities_in_other_letters(output, asked, remedy):
+    assert remedy in output(f'ask = ["{asked}"]\n{CRANK}', 2)
 
 
 def test_nothing_to_widen(tmp_path, capsys):
@@ -187,15 +189,15 @@ def test_nothing_to_widen(tmp_path, capsys):
     assert "all its numbers are fixed, so no other draw can pass" in message
 
 
-def test_marks_carry_names_of_parameters(told):
+def test_marks_carry_names_of_parameters(output):
     marked = WHEEL + '[figure]\nangles = [{ name = "30", at = "O", from = "+x", to = "M" }]\n'
-    message = told(marked, 2)
+    message = output(marked, 2)
     assert "figure.angles[1].name: a mark carries the name of a parameter (got 30)" in message
     assert 'phi = { unit = "deg", values = [30] }' in message
 
 
-def test_a_wheel_that_nothing_turns(told):
+def test_a_wheel_that_nothing_turns(output):
     drawn = WHEEL + '[figure]\ndiscs = [{ centre = "O", radius = 10, body = "wheel" }]\n'
-    message = told(drawn, 2)  # the radius of a disc may be a number, like every other length
+    message = output(drawn, 2)  # the radius of a disc may be a number, like every other length
     assert "(got omega of wheel)" in message
     assert "nothing turns wheel; a wheel rolls (rolling), meshes (gears)" in message

@@ -15,7 +15,7 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.drawing import Arc, Drawing, Layer, Path
 from variantgen.figure.sketch import DOT
 from variantgen.mechanism.motion import Motion
-from variantgen.variants.draw import Drawing as Draws
+from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
 

@@ -13,17 +13,18 @@ from types import MappingProxyType
 import pikepdf
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
-from variantgen.exam.blueprint import read_exam
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.samples import exam_path
 from variantgen.figure.alt_text.directions import compass, is_parallel, line, side
 from variantgen.figure.build import statement_figure
-from variantgen.outputs.picture import picture
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.single.picture import picture
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
@@ -141,7 +142,7 @@ def figures_of(pdf: pikepdf.Pdf) -> list[str]:
 @pytest.mark.parametrize("sample", ["sample_en", "sample_ru"])
 def test_sheets_carry_the_text_of_every_figure(sample: str) -> None:
     exam = read_exam(exam_path(Path(sample)))
-    data = sheets_data(Content(exam, assemble(exam, numbered(2)).sheets))
+    data = sheets_data(Content(exam, drawn_sheets(exam, numbered(2))), TYPST)
     with typesetter() as engine:
         made = engine.compile("sheets.typ", data)[0]
     wanted = [problem["figure"]["alt"].alt for student in data["students"] for problem in student["problems"]]
@@ -160,8 +161,8 @@ def test_a_single_page_carries_the_text_of_its_figure(tmp_path: Path) -> None:
 
 def test_figures_are_told_in_words_only_where_these_are_shown() -> None:
     exam = read_exam(exam_path(Path("sample_en")))
-    content = Content(exam, assemble(exam, numbered(1)).sheets)
-    data = sheets_data(content)
+    content = Content(exam, drawn_sheets(exam, numbered(1)))
+    data = sheets_data(content, TYPST)
     figures = [posed.figure for own in content.posed for posed in own]
     with typesetter() as engine:
         engine.compile("sheets.typ", data, tagged=False)

@@ -14,21 +14,21 @@ from variantgen.families.quantities import parse_quantity
 from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure
 from variantgen.figure.glyphs import KERNING, TABLE
+from variantgen.figure.label_requests import label_size
 from variantgen.figure.lettering import typeset
-from variantgen.figure.requests import label_size
-from variantgen.outputs.glyph_table import table
-from variantgen.outputs.typesetter import typesetter
-from variantgen.variants.draw import Drawing as Draws
+from variantgen.outputs.typst.glyph_table import table
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import (
-    About,
     Equation,
     Formula,
+    FormulaList,
     Index,
-    Listing,
     Measured,
     Number,
     Symbol,
+    SymbolProperty,
     UnitText,
     to_plain,
     to_typst,
@@ -43,9 +43,9 @@ FURTHER = [
     Symbol("T", (Index("P"),)),
     Measured(Number("7,5"), UnitText((("об/мин", 1),))),
     Measured(Number("117.4"), UnitText((("s", -1),))),
-    About("modulus", Symbol("omega", (Index("OA"),))),
-    About("angle", Symbol("v", (Index("B"),))),
-    About("sense", Symbol("f")),
+    SymbolProperty("modulus", Symbol("omega", (Index("OA"),))),
+    SymbolProperty("angle", Symbol("v", (Index("B"),))),
+    SymbolProperty("sense", Symbol("f")),
     Symbol("a", (Index("BA"),), (Index("n"),)),
     Symbol("a", (Index("B"),), (Index("tau"),)),
     Symbol("v", (Index("O1A"),)),
@@ -53,8 +53,8 @@ FURTHER = [
     Symbol("pi"),
     Symbol("a", (), (Index("prime"),)),
     Symbol("d", (Index("пер", True),), (Index("prime"),)),
-    Listing((Symbol("a"), Symbol("b"), Symbol("m", (Index("tr", True),)))),
-    Listing((Symbol("a", (), (Index("prime"),)), Symbol("b", (), (Index("prime"),)))),
+    FormulaList((Symbol("a"), Symbol("b"), Symbol("m", (Index("tr", True),)))),
+    FormulaList((Symbol("a", (), (Index("prime"),)), Symbol("b", (), (Index("prime"),)))),
     Symbol("a", (Index("rel", True), Index("A")), (Index("tau"),)),
     Equation(Symbol("v", (Index("B"),)), Symbol("v", (Index("пер", True), Index("A")))),
     Measured(Number("2"), UnitText((("м/с", 1),))),

@@ -9,18 +9,18 @@ import pytest
 
 from tests.contracts.test_families import arcs_and_labels
 from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, view_drawings
-from variantgen.exam.shown import Figures
+from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.motion_board import LEAST
-from variantgen.figure.solved import solved
+from variantgen.figure.motion_data import motion_data
 from variantgen.figure.vectors import vectors_of
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
 from variantgen.single import asked_quantities, one_variant
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Symbol, to_plain
 from variantgen.wording.language import load_language
@@ -52,7 +52,7 @@ def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing)
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: str) -> None:
     for variant, motion, i, drawing in drawings(name, form, 1):
-        found = solved(variant, motion, i, asked_quantities(variant), 1)
+        found = motion_data(variant, motion, i, asked_quantities(variant), 1)
         points = vectors_of(variant, motion, i, asked_quantities(variant), 1, EN).telling(found.chain.points)
         assert {q.point for q in found.task.asked if q.kind == "v"} - found.chain.resting <= set(points)
         size = size_of_vectors(motion, i, points, drawing)
@@ -134,7 +134,7 @@ def test_a_centre_outside_the_paper_is_noted() -> None:
     variant = one_variant(
         "slider_crank", {"OA": 34, "AB": 78, "phi": 105, "v_B": 120, "a_B": 60}, form="driven_by_slider"
     )
-    figures = Figures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
+    figures = SolutionFigures(variant, asked_quantities(variant), EN, (solve_variants([variant], 2), 0))
     figures.draw(["statement", "velocities"])
     captions = [list(figure.caption) for row in figures.rows() for figure in row]
     assert captions == [
@@ -163,7 +163,7 @@ def test_asked_accelerations_are_drawn_in_their_directions(name: str, form: str)
         drawn = [tip - start for start, tip in arrows(drawing, Layer.SLIDER)]
         assert drawn
         named = vectors_of(variant, motion, i, asked_quantities(variant), 2, EN)
-        parts = accelerations.components(solved(variant, motion, i, asked_quantities(variant), 2), named)
+        parts = accelerations.components(motion_data(variant, motion, i, asked_quantities(variant), 2), named)
         largest = max(abs(vector) for named in parts.values() for _, vector in named)
         for point in asked:
             vector = complex(motion.a[point][i])

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from tests.figure.reading import FORMS
-from variantgen.exam.shown import STATEMENT, Figures, view_order
+from variantgen.exam.solution_figures import STATEMENT, SolutionFigures, view_order
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
@@ -35,7 +35,7 @@ def shown(
     asked, language = asked_quantities(variant), load_language(lang)
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
     text = explain(variant, motion, 0, asked, language, SolutionOptions(methods))
-    figures = Figures(variant, asked, language, (motion, 0), None, text)
+    figures = SolutionFigures(variant, asked, language, (motion, 0), None, text)
     figures.draw(view_order(text))
     found = {figure.name: figure.drawing for row in figures.rows() for figure in row if figure.name != STATEMENT}
     return text, {

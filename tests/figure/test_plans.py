@@ -17,8 +17,8 @@ from variantgen.errors import InputError
 from variantgen.families.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
 from variantgen.figure.faults import inspect_labels
-from variantgen.figure.plans import COINCIDENT, Vector, round_length
-from variantgen.figure.solved import solved
+from variantgen.figure.motion_data import motion_data
+from variantgen.figure.plans import COINCIDENT, PlanVector, round_length
 from variantgen.figure.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.mechanism.drivers.extension import Extension
@@ -75,7 +75,7 @@ def test_every_ray_is_the_vector_of_a_point_or_of_the_carrier_below_it(name: str
             assert min(abs((tip - start) / drawing.scale - end) for end in ends) < 1e-9 * max(map(abs, ends))
 
 
-def about_poles(vectors: list[Vector], points: list[str], kind: str) -> list[tuple[Vector, str, str]]:
+def about_poles(vectors: list[PlanVector], points: list[str], kind: str) -> list[tuple[PlanVector, str, str]]:
     """Vectors named by two points (``v_BA``), with the two points."""
     pairs = {f"{p}{q}": (p, q) for p in points for q in points if p != q}
     found = [
@@ -88,7 +88,7 @@ def about_poles(vectors: list[Vector], points: list[str], kind: str) -> list[tup
 def test_sides_are_perpendicular_to_the_links(name: str, form: str) -> None:
     variants, motion, asked = variants_of(name, form, SEEDS)
     for i, variant in enumerate(variants):
-        found = solved(variant, motion, i, asked, 1)
+        found = motion_data(variant, motion, i, asked, 1)
         plan = velocity_plan.velocity_plan(found, vectors_of(variant, motion, i, asked, 1, EN, methods=("graphical",)))
         for vector, point, pole in about_poles(plan.vectors, list(motion.z), "v"):
             arm = complex(motion.z[point][i] - motion.z[pole][i])
@@ -103,7 +103,7 @@ def test_components_lead_from_the_pole_of_the_body_to_the_point(name: str, form:
         return
     bodies = motion.scene.bodies
     for i, variant in enumerate(variants):
-        found = solved(variant, motion, i, asked, 2)
+        found = motion_data(variant, motion, i, asked, 2)
         named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
         plan = acceleration_plan.acceleration_plan(found, named)
         turning = about_poles(plan.vectors, list(motion.z), "a")
@@ -141,7 +141,7 @@ def test_compound_accelerations_close(name: str, form: str) -> None:
     if max(q.order for q in asked) < 2 or not paths:
         return
     for i, variant in enumerate(variants):
-        found = solved(variant, motion, i, asked, 2)
+        found = motion_data(variant, motion, i, asked, 2)
         named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
         plan = acceleration_plan.acceleration_plan(found, named)
         scale = max(abs(complex(a[i])) for a in motion.a.values())

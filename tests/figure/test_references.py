@@ -16,7 +16,7 @@ from tests.figure.transcript import transcript
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
-from variantgen.variants.draw import Drawing as Draws
+from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
 

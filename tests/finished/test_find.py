@@ -9,7 +9,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.record import Record, RecordedSheet, read_record
+from variantgen.exam.manifest import Manifest, RecordedSheet, read_manifest
 from variantgen.exam.roster import Student
 from variantgen.finished.find import find
 
@@ -26,9 +26,9 @@ CLASS = [
 
 
 @pytest.fixture
-def record() -> Record:
+def record() -> Manifest:
     sheets = tuple(RecordedSheet(Student(*who[:3]), who[3], ()) for who in CLASS)
-    return Record(Path("manifest.json"), {}, "", "", None, (), "", sheets, {}, "1a2b3c4d")
+    return Manifest(Path("manifest.json"), {}, "", "", None, (), "", sheets, {}, "1a2b3c4d")
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def record() -> Record:
         ("jones", "y"),
     ],
 )
-def test_who_is_meant(text: str, student: str, record: Record) -> None:
+def test_who_is_meant(text: str, student: str, record: Manifest) -> None:
     if student:
         assert record.sheets[find(record, text)].student.id == student
     else:
@@ -60,7 +60,7 @@ def test_who_is_meant(text: str, student: str, record: Record) -> None:
             find(record, text)
 
 
-def test_several_are_listed_in_order(record: Record) -> None:
+def test_several_are_listed_in_order(record: Manifest) -> None:
     with pytest.raises(InputError) as caught:
         find(record, "lee")
     lines = [line.strip() for line in str(caught.value).splitlines()]
@@ -68,7 +68,7 @@ def test_several_are_listed_in_order(record: Record) -> None:
     assert lines[2:] == ["7Q4-BBB  Lee Anna, М-21  (id 9)", "7Q4-AAA  Lee Anna, М-22  (id 10)"]
 
 
-def test_a_long_list_is_cut(record: Record) -> None:
+def test_a_long_list_is_cut(record: Manifest) -> None:
     many = tuple(RecordedSheet(Student(f"s{i}", f"Lee {i}"), f"AAA-{i}", ()) for i in range(100))
     with pytest.raises(InputError) as caught:
         find(replace(record, sheets=many), "lee")
@@ -78,16 +78,16 @@ def test_a_long_list_is_cut(record: Record) -> None:
     assert len(lines) == 23
 
 
-def test_a_sheet_of_another_exam(record: Record) -> None:
+def test_a_sheet_of_another_exam(record: Manifest) -> None:
     with pytest.raises(InputError, match="of another exam"):
         find(record, "VARIANTGEN:1:00000000:CU6-ML5")
 
 
 @pytest.mark.parametrize(("text", "told"), [("18", "did you mean"), ("Lea Anna", "Lee Anna"), ("", "the code of")])
-def test_nobody(text: str, told: str, record: Record) -> None:
+def test_nobody(text: str, output: str, record: Manifest) -> None:
     with pytest.raises(InputError) as caught:
         find(record, text)
-    assert told in str(caught.value)
+    assert output in str(caught.value)
 
 
 def test_remake_by_code_and_qr_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -95,7 +95,7 @@ def test_remake_by_code_and_qr_code(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     Path("exam.toml").write_text(EXAM, "utf-8")
     Path("class.csv").write_text("name,group\nAnn Lee,A\nBob Ray,A\nAnn Ray,B\n", "utf-8")
     assert main(["build", "exam.toml", "--roster", "class.csv", "--out", "out"]) == 0
-    found = read_record(Path("out"))
+    found = read_manifest(Path("out"))
     code = {sheet.student.name: sheet.code for sheet in found.sheets}
     for text in (code["Bob Ray"], f"VARIANTGEN:1:{found.exam_id.upper()}:{code['Bob Ray']}", "bob", "Bob Ray (A)"):
         assert main(["remake", "out", "--student", text]) == 0

@@ -139,7 +139,7 @@ def test_codes_that_are_taken() -> None:
     assert all(len(code) == 11 and code.startswith(old) for code, old in zip(again[1:], first[1:], strict=True))
 
 
-def told(name: str) -> list[tuple[str, str]]:
+def output(name: str) -> list[tuple[str, str]]:
     """What is told of each sheet of an exam with few variants."""
     parameters = [problems[0]["parameters"] for _, problems in sheets(name).values()]
     return [(own["v_B"]["value"], own["thread"]["value"]) for own in parameters]
@@ -152,11 +152,11 @@ def test_late_sheets_are_not_those_of_others(capsys: pytest.CaptureFixture[str])
     build()
     roster(late)
     assert main(["build", "exam.toml", "--roster", "class.csv", "--out", "alone"]) == 0
-    assert set(told("alone")) & set(told("out"))  # by themselves they would have some of them
+    assert set(output("alone")) & set(output("out"))  # by themselves they would have some of them
     roster([*first, *late])
     build("--only-new")
-    assert not set(told("out-new")) & set(told("out"))
-    assert len(set(told("out-new"))) == 12
+    assert not set(output("out-new")) & set(output("out"))
+    assert len(set(output("out-new"))) == 12
     assert "drawn again to keep variants distinct: b" in capsys.readouterr().err
     roster([*first, *late, *((f"c{i}", f"L{i}") for i in range(15))])
     build("--only-new", code=2)  # 43 sheets, 42 variants

@@ -15,7 +15,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.tolerance import Tolerance
 from variantgen.finished import rekey as module
 from variantgen.finished.rekey import marking
@@ -178,8 +178,8 @@ def test_all_or_nothing(out: Path, built: Path, monkeypatch: pytest.MonkeyPatch)
 def test_numbers_that_cannot_be(options: list[str], said: str, built: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = content(built)
     assert main(["rekey", str(built), *options]) == 2
-    told = " ".join(capsys.readouterr().err.split())
-    assert said in told
+    output = " ".join(capsys.readouterr().err.split())
+    assert said in output
     assert content(built) == before
 
 

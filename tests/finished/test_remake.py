@@ -15,7 +15,7 @@ import pytest
 from tests.exam.test_blueprint import at_most
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.finished.comparing import is_used, looks
+from variantgen.finished.pdf_comparison import is_used, page_digest
 
 PROBLEMS = (
     '[[problem]]\nfamily = "four_bar"\nform = "crank"\n[[problem]]\nfamilies = ["spool", "rolling_wheel"]\npoints = 5\n'
@@ -138,13 +138,13 @@ def test_another_look_is_noticed(
 ) -> None:
     """Other templates: the manifest says so, and the pages show it."""
     from variantgen import resources
-    from variantgen.exam import record
-    from variantgen.outputs import typesetter
+    from variantgen.exam import manifest
+    from variantgen.outputs.typst import typesetter
 
     shutil.copytree(resources.templates_dir(), tmp_path / "templates")
     sheets = tmp_path / "templates" / "typst" / "sheets.typ"
     sheets.write_text(sheets.read_text("utf-8").replace("figure-width = 80mm", "figure-width = 70mm"), "utf-8")
-    for where in (record, typesetter):
+    for where in (manifest, typesetter):
         monkeypatch.setattr(where, "templates_dir", lambda: tmp_path / "templates")
     remade(out, "s2", code=1)
     said = capsys.readouterr().err
@@ -183,12 +183,12 @@ def test_wrong_input(joined: Path, tmp_path: Path, capsys: pytest.CaptureFixture
 def test_looks_differ_by_a_letter(joined: Path, tmp_path: Path) -> None:
     """What the comparison goes by is not the same for any two pages."""
     with pikepdf.open(joined / "sheets.pdf") as pdf:
-        used = [looks(page) for page in pdf.pages if is_used(page)]
+        used = [page_digest(page) for page in pdf.pages if is_used(page)]
         assert len(set(used)) == len(used)
         page = pdf.pages[0]
         content = page.obj.Contents.read_bytes()
         page.obj.Contents = pdf.make_stream(content.replace(b"1", b"2", 1))
-        assert looks(page) not in used
+        assert page_digest(page) not in used
 
 
 def packed(megabytes: int) -> bytes:
@@ -222,10 +222,10 @@ def test_a_page_that_is_large_in_memory_is_not_read(
     capsys.readouterr()
     with at_most(20):
         remade(out, "s0", code=1)
-    told = capsys.readouterr().err
-    assert "not the same: sheets.pdf cannot be read (" in told
-    assert "read (:" not in told
-    assert "restore it from a copy" in told
+    output = capsys.readouterr().err
+    assert "not the same: sheets.pdf cannot be read (" in output
+    assert "read (:" not in output
+    assert "restore it from a copy" in output
     assert len(text(remade(out, "s0", "--anyway"), tmp_path)) >= 1
 
 
@@ -250,9 +250,9 @@ def test_a_damaged_file_of_the_class_is_told(
             pdf.save()
     capsys.readouterr()
     remade(out, "s0", code=1)
-    told = capsys.readouterr().err
-    assert "not the same: sheets.pdf" in told
-    assert "Traceback" not in told
+    output = capsys.readouterr().err
+    assert "not the same: sheets.pdf" in output
+    assert "Traceback" not in output
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from variantgen.cli import main
-from variantgen.exam.record import read_record
+from variantgen.exam.manifest import read_manifest
 from variantgen.finished.restore import restore
 from variantgen.finished.verify import independent
 from variantgen.single import asked_quantities, one_variant
@@ -163,7 +163,7 @@ def test_a_folder_without_a_manifest(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 
 def test_variants_come_back_as_they_were(made: Path) -> None:
-    finished = restore(read_record(made), ())
+    finished = restore(read_manifest(made), ())
     recorded = json.loads((made / "manifest.json").read_text("utf-8"))["students"]
     for sheet, student in zip(finished.sheets(range(6)), recorded, strict=True):
         for item, problem in zip(sheet.items, student["problems"], strict=True):

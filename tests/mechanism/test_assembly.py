@@ -11,10 +11,10 @@ import pytest
 from tests.joint_scenes import class_three
 from variantgen.errors import InputError
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
 from variantgen.mechanism.constructions.coordinates import Coordinates
-from variantgen.mechanism.constructions.fraction import Fraction
+from variantgen.mechanism.constructions.fraction import SegmentFraction
 from variantgen.mechanism.constructions.near import Near
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -35,7 +35,7 @@ def dyad(picture: complex, phi: object = 1.0) -> Scene:
             "B": Near(picture.real, picture.imag),
             "left": CircleCircle("A", 0.6, "C", 0.5, 1.0),
             "right": CircleCircle("A", 0.6, "C", 0.5, -1.0),
-            "M": Fraction("A", "B"),
+            "M": SegmentFraction("A", "B"),
         },
         {"OA": ("O", "A"), "AB": ("A", "B", "M"), "BC": ("C", "B")},
         (Pivot("O"), Pivot("C")),
@@ -98,11 +98,11 @@ def test_class_three_group_against_mpmath() -> None:
     ("conditions", "said"),
     [
         ((Distance("A", "B", 0.6),), ["1 points placed near somewhere need 2 conditions, there are 1"]),
-        ((Distance("A", "B", 0.6), Line("M", "O")), ["constructed from the points it should place", "M"]),
+        ((Distance("A", "B", 0.6), PointOnLine("M", "O")), ["constructed from the points it should place", "M"]),
         ((Distance("A", "B", 0.6), Distance("Q", "B", 0.6)), ["unknown point", "Q"]),
     ],
 )
-def test_wrong_conditions(conditions: tuple[Distance | Line, ...], said: list[str]) -> None:
+def test_wrong_conditions(conditions: tuple[Distance | PointOnLine, ...], said: list[str]) -> None:
     with pytest.raises(InputError) as caught:
         analyse(replace(dyad(0.6 + 0.5j), conditions=conditions))
     assert all(part in str(caught.value) for part in said), str(caught.value)
@@ -112,7 +112,7 @@ def test_gradients_are_the_derivatives_of_the_values() -> None:
     at = {"A": 0.3 + 0.1j, "B": 1.0 - 0.4j, "C": 0.2 + 0.9j}
     # On the line the value vanishes, where the gradient is exact.
     at["P"] = at["A"] + 0.3 * (at["B"] - at["A"])
-    for condition in (Distance("A", "B", 0.5), Line("P", "A", towards="B"), Line("C", "A", 0.7)):
+    for condition in (Distance("A", "B", 0.5), PointOnLine("P", "A", towards="B"), PointOnLine("C", "A", 0.7)):
         gradient = condition.gradient(at)
         for name, place in at.items():
             for way in (1.0, 1.0j):

@@ -14,7 +14,7 @@ from variantgen.mechanism.component import discover
 from variantgen.mechanism.constructions.circle_circle import CircleCircle, sixteen_area_squared
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.foot import Foot
-from variantgen.mechanism.constructions.fraction import Fraction
+from variantgen.mechanism.constructions.fraction import SegmentFraction
 from variantgen.mechanism.constructions.line_circle import LineCircle
 from variantgen.mechanism.constructions.line_line import LineLine
 from variantgen.mechanism.constructions.on_body import OnBody
@@ -74,7 +74,7 @@ def test_on_body_along_and_to_the_left() -> None:
 
 @given(st.floats(-2, 3))
 def test_fraction_divides_the_segment(part: float) -> None:
-    z, _ = Fraction("A", "B", part).place(AT)
+    z, _ = SegmentFraction("A", "B", part).place(AT)
     assert complex(z) == pytest.approx(AT["A"] + part * (AT["B"] - AT["A"]))
 
 

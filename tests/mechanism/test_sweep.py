@@ -17,7 +17,7 @@ from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
-from variantgen.mechanism.sweep import End, Sweep, sweep
+from variantgen.mechanism.sweep import Sweep, SweepEnd, sweep
 
 
 def swept(scene: Scene, **options: Any) -> Sweep:
@@ -41,7 +41,7 @@ def test_slider_crank_over_a_turn() -> None:
     assert np.max(np.abs(motion.v["B"] - slope * omega)) < 1e-11
     assert np.max(np.abs(motion.a["B"] - (slope * epsilon + bend * omega**2))) < 1e-10
     assert found.closed
-    assert found.ends == (End.TURN, End.TURN)
+    assert found.ends == (SweepEnd.TURN, SweepEnd.TURN)
 
 
 def test_crank_rocker_by_circles_that_meet() -> None:
@@ -69,7 +69,7 @@ def test_a_double_rocker_ends_at_its_dead_points(side: float) -> None:
     a, b, c, d = 0.5, 0.3, 0.4, 0.7  # a + d > b + c: the longest diagonal is b + c
     found = swept(four_bar(a, b, c, d, 0.5, 2.0, side=side))
     limit = math.acos((a**2 + d**2 - (b + c) ** 2) / (2 * a * d))
-    assert found.ends == (End.DEAD_POINT, End.DEAD_POINT)
+    assert found.ends == (SweepEnd.DEAD_POINT, SweepEnd.DEAD_POINT)
     assert 0.5 + found.way[-1] == pytest.approx(limit, abs=3e-7)
     assert 0.5 + found.way[0] == pytest.approx(-limit, abs=3e-7)
     # The diagonal is straight at the ends, and B never changes its side of A -> C before.
@@ -83,7 +83,7 @@ def test_a_rolling_wheel_draws_cycloids() -> None:
     radius, v, a = 0.4, -1.5, 0.8
     found = swept(wheel(radius, v, a))
     way = -found.way  # the given motion is to the left
-    assert found.ends == (End.LENGTH, End.LENGTH)
+    assert found.ends == (SweepEnd.LENGTH, SweepEnd.LENGTH)
     assert found.way[-1] == pytest.approx(math.pi * radius, rel=1e-6)
     turn = np.exp(-1j * way / radius)
     centre = way + 1j * radius
@@ -128,7 +128,7 @@ def test_a_point_stays_between_the_ends_of_its_rod() -> None:
     )
     free, held = swept(scene), swept(scene, limits=[("A", "B", "C")])
     assert free.closed
-    assert held.ends == (End.JOINT, End.JOINT)
+    assert held.ends == (SweepEnd.JOINT, SweepEnd.JOINT)
     # Where the distance from C is 0.6: 0.25 + 0.04 - 0.2 cos(phi) = 0.36.
     limit = math.acos((0.29 - 0.36) / 0.2)
     assert 1.2 + held.way[-1] == pytest.approx(limit, abs=1e-6)

@@ -12,10 +12,10 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.by_groups.walk import at_order
+from variantgen.methods.by_groups.solve_groups import at_order
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.variants.draw import Drawing
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
 
 FORMS = [(name, form) for name in family_names() for form in load_family(name).forms]
@@ -25,7 +25,7 @@ IDS = ["-".join(item) for item in FORMS]
 @cache
 def variants(name: str, form: str, count: int) -> tuple[list[Variant], Motion]:
     family = restrict(load_family(name), None, None, (form,) if form else ())
-    drawn = Drawing(family, None).after([("whole", i) for i in range(count)], [0] * count)
+    drawn = FamilySampler(family, None).after([("whole", i) for i in range(count)], [0] * count)
     return drawn, solve_variants(drawn, 2)
 
 

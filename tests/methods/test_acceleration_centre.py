@@ -12,13 +12,13 @@ from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import deviation
 from variantgen.methods.compose import work_out
 from variantgen.methods.solution.book import Book, resultant
-from variantgen.methods.steps.style import Style
+from variantgen.methods.steps.method_style import MethodStyle
 
 
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> tuple[Book, dict[str, float]]:
     found, worked = case_of(family, case)
     worked = replace(worked, given={**worked.given, **changed})
-    book = Book(task(found, worked, names), style=Style("velocity_centre", "acceleration_centre"))
+    book = Book(task(found, worked, names), style=MethodStyle("velocity_centre", "acceleration_centre"))
     answers = {name: value.exact for name, value in work_out(book).items()}
     assert deviation(book) < 1e-12
     return book, answers

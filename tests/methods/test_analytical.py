@@ -6,48 +6,16 @@ import math
 
 import pytest
 
+from tests.methods.applying import APPLYING
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
+from variantgen.algebra.name import Name
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates import analytical
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived
 
 SEEDS = 3
-# Mechanisms whose coordinates follow from the given motion without a system of equations.
-EXPLICIT = {
-    ("cam_disc", "flat"),
-    ("crank_and_disc", "absolute"),
-    ("crank_and_disc", "relative"),
-    ("disc_in_cylinder", "inside"),
-    ("disc_in_cylinder", "outside"),
-    ("falling_rod", ""),
-    ("gear_pair_with_crank", "outside"),
-    ("gear_pair_with_crank", "ring"),
-    ("movable_pulley", "load_and_axle"),
-    ("planetary_pair", "inside"),
-    ("planetary_pair", "outside"),
-    ("planetary_train", "ring"),
-    ("planetary_train", "two_planets"),
-    ("planetary_train", "two_suns"),
-    ("plate_acceleration_centre", "rectangle"),
-    ("plate_acceleration_centre", "square"),
-    ("point_on_rotating_disc", "chord"),
-    ("point_on_rotating_disc", "groove"),
-    ("pulley_and_wheel", "axle"),
-    ("roller_on_drum", "inside"),
-    ("roller_on_drum", "outside"),
-    ("rolling_wheel", ""),
-    ("scotch_yoke", "oblique"),
-    ("scotch_yoke", "straight"),
-    ("sliding_block_on_rotating_rod", "central"),
-    ("sliding_block_on_rotating_rod", "offset"),
-    ("triangle_plate", "equilateral"),
-    ("triangle_plate", "scalene"),
-    ("wedge_and_rod", "vertical"),
-    ("wheel_between_racks", "driven_by_axle"),
-}
 
 
 def test_falling_rod_by_hand() -> None:
@@ -68,14 +36,22 @@ def test_falling_rod_by_hand() -> None:
 
 
 @pytest.mark.parametrize(("name", "form"), FORMS, ids=IDS)
+def test_applies_where_no_system_is_needed(name: str, form: str) -> None:
+    for item in tasks(name, form, SEEDS):
+        assert analytical.applies(item) == ((name, form) in APPLYING["analytical"])
+
+
+@pytest.mark.parametrize(("name", "form"), [item for item in FORMS if item not in APPLYING["analytical"]])
+def test_elsewhere_nothing_is_found(name: str, form: str) -> None:
+    (item,) = tasks(name, form, 1)
+    with pytest.raises(LookupError):
+        analytical.solve(Book(item))
+
+
+@pytest.mark.parametrize(("name", "form"), APPLYING["analytical"])
 def test_agreement_with_the_solver(name: str, form: str) -> None:
     for item in tasks(name, form, SEEDS):
-        assert analytical.applies(item) == ((name, form) in EXPLICIT)
         book = Book(item)
-        if (name, form) not in EXPLICIT:
-            with pytest.raises(LookupError):
-                analytical.solve(book)
-            continue
         analytical.solve(book)
         assert deviation(book) < AGREES
         found = answers(book)

@@ -9,10 +9,10 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.component import discover
 from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates import coordinates
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, LinearSystem

@@ -14,14 +14,14 @@ from typing import Any
 import pytest
 
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.values import parts
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.values import parts
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of
-from variantgen.methods.steps.step import Derived, Sentence, Statement
+from variantgen.methods.steps.step import Derived, EquationLine, Sentence
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -186,7 +186,7 @@ class TestProblem28:
         x, y = geometry.coordinates("B")
         assert x.exact + 62 == pytest.approx(-20.29777, abs=1e-5)
         assert y.exact == pytest.approx(37.90779, abs=1e-5)
-        circles = [item for item in geometry.items if isinstance(item, Statement)]
+        circles = [item for item in geometry.items if isinstance(item, EquationLine)]
         assert [circle.right.number(True) for circle in circles] == [111**2, 43**2]
         for circle in circles:
             assert circle.left.number(True) == pytest.approx(circle.right.number(True), rel=1e-12)
@@ -242,7 +242,7 @@ class TestByHand:
 
     def test_points_placed_together_come_with_their_conditions(self, geometry: Geometry) -> None:
         geometry.coordinates("K")
-        conditions = [item for item in geometry.items if isinstance(item, Statement)]
+        conditions = [item for item in geometry.items if isinstance(item, EquationLine)]
         assert len(conditions) == 4
         for each in conditions:
             assert each.left.number(True) == pytest.approx(each.right.number(True), rel=1e-10, abs=1e-8)

@@ -12,15 +12,15 @@ import pytest
 from tests.calculator import evaluate
 from tests.figure.reading import FORMS, arrows, variants_of
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.drawing import Layer
+from variantgen.figure.motion_data import motion_data
 from variantgen.figure.plans import COINCIDENT, scale_of_plan, without_millimetres
-from variantgen.figure.solved import solved
 from variantgen.figure.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.methods.agreement import deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical import graphical
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, pole_letter
@@ -29,15 +29,15 @@ from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Sentence, Solution
 from variantgen.single import one_variant
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.solution.document import Line, Lines
+from variantgen.wording.solution.document import FormulaLine, FormulaLines
 from variantgen.wording.solution.explain import written
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.solution.writer import Writer
 
 EN = load_language("en")
@@ -130,7 +130,7 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
         symbols = Symbols(item.form, EN, load_phrases("en"), {})
         everything = readings(solution(item, ["graphical"]))
         for order, module, make in VIEWS[: item.order]:
-            state = solved(item.variant, motion, index, asked, order)
+            state = motion_data(item.variant, motion, index, asked, order)
             plan = make(state, vectors_of(item.variant, motion, index, asked, order, EN, methods=("graphical",)))
             drawing = module.draw(item.variant, motion, index, asked, EN)
             lengths = [end - start for start, end in arrows(drawing, Layer.VECTOR)]
@@ -172,7 +172,7 @@ def test_text_and_figure_have_one_scale(name: str, form: str) -> None:
         index = variants.index(item.variant)
         for order in range(1, item.order + 1):
             plan = graphical.begun(item, "va"[order - 1])
-            state = solved(item.variant, motion, index, asked, order)
+            state = motion_data(item.variant, motion, index, asked, order)
             assert float(scale_of_plan(state.chain, state.now, order, state.unit).value) == plan.scale.exact
     if tasks(name, form):
         drawing = velocity_plan.draw(item.variant, motion, index, asked, EN)
@@ -189,7 +189,7 @@ def test_a_calculator_follows_the_numbers(name: str, form: str) -> None:
         checked = 0
         for step in solution(item, ["graphical"]).steps:
             for block in writer.blocks([line for line in step.items if isinstance(line, Derived)]):
-                assert isinstance(block, Lines)
+                assert isinstance(block, FormulaLines)
                 for line in block.lines:
                     checked += recomputed(line)
         assert checked
@@ -201,7 +201,7 @@ def writer_of(item: Task) -> Writer:
     return Writer(symbols, Formulas(symbols, item.variant.family.length_unit))
 
 
-def recomputed(line: Line) -> int:
+def recomputed(line: FormulaLine) -> int:
     """Checks the numbers of ``name = symbols = numbers = result``; how many formulas there were."""
     *pieces, last = [formula for _, formula in line.pieces]
     assert isinstance(last, Measured)

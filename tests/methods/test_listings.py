@@ -15,7 +15,7 @@ from variantgen.methods.coordinates import coordinates
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution_options import SolutionOptions
-from variantgen.methods.steps.step import Listing
+from variantgen.methods.steps.step import ProgramListing
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.solution.document import Program
 from variantgen.wording.solution.explain import explain
@@ -43,7 +43,7 @@ json.dump(found, sys.stdout)
 def listing(task: Task) -> str:
     book = Book(task)
     coordinates.solve(book)
-    (found,) = [item for step in book.steps for item in step.items if isinstance(item, Listing)]
+    (found,) = [item for step in book.steps for item in step.items if isinstance(item, ProgramListing)]
     return found.code
 
 

@@ -43,9 +43,9 @@ def test_answers_and_solutions_do_not_depend_on_the_unit(name, parameters, tmp_p
         relative[unit] = [a.tolerance / abs(a.value) for a in found]
         asked = asked_quantities(variant)
         motion = solve_variants([variant], max(q.order for q in asked))
-        told = solution(task_of(variant, motion, 0, asked))
-        assert told.steps
-        for (quantity, value), answer in zip(told.answers, found, strict=True):
+        output = solution(task_of(variant, motion, 0, asked))
+        assert output.steps
+        for (quantity, value), answer in zip(output.answers, found, strict=True):
             assert abs(value.exact) == pytest.approx(abs(answer.value), rel=1e-7), (unit, quantity)
         for language in ("en", "ru"):
             assert explain(variant, motion, 0, asked, load_language(language), SolutionOptions()).sections
@@ -102,8 +102,8 @@ def test_angles_of_rates_and_angles_of_data(tmp_path, capsys):
     path = tmp_path / "angles.toml"
     path.write_text(ANGLES, encoding="utf-8")
     assert main(["solve", str(path), "--explain"]) == 0
-    told = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
+    output = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     speed, arc = 40 * 0.7 * math.sin(0.7 * 1.3), 40 * math.radians(50)
-    assert f"{speed:.2f} cm/s" in told
+    assert f"{speed:.2f} cm/s" in output
     # The rotation adds 0.7 arc to the left of AB, which points up: against or along the motion of A.
-    assert f"{abs(-speed - 0.7 * arc):.2f} cm/s" in told
+    assert f"{abs(-speed - 0.7 * arc):.2f} cm/s" in output

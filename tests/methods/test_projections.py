@@ -10,19 +10,19 @@ import pytest
 from tests.methods.test_velocity_centre import keys, speed
 from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import deviation
-from variantgen.methods.by_groups import walk
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.centres import projections
 from variantgen.methods.groups.group import Dyad, PointPath
 from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import Projection
-from variantgen.methods.steps.style import Style
 
 
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:
     found, worked = case_of(family, case)
     worked = replace(worked, given={**worked.given, **changed})
-    book = Book(task(found, worked, names), style=Style("projections", "pole"))
-    walk.velocities(book)
+    book = Book(task(found, worked, names), style=MethodStyle("projections", "acceleration_pole"))
+    solve_groups.velocities(book)
     assert deviation(book) < 1e-12
     return book
 

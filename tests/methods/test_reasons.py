@@ -5,19 +5,19 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.given_data import sentences, steps
+from variantgen.algebra.expression import Value
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical.vector_chain import chain_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.step import Derived, Point, Sentence, Word
 from variantgen.variants.draw import draw
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 
 def said(family: str, form: str, ask: str, **data: float) -> list[str]:

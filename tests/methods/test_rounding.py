@@ -6,14 +6,16 @@ import numpy as np
 import pytest
 
 from tests.methods.forms import FORMS, tasks, variants
+from variantgen.algebra.expression import Constant, Ratio, Total, Value
+from variantgen.algebra.linear import LinearSolution
+from variantgen.algebra.name import Name
+from variantgen.algebra.vectorised import Operations
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.methods.algebra.expression import Constant, LinearSolution, Ratio, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.vectorised import Operations
 from variantgen.methods.compose import solution
-from variantgen.methods.hand.rounding import HandCalculation, Worked
+from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation
+from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.steps.printed_digits import choose_printed_digits
 from variantgen.variants.draw import draw
@@ -34,7 +36,7 @@ def printed(task: Task) -> dict[str, np.ndarray]:
 
 def errors_of(task: Task) -> np.ndarray:
     with np.errstate(all="ignore"):
-        return Worked.of(task).errors(printed(task))[:, 0]
+        return RepeatableCalculation.of(task).errors(printed(task))[:, 0]
 
 
 def test_the_rounding_of_a_product_and_of_a_quotient() -> None:
@@ -42,7 +44,7 @@ def test_the_rounding_of_a_product_and_of_a_quotient() -> None:
     given = Value(None, "length", 7.77)
     arm = Value(Name("length", "O", "P"), "length", 23.31, Constant(3.0) * given)
     omega = Value(Name("omega", "wheel"), "angular velocity", 10 / 23.31, Ratio(Constant(10.0), arm))
-    found = Worked([omega], {id(given): "g"}).errors({"g": np.array([7.77, 5.0])})
+    found = RepeatableCalculation([omega], {id(given): "g"}).errors({"g": np.array([7.77, 5.0])})
     by_arm = 10 / 23.31 - 10 / 23.36
     total = by_arm + 0.0005
     three_sigma = 3 * np.sqrt((by_arm**2 + 0.0005**2) / 3)
@@ -57,7 +59,7 @@ def test_cancellation_is_seen() -> None:
     first = Value(Name("a", "A"), "acceleration", 100.4, given * Constant(100.4))
     second = Value(Name("a", "B"), "acceleration", 99.96, given * Constant(99.96))
     difference = Value(Name("a", "C"), "acceleration", 0.44, Total(((1, first), (-1, second))))
-    worked = Worked([difference], {id(given): "g"})
+    worked = RepeatableCalculation([difference], {id(given): "g"})
     assert worked.errors({"g": np.array([1.0])})[0, 0] == pytest.approx(0.55, rel=1e-6)
 
 
@@ -101,7 +103,7 @@ def test_what_is_found_for_a_variant_does_not_depend_on_the_others(name: str) ->
 def test_steps_of_one_variant_lead_to_the_answers_of_others() -> None:
     drawn, motion = variants("slider_crank", "central", 12)
     asked = read_ask(drawn[0].form, None)
-    worked = Worked.of(task_of(drawn[0], motion, 0, asked))
+    worked = RepeatableCalculation.of(task_of(drawn[0], motion, 0, asked))
     data = {
         name: np.concatenate([printed(task_of(v, motion, i, asked))[name] for i, v in enumerate(drawn)])
         for name in ("OA", "AB", "phi", "omega_OA", "epsilon_OA")
@@ -133,6 +135,6 @@ def test_values_that_are_computed_alike_are_rounded_each_for_itself() -> None:
     # Two products 1.115 are off by half a unit of the third digit each, their difference by both.
     given = Value(None, "length", 1.115)
     first, second = (Value(Name("a", point), "length", 1.115, given * Constant(1.0)) for point in "AB")
-    worked = Worked([Value(None, "length", 0.0, Total(((1, first), (-1, second))))], {id(given): "g"})
+    worked = RepeatableCalculation([Value(None, "length", 0.0, Total(((1, first), (-1, second))))], {id(given): "g"})
     assert worked.errors({"g": np.array([1.115])})[0, 0] == pytest.approx(0.01, rel=1e-9)
     assert worked.repeat({"g": np.array([1.115])})[0, 0] == 0

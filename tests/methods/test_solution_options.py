@@ -1,11 +1,11 @@
-"""Wishes for a solution: checked names."""
+"""Options of a solution: checked names."""
 
 from __future__ import annotations
 
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.families.solving import METHODS
+from variantgen.families.method_names import METHODS
 from variantgen.methods.solution_options import SolutionOptions
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from variantgen.methods.algebra.expression import Constant, Times, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import positive, summed
+from variantgen.algebra.expression import Constant, Times, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import positive, summed
 from variantgen.methods.geometry.angles import AngleForm, between, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.lines import Lines

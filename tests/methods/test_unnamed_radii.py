@@ -39,14 +39,14 @@ def explained(text: str, folder, capsys: pytest.CaptureFixture[str]) -> str:
 
 def test_threads_on_two_radii(tmp_path, capsys):
     """omega = 40 / (15 - 10), v_O = 15 omega."""
-    told = explained(SPOOL, tmp_path, capsys)
-    assert " = r_2 spool − r_spool = 15 − 10 = 5 cm" in told
-    assert "r_2 spool = 8 \N{MIDDLE DOT} 15 = 120 cm/s" in told
+    output = explained(SPOOL, tmp_path, capsys)
+    assert " = r_2 spool − r_spool = 15 − 10 = 5 cm" in output
+    assert "r_2 spool = 8 \N{MIDDLE DOT} 15 = 120 cm/s" in output
 
 
 def test_threads_of_one_radius_have_one_symbol(tmp_path, capsys):
     """One thread above, one below, both at 10 cm: omega = 40 / 20."""
     text = SPOOL.replace("y = 15", "y = 40").replace('radius = 15, side = "right"', 'radius = 10, side = "left"')
-    told = explained(text, tmp_path, capsys)
-    assert "r_2" not in told
-    assert "r_spool = " in told
+    output = explained(text, tmp_path, capsys)
+    assert "r_2" not in output
+    assert "r_spool = " in output

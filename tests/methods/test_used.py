@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.forms import tasks
+from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import Body, Derived, Point, Sentence, Step
@@ -39,10 +39,10 @@ def test_the_second_crank_of_a_parallelogram_is_not_asked() -> None:
 
 
 @pytest.mark.parametrize(("asked", "told"), [(["a_rel_A"], False), (["v_B", "a_rel_A"], True)])
-def test_velocities_that_no_acceleration_depends_on(asked: list[str], told: bool) -> None:
+def test_velocities_that_no_acceleration_depends_on(asked: list[str], output: bool) -> None:
     # The yoke is in translation: there is no Coriolis acceleration to need the relative velocity.
     steps = solution(asking("scotch_yoke", "straight", asked)).steps
-    assert ("relative.velocity" in headings(steps)) == told
+    assert ("relative.velocity" in headings(steps)) == output
     assert sentences(steps).count("relative.compound") == 1
 
 
@@ -64,5 +64,5 @@ def test_axes_and_origin_are_told_once_where_they_are_needed() -> None:
 def test_a_step_that_only_writes_known_components_down_again_is_left_out() -> None:
     # The normal acceleration of F about the pole C is found with those of the plate; a_F itself is not asked.
     steps = solution(asking("three_rod_plate", "", ["a_B", "epsilon_BCF"])).steps
-    told = [step.heading.facts.get("point") for step in steps if step.heading.key == "points.by_pole_a"]
-    assert told == [Point("B")]
+    output = [step.heading.facts.get("point") for step in steps if step.heading.key == "points.by_pole_a"]
+    assert output == [Point("B")]

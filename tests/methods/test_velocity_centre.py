@@ -8,21 +8,21 @@ from math import cos, radians, sqrt
 import pytest
 
 from tests.solved_cases import case_of, task
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.agreement import deviation
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.by_groups import walk
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.centres.known_centre import divide
-from variantgen.methods.centres.velocity_centre import distance
+from variantgen.methods.centres.velocity_centre import carry, distance
 from variantgen.methods.solution.book import Book, Rate, resultant
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import Sentence, Term
-from variantgen.methods.steps.style import Style
-from variantgen.methods.vectors import given
+from variantgen.methods.vectors import given_motion
 from variantgen.methods.vectors.points import vector
-from variantgen.outputs.explanation import explain
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
-STYLE = Style("velocity_centre", "pole")
+STYLE = MethodStyle("velocity_centre", "acceleration_pole")
 
 
 def book_of(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:
@@ -33,7 +33,7 @@ def book_of(family: str, case: str, names: tuple[str, ...], **changed: float) ->
 
 def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> Book:
     book = book_of(family, case, names, **changed)
-    walk.velocities(book)
+    solve_groups.velocities(book)
     assert deviation(book) < 1e-12
     return book
 
@@ -125,7 +125,7 @@ def test_example_29_the_line_of_the_points_is_divided(below: float, omega: float
     assert rate.sense == -1  # D, on the left, rises faster
     assert arm(book, "pulley", "D") == pytest.approx(8 / omega, rel=1e-14)
     assert arm(book, "pulley", "G") == pytest.approx(4 / omega, rel=1e-14)
-    assert resultant(vector(book.at(1, walk.velocity_centre.carry), "C")) == pytest.approx(1j * middle, rel=1e-13)
+    assert resultant(vector(book.at(1, carry), "C")) == pytest.approx(1j * middle, rel=1e-13)
 
 
 def test_equal_velocities_across_the_line_of_the_points_are_a_translation() -> None:
@@ -185,7 +185,7 @@ def test_a_body_whose_pole_stands_still_is_at_rest() -> None:
 @pytest.mark.parametrize("off", [1e-2, 1e-4, 1e-6])
 def test_a_centre_far_away_costs_no_more_digits_than_it_is_far(off: float) -> None:
     book = book_of("slider_crank_with_second_rod", "M28", ("v_B", "omega_AB"), phi=radians(90 + off))
-    walk.velocities(book)
+    solve_groups.velocities(book)
     far = arm(book, "AB", "A") / book.task.size
     assert far > 0.3 / radians(off) / 10
     assert deviation(book) < 1e-9
@@ -195,7 +195,7 @@ def test_a_centre_far_away_costs_no_more_digits_than_it_is_far(off: float) -> No
 def test_by_one_velocity_and_the_rate() -> None:
     # A plate with v_A = 3 to the right that turns clockwise at 2: P is 1.5 below A.
     book = book_of("triangle_plate", "hand-2", ("v_D",))
-    given.take(book)
+    given_motion.enter_given_motion(book)
     right = Value(None, "angle", 0.0)
     book.velocity["A"] = (Term(Name("v", "A"), Value(Name("v", "A"), "velocity", 3.0), right, Sentence("ways.given")),)
     book.omega["ABD"] = Rate(Value(Name("omega", "ABD"), "angular velocity", 2.0), -1)

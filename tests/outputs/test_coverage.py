@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.coverage import check_letters, missing
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.typst.coverage import check_letters, missing
+from variantgen.outputs.typst.typesetter import typesetter
 
 CONTROL = {"Cc", "Cf", "Cn"}
 
@@ -33,14 +33,14 @@ def test_the_message_names_every_text(tmp_path: Path) -> None:
     ]
     with pytest.raises(InputError) as error:
         check_letters(exam, students)
-    told = str(error.value)
+    output = str(error.value)
     assert [problem.message for problem in error.value.problems] == [
         "the fonts for PDF lack a letter of the title",
         "the fonts for PDF lack a letter of the name of student 2",
         "the fonts for PDF lack a letter of the group of student 2",
         "the fonts for PDF lack a letter of the group of student 3",
     ]
-    assert "学 U+5B66, 生 U+751F" in told
-    assert "😀 U+1F600" in told
-    assert "and 12 more" in told
-    assert "--format html" in told
+    assert "学 U+5B66, 生 U+751F" in output
+    assert "😀 U+1F600" in output
+    assert "and 12 more" in output
+    assert "--format html" in output

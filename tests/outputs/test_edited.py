@@ -11,8 +11,8 @@ import pytest
 
 from tests.outputs.formats.workbooks import Grading
 from variantgen.cli import main
-from variantgen.outputs import edited
-from variantgen.outputs.folder import whole_folder
+from variantgen.outputs.files import edited
+from variantgen.outputs.files.folder import whole_folder
 from variantgen.outputs.formats import known_files
 
 EXAM = """
@@ -70,9 +70,9 @@ def test_force_keeps_a_workbook_that_was_filled_in(folder: Path, capsys: pytest.
     fresh, manifest = (out / "grading.xlsx").read_bytes(), (out / "manifest.json").read_bytes()
     typed = mark(out / "grading.xlsx", 10.5)
     assert build(folder, "--force") == 0
-    told = capsys.readouterr().err
-    assert str(out.resolve() / "edited" / "1") in told
-    assert "grading.xlsx" in told
+    output = capsys.readouterr().err
+    assert str(out.resolve() / "edited" / "1") in output
+    assert "grading.xlsx" in output
     assert marked(out / "edited" / "1" / "grading.xlsx") == typed
     assert (out / "edited" / "1" / "manifest.json").read_bytes() == manifest
     assert sorted(path.name for path in (out / "edited" / "1").iterdir()) == ["grading.xlsx", "manifest.json"]
@@ -133,9 +133,9 @@ def test_what_cannot_be_read_is_kept(folder: Path) -> None:
 def test_a_pipe_in_the_place_of_the_manifest(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "out" / "manifest.json").unlink()
     os.mkfifo(folder / "out" / "manifest.json")
-    code, told = verified(folder, capsys)
+    code, output = verified(folder, capsys)
     assert code == 2
-    assert "manifest.json: expected a file" in told
+    assert "manifest.json: expected a file" in output
     assert build(folder, "--force") == 0
     assert (folder / "out" / "edited" / "1" / "manifest.json").is_fifo()
 
@@ -163,11 +163,11 @@ def test_an_interruption_of_the_change_loses_nothing(
 
     with monkeypatch.context() as patch:
         if moment == "moved":
-            patch.setattr("variantgen.outputs.folder.keep_edited", killed)
+            patch.setattr("variantgen.outputs.files.folder.keep_edited", killed)
         elif moment == "half":
             patch.setattr(Path, "rename", rename)
         else:
-            patch.setattr("variantgen.outputs.folder.shutil.rmtree", killed)
+            patch.setattr("variantgen.outputs.files.folder.shutil.rmtree", killed)
         with pytest.raises(KilledError):
             build(folder, "--force")
     capsys.readouterr()
@@ -209,24 +209,24 @@ def verified(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str
 def test_verify_tells_edited_from_damaged(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = folder / "out"
     mark(out / "grading.xlsx", 3.0)
-    code, told = verified(folder, capsys)
+    code, output = verified(folder, capsys)
     assert code == 0
-    assert "edited since the build, which is no fault: grading.xlsx" in told
-    assert "all right" in told
+    assert "edited since the build, which is no fault: grading.xlsx" in output
+    assert "all right" in output
     (out / "html" / "sheets.html").write_bytes((out / "html" / "sheets.html").read_bytes()[:-1])
-    code, told = verified(folder, capsys)
+    code, output = verified(folder, capsys)
     assert code == 1
-    assert "html/sheets.html: the file has been changed since the build" in told
-    assert "edited since the build, which is no fault: grading.xlsx" in told
+    assert "html/sheets.html: the file has been changed since the build" in output
+    assert "edited since the build, which is no fault: grading.xlsx" in output
 
 
 @pytest.mark.parametrize("damage", [lambda b: b[:-200], lambda b: b"", lambda b: b[:300] + b"\0" * 40 + b[340:]])
 def test_a_workbook_that_cannot_be_opened_is_damaged(damage, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = folder / "out" / "grading.xlsx"
     path.write_bytes(damage(path.read_bytes()))
-    code, told = verified(folder, capsys)
+    code, output = verified(folder, capsys)
     assert code == 1
-    assert "grading.xlsx: the file has been changed since the build" in told
+    assert "grading.xlsx: the file has been changed since the build" in output
 
 
 def test_kept_files_are_no_fault(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.file_names import NAMINGS, file_stem
+from variantgen.outputs.files.file_names import NAMINGS, file_stem
 
 CODE = "7Q4-K2M"
 

@@ -14,7 +14,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.families.load import load_family
-from variantgen.outputs.gallery import Wanted, write_gallery
+from variantgen.outputs.gallery import GalleryRequest, write_gallery
 
 FAMILIES = ["four_bar", "rolling_wheel"]
 XHTML, SVG = "{http://www.w3.org/1999/xhtml}", "{http://www.w3.org/2000/svg}"
@@ -113,8 +113,8 @@ def test_same_input_same_bytes(made: tuple[str, Path], tmp_path: Path) -> None:
 
 
 def test_another_seed_gives_other_figures(tmp_path: Path) -> None:
-    write_gallery(Wanted([load_family("spool")], each=2), tmp_path / "first")
-    write_gallery(Wanted([load_family("spool")], each=1, seed=2), tmp_path / "second")
+    write_gallery(GalleryRequest([load_family("spool")], each=2), tmp_path / "first")
+    write_gallery(GalleryRequest([load_family("spool")], each=1, seed=2), tmp_path / "second")
     first, second = files(tmp_path / "first"), files(tmp_path / "second")
     assert second["figures/spool-1.svg"] == first["figures/spool-2.svg"] != first["figures/spool-1.svg"]
 
@@ -122,7 +122,7 @@ def test_another_seed_gives_other_figures(tmp_path: Path) -> None:
 def test_titles_are_text_and_never_markup(tmp_path: Path) -> None:
     title = '<script>alert(1)</script> & #panic("x") $x$ "quoted"'
     family = replace(load_family("spool"), titles={"en": title})
-    assert write_gallery(Wanted([family], each=1), tmp_path / "out") == 1
+    assert write_gallery(GalleryRequest([family], each=1), tmp_path / "out") == 1
     tree = page(tmp_path / "out")
     assert not tree.findall(f".//{XHTML}script")
     assert (tree.find(f".//{XHTML}section/{XHTML}h2").text or "").strip() == title

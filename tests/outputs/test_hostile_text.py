@@ -19,7 +19,7 @@ import pytest
 
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.outputs.formats import formats
+from variantgen.outputs.formats import FORMATS
 
 FILES = ["key.csv", "key.pdf", "manifest.json", "sheets.pdf", "solutions.pdf"]
 LITERAL = [
@@ -60,7 +60,7 @@ REFUSED = [
     "a\tb", "a\x00b", "a\x07b", "a\x1bb", "a\x85b", "soft\u00adhyphen",
 ]  # fmt: skip
 PAPER = ("pdf", "latex")
-WEB = sorted(formats().keys() - set(PAPER))
+WEB = sorted(set(FORMATS) - set(PAPER))
 NAMED = ("pdf", "latex", "html", "moodle", "qti21", "qti30", "xlsx")  # have the names of students, if wanted
 
 HEAD = """
@@ -149,11 +149,11 @@ def squeezed(text: str) -> str:
 def literal(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every output for students with all strange names of Latin and Cyrillic letters."""
     folder = tmp_path_factory.mktemp("literal")
-    assert build(folder, f"T1 {LITERAL[3]} {LITERAL[15]}", LITERAL, sorted(formats())) == 0
+    assert build(folder, f"T1 {LITERAL[3]} {LITERAL[15]}", LITERAL, list(FORMATS)) == 0
     return folder / "work" / "out"
 
 
-@pytest.mark.parametrize("name", sorted(formats()))
+@pytest.mark.parametrize("name", list(FORMATS))
 def test_text_appears_as_it_stands(name: str, literal: Path, request: pytest.FixtureRequest) -> None:
     if name == "latex":
         request.getfixturevalue("latexmk")

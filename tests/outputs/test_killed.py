@@ -14,13 +14,13 @@ from pathlib import Path
 
 import pytest
 
-from variantgen.outputs.formats import formats
+from variantgen.outputs.formats import FORMATS
 
 KILLS = 20 if os.environ.get("HYPOTHESIS_PROFILE") == "nightly" else 6
 EXAM = f"""
 title = "Quiz"
 language = "ru"
-formats = {json.dumps(sorted(formats()))}
+formats = {json.dumps(list(FORMATS))}
 [[problem]]
 family = "spool"
 """
@@ -28,7 +28,7 @@ family = "spool"
 
 def command(folder: Path, *options: str) -> list[str]:
     (folder / "exam.toml").write_text(EXAM, "utf-8")
-    return [sys.executable, "-m", "variantgen", "build", "exam.toml", "--variants", "9", "--out", "out", *options]
+    return [sys.executable, "-m", "variantgen", "build", "exam.toml", "--variants", "3", "--out", "out", *options]
 
 
 def content(folder: Path) -> dict[str, bytes]:

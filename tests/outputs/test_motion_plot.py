@@ -16,11 +16,11 @@ from PIL import Image
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.outputs.motion.caption import caption_lines
-from variantgen.outputs.motion.curves import panels
 from variantgen.outputs.motion.film import film_indices
+from variantgen.outputs.motion.plotted_curves import panels
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts, visible_range
 from variantgen.outputs.motion.subject import Subject
-from variantgen.outputs.motion_plot import motion_bytes
+from variantgen.outputs.single.motion_plot import motion_bytes
 from variantgen.single import answers, asked_quantities, one_variant
 from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.wording.formula import to_plain

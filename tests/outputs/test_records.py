@@ -12,13 +12,13 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.exams import drawn_sheets
 from variantgen.builder import build
-from variantgen.exam.assembly import assemble
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.files.records import key_rows
 from variantgen.outputs.formats import read_exam
-from variantgen.outputs.records import key_rows
 from variantgen.resources import catalog_dir
 
 FORMULA_STARTS = tuple("=+-@＝＋－＠")
@@ -28,7 +28,7 @@ BLANKS = " \t\r\n\u00a0\u3000\u200b\u2060\ufeff"
 @pytest.fixture(scope="module")
 def sheet() -> Sheet:
     exam = read_exam(samples_dir() / "sample_ru.toml")
-    return assemble(replace(replace(exam, tasks=exam.tasks[:1]), seed="1"), [Student("1", "N")]).sheets[0]
+    return drawn_sheets(replace(replace(exam, tasks=exam.tasks[:1]), seed="1"), [Student("1", "N")])[0]
 
 
 @pytest.mark.parametrize(

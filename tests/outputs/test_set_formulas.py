@@ -8,10 +8,10 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.outputs.markup import Markup, heading, markup
-from variantgen.outputs.set_formulas import set_formulas
-from variantgen.outputs.typesetter import typesetter
-from variantgen.wording.formula import About, Equation, Formula, Index, Measured, Number, Symbol, UnitText
+from variantgen.outputs.typst.markup import TypstMarkup, heading, markup
+from variantgen.outputs.typst.set_formulas import set_formulas
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, SymbolProperty, UnitText
 from variantgen.wording.formula.tree import ANGLE
 
 SPEED, ANGULAR = UnitText((("m/s", 1),)), UnitText((("рад/с", 2),))
@@ -26,9 +26,9 @@ FORMULAS: list[Formula] = [
     Symbol("a", (Index("BA"),), (Index("tau"),)),
     SPEED,
     ANGULAR,
-    About("modulus", Symbol("v", (Index("B"),))),
-    About("angle", Symbol("v", (Index("B"),))),
-    About("sense", Symbol("omega")),
+    SymbolProperty("modulus", Symbol("v", (Index("B"),))),
+    SymbolProperty("angle", Symbol("v", (Index("B"),))),
+    SymbolProperty("sense", Symbol("omega")),
 ]
 MARKUP = [*map(markup, FORMULAS), heading(Symbol("v", (Index("B"),)), SPEED), heading(Symbol("epsilon"), ANGULAR)]
 PAGES = """#import "common.typ": *
@@ -97,4 +97,4 @@ def test_others_are_left_to_the_engine(formula: Formula) -> None:
 def test_markup_is_found_everywhere() -> None:
     data = {"a": [markup(Symbol("A")), ("b", {"c": markup(Symbol("B"))})], "d": "C"}
     assert set(set_formulas(data)) == {"A", "B"}
-    assert all(isinstance(found, Markup) for found in MARKUP)
+    assert all(isinstance(found, TypstMarkup) for found in MARKUP)

@@ -16,7 +16,7 @@ from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.variants.distinct import TRIES, DistinctDraws, TooFewError, assign_distinct
 from variantgen.variants.draw import draw
-from variantgen.variants.needed import told_size
+from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.seeding import digest
 from variantgen.variants.similarity import CLOSE, CLOSE_ANGLE, Traits, traits
 from variantgen.variants.variant import Variant
@@ -164,7 +164,7 @@ def test_what_no_sheet_tells_makes_no_difference() -> None:
     assert velocities.identity[0] == velocities.identity[1]
     accelerations = traits([BASE, other], [ACCELERATIONS] * 2, ["", ""])
     assert accelerations.identity[0] != accelerations.identity[1]
-    assert told_size(BASE.form, ACCELERATIONS) == told_size(BASE.form, VELOCITIES) * len(
+    assert max_distinct_problems(BASE.form, ACCELERATIONS) == max_distinct_problems(BASE.form, VELOCITIES) * len(
         BASE.form.parameters[rate].printed
     )
 

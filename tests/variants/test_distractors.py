@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from variantgen.families.asking import read_ask
-from variantgen.families.family import frame
+from variantgen.families.draw_rules import frame
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.draw import draw
-from variantgen.variants.variant import Variant, columns, solve_variants
+from variantgen.variants.variant import Variant, parameter_arrays, solve_variants
 
 
 def drawn(name: str, form: str, count: int = 6) -> list[Variant]:
@@ -25,7 +25,7 @@ def by_mistakes(variants: list[Variant], ask: list[str]) -> dict[str, np.ndarray
     asked = read_ask(variants[0].form, ask)
     motion = solve_variants(variants, max(q.order for q in asked))
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    return wrong_answers(variants[0].form, columns(variants), on_paper, asked, motion)
+    return wrong_answers(variants[0].form, parameter_arrays(variants), on_paper, asked, motion)
 
 
 def test_the_slider_crank_without_the_normal_acceleration_of_the_rod() -> None:

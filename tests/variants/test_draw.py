@@ -13,9 +13,9 @@ from variantgen.errors import InputError
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.variants.batch import Tally
+from variantgen.variants.batch import RejectionCounts
 from variantgen.variants.distinct import TooFewError, assign_distinct
-from variantgen.variants.draw import Drawing, draw, too_few
+from variantgen.variants.draw import FamilySampler, draw, too_few
 from variantgen.variants.seeding import Stream, digest, index_below
 from variantgen.variants.similarity import Traits, traits
 from variantgen.variants.variant import Variant, solve_variants
@@ -61,7 +61,7 @@ def test_the_draw_is_uniform_over_the_valid_grid() -> None:
 
 def distinct(family: Family, names: list[str], ask: list[str] | None = None) -> tuple[list[Variant], list[int]]:
     """Distinct variants of students of one group, and who had to draw again."""
-    drawing = Drawing(family, ask)
+    drawing = FamilySampler(family, ask)
 
     def draws(owners: Sequence[int], used: Sequence[int]) -> list[Variant]:
         return drawing.after([("s", names[i]) for i in owners], used)
@@ -110,7 +110,7 @@ def test_more_students_than_variants_is_an_error_that_says_so() -> None:
 def test_impossible_ranges_end_with_a_report() -> None:
     # 16 + 24 + 30 < 100: never assembles.
     family = restrict(load_family("four_bar"), {"OA": 16, "AB": 30, "BC": 24, "OC": 100}, None, ["crank"])
-    tally = Tally()
+    tally = RejectionCounts()
     with pytest.raises(InputError, match="assembles") as caught:
         draw(family, None, [("s", 1)], tally)
     text = str(caught.value)

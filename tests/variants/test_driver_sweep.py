@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.mechanism.sweep import End
+from variantgen.mechanism.sweep import SweepEnd
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.driver_sweep import DriverSweep, driver_sweep
 
@@ -38,7 +38,7 @@ def test_without_a_printed_angle_the_instant_is_in_the_middle() -> None:
 def test_a_cylinder_is_measured_by_its_length() -> None:
     found = of("hydraulic_hoist", "boom")
     assert found.target == ("F", "B")
-    assert found.sweep.ends == (End.DEAD_POINT, End.DEAD_POINT)
+    assert found.sweep.ends == (SweepEnd.DEAD_POINT, SweepEnd.DEAD_POINT)
     z = found.sweep.motion.z
     length = np.abs(z["B"] - z["F"])
     way = found.values if found.sweep.motion.omega else -found.values
@@ -48,14 +48,14 @@ def test_a_cylinder_is_measured_by_its_length() -> None:
 def test_a_ladder_stays_on_its_walls() -> None:
     found = of("ladder", "driven_at_wall")
     corner, foot, top = (found.sweep.motion.z[name] for name in ("O", "F", "A"))
-    assert End.JOINT in found.sweep.ends
+    assert SweepEnd.JOINT in found.sweep.ends
     assert np.min(np.abs(top - corner)) < 1e-6 * np.max(np.abs(foot - corner))
     assert np.all(np.abs(np.angle((top - corner) / (foot - corner))[1:-1]) < 0.51 * np.pi)
 
 
 def test_a_load_does_not_run_past_its_pulley() -> None:
     found = of("movable_pulley", "anchored")
-    assert End.JOINT in found.sweep.ends
+    assert SweepEnd.JOINT in found.sweep.ends
     drop = found.sweep.motion.z["K"] - found.sweep.motion.z["A"]
     assert np.min(drop.imag) > 0
 

@@ -11,7 +11,7 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.mechanism.solve import solve
 from variantgen.variants.draw import draw
-from variantgen.variants.friendly import friendly, friendly_answers
+from variantgen.variants.friendly import are_hand_friendly, friendly_answers
 from variantgen.variants.variant import solve_variants
 
 
@@ -41,8 +41,8 @@ from variantgen.variants.variant import solve_variants
     ],
 )
 def test_values(value: float, expected: bool) -> None:
-    assert friendly(np.array([value, value])).tolist() == [expected, expected]
-    assert friendly(np.array([-value])).tolist() == [expected]
+    assert are_hand_friendly(np.array([value, value])).tolist() == [expected, expected]
+    assert are_hand_friendly(np.array([-value])).tolist() == [expected]
 
 
 def test_all_velocities_and_half_of_the_answers() -> None:
@@ -71,8 +71,8 @@ def test_an_unfriendly_velocity_is_not_made_up_for_by_others() -> None:
     motion = solve_variants(crank, 1)
     form = crank[0].form
     first, second = parse_quantity("v_A", form.sample), parse_quantity("v_B", form.sample)
-    alone = friendly(first.value(motion) * 100)
-    other = friendly(second.value(motion) * 100)
+    alone = are_hand_friendly(first.value(motion) * 100)
+    other = are_hand_friendly(second.value(motion) * 100)
     assert alone.any()
     assert not other.all()
     both = friendly_answers(motion, [first, second], "cm")

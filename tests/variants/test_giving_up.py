@@ -13,9 +13,9 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
+from variantgen.exam.allocation import DrawRequest, ProblemSampler
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.assembly import Drawer, wishes_of
-from variantgen.exam.blueprint import parse_exam
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import numbered
 from variantgen.families.family import Family
 from variantgen.families.load import load_family, parse_family
@@ -23,10 +23,10 @@ from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants import attempts
-from variantgen.variants.batch import Tally
-from variantgen.variants.draw import Drawing, draw
+from variantgen.variants.batch import RejectionCounts
+from variantgen.variants.draw import FamilySampler, draw
 from variantgen.variants.screening import position_screens
-from variantgen.variants.variant import columns, solve_variants
+from variantgen.variants.variant import parameter_arrays, solve_variants
 
 KEYS = [("giving up", i) for i in range(100)]
 
@@ -40,7 +40,7 @@ def strict(name: str, form: str, ceiling: float) -> Family:
 
 
 def test_a_ceiling_that_nothing_meets_ends_after_some_thousand_judged_attempts() -> None:
-    tally = Tally()
+    tally = RejectionCounts()
     with pytest.raises(InputError) as caught:
         draw(strict("four_bar", "crank", 0.004), None, KEYS, tally, AnswerTolerances())
     text = str(caught.value)
@@ -52,7 +52,7 @@ def test_a_ceiling_that_nothing_meets_ends_after_some_thousand_judged_attempts()
 
 def test_ranges_that_nothing_meets_cost_a_class_no_more_than_a_few_students() -> None:
     family = restrict(load_family("four_bar"), {"OA": 16, "AB": 30, "BC": 24, "OC": 100}, None, ["crank"])
-    alone, together = Tally(), Tally()
+    alone, together = RejectionCounts(), RejectionCounts()
     for keys, tally in ((KEYS[:1], alone), (KEYS, together)):
         with pytest.raises(InputError, match="assembles"):
             draw(family, None, keys, tally)
@@ -97,16 +97,16 @@ def test_the_draws_for_a_ceiling_are_counted(monkeypatch: pytest.MonkeyPatch) ->
         '[[problem]]\nfamily = "four_bar"\n'
     )
     exam = parse_exam(text, Path("exam.toml"), ())
-    drawer, drawn = Drawer(replace(exam, seed="1")), list[int]()
-    after = Drawing.after
+    drawer, drawn = ProblemSampler(replace(exam, seed="1")), list[int]()
+    after = FamilySampler.after
 
-    def counted(self: Drawing, keys: list[tuple[object, ...]], done: list[int]) -> object:
+    def counted(self: FamilySampler, keys: list[tuple[object, ...]], done: list[int]) -> object:
         drawn.append(len(keys))
         return after(self, keys, done)
 
-    monkeypatch.setattr(Drawing, "after", counted)
+    monkeypatch.setattr(FamilySampler, "after", counted)
     with pytest.raises(InputError):
-        drawer.variants(wishes_of(exam, numbered(100)))
+        drawer.variants([DrawRequest(student, 0) for student in numbered(100)])
     assert 200 < sum(drawn) <= 700
 
 
@@ -144,7 +144,7 @@ def test_scenes_of_many_points_need_little_memory() -> None:
     form = family.forms["central"]
     variants = draw(restrict(load_family("slider_crank"), None, None, ("central",)), None, KEYS[:20])
     many = [replace(v, family=family, form=form) for v in variants for _ in range(40)]
-    values = form.values(columns(many))
+    values = form.values(parameter_arrays(many))
     motion = solve_variants(many, 0)
     tracemalloc.start()
     found = position_screens(form, motion, values)
@@ -158,13 +158,13 @@ def test_scenes_of_many_points_need_little_memory() -> None:
 
 def test_attempts_of_large_scenes_are_made_in_small_batches(monkeypatch: pytest.MonkeyPatch) -> None:
     sizes = []
-    promising = attempts.FormDrawing._promising
+    promising = attempts.FormSampler._promising
 
-    def measured(self: attempts.FormDrawing, made: attempts.Attempts) -> attempts.Attempts:
+    def measured(self: attempts.FormSampler, made: attempts.Attempts) -> attempts.Attempts:
         sizes.append(made.owner.size)
         return promising(self, made)
 
-    monkeypatch.setattr(attempts.FormDrawing, "_promising", measured)
+    monkeypatch.setattr(attempts.FormSampler, "_promising", measured)
     with pytest.raises(InputError, match="hinges apart"):
         draw(large(180), None, KEYS[:30])
     assert max(sizes) * 184 < 2_000_000

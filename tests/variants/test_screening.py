@@ -16,7 +16,7 @@ from variantgen.mechanism.joints.slot import Slot
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import draw
 from variantgen.variants.screening import sensitivity
-from variantgen.variants.variant import columns, solve_variants
+from variantgen.variants.variant import parameter_arrays, solve_variants
 
 CATALOG_EXAM = 'title = "T"\nlanguage = "en"\n[[problem]]\nfamily = "sleeve_on_crank"\n'
 
@@ -55,5 +55,5 @@ def test_sensitivity_of_a_wheel_by_hand() -> None:
     form = variants[0].form
     asked = [parse_quantity(text, form.sample) for text in ("omega_wheel", "epsilon_wheel")]
     motion = solve_variants(variants, 2)
-    gain = sensitivity(form, columns(variants), motion.frame, asked, motion)
+    gain = sensitivity(form, parameter_arrays(variants), motion.frame, asked, motion)
     assert gain == pytest.approx(math.sqrt(2), rel=1e-4)

@@ -7,9 +7,9 @@ import re
 import pytest
 
 from tests.solved_cases import every_case, quantities, variant_of
-from variantgen.families.family import frame
+from variantgen.families.draw_rules import frame
 from variantgen.variants.distractors import wrong_answers
-from variantgen.variants.variant import columns, solve_variants
+from variantgen.variants.variant import parameter_arrays, solve_variants
 from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import languages, load_language
 
@@ -51,12 +51,14 @@ def test_every_mistake_of_the_catalogue_has_words() -> None:
     for family, case in forms.values():
         variant, asked = variant_of(family, case), quantities(case)
         motion = solve_variants([variant], 2)
-        found = wrong_answers(case.form, columns([variant]), frame([variant.sense], [variant.turns]), asked, motion)
+        found = wrong_answers(
+            case.form, parameter_arrays([variant]), frame([variant.sense], [variant.turns]), asked, motion
+        )
         names |= {(name, tuple(case.form.symbols.items())) for name in found}
     assert len(names) > 100
     for language in map(load_language, languages()):
         for name, symbols in names:
-            told = mistake_text(name, language, dict(symbols))
-            assert "_" not in told.replace("φ_", "")
+            output = mistake_text(name, language, dict(symbols))
+            assert "_" not in output.replace("φ_", "")
             if language.name == "ru":
-                assert not re.search(r"[a-z]{3}", told), told
+                assert not re.search(r"[a-z]{3}", output), output

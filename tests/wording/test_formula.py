@@ -14,29 +14,29 @@ from matplotlib.mathtext import MathTextParser
 
 from tests.wording.formulas import CM_PER_S, LINES, PHI, A, B, C, cos, deg, minus, num, plus, sym, times
 from variantgen.figure.lettering import typeset
-from variantgen.outputs.markup import markup
-from variantgen.outputs.motion_plot import STYLE
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import (
-    About,
     Absolute,
     Cross,
     Dotted,
     Equation,
     Formula,
+    FormulaList,
     Fraction,
     Function,
     Graph,
-    Group,
-    Listing,
     Measured,
-    Place,
+    Parenthesised,
+    PointCoordinates,
     Power,
     Product,
     Relation,
     Root,
     Sum,
     Surd,
+    SymbolProperty,
     UnitText,
     Vector,
     to_plain,
@@ -153,14 +153,14 @@ ROWS = [
         "arctg(<i>a</i>\xa0/\xa0<i>b</i>)",
     ),
     Row(
-        Function("atan2", Listing((num("0,5"), num("-1")))),
+        Function("atan2", FormulaList((num("0,5"), num("-1")))),
         "atan2(0,5; −1)",
         r'op("atan2") ("0,5"\; "−1")',
         r"\mathop{\text{atan2}}\nolimits \mathopen{}\left(0{,}5; -1\right)",
         r"$\mathrm{atan2}{\left(0{,}5;{−}1\right)}$",
         "atan2(0,5;\xa0−1)",
     ),
-    Row(Group(A), "(a)", "(a)", r"\mathopen{}\left(a\right)", r"${\left(a\right)}$", "(<i>a</i>)"),
+    Row(Parenthesised(A), "(a)", "(a)", r"\mathopen{}\left(a\right)", r"${\left(a\right)}$", "(<i>a</i>)"),
     Row(
         Absolute(minus(A, B)),
         "|a − b|",
@@ -211,7 +211,7 @@ ROWS = [
         "<i>ω\u20d7</i>\xa0×\xa0<i>r\u20d7</i>",
     ),
     Row(
-        Place(sym("A"), num("3"), num("-4,5")),
+        PointCoordinates(sym("A"), num("3"), num("-4,5")),
         "A(3; −4,5)",
         r'A ("3"\; "−4,5")',
         r"A\mathopen{}\left(3; -4{,}5\right)",
@@ -249,9 +249,9 @@ ROWS = [
         "<i>O</i>\xa0—<sup>1</sup>→<sub><i>φ</i></sub>\xa0<i>A</i>"
         "\xa0—<sup>2</sup>→<sub>−<i>π</i>\xa0/\xa02</sub>\xa0<i>B</i>",
     ),
-    Row(Listing((A, B)), "a, b", r"a\, b", "a, b", r"$a,\,b$", "<i>a</i>, <i>b</i>"),
+    Row(FormulaList((A, B)), "a, b", r"a\, b", "a, b", r"$a,\,b$", "<i>a</i>, <i>b</i>"),
     Row(Equation(A, num("2,5")), "a = 2,5", 'a = "2,5"', "a = 2{,}5", "$a=2{,}5$", "<i>a</i>\xa0=\xa02,5"),
-    Row(About("modulus", A), "|a|", "abs(a)", r"\left|a\right|", "$|a|$", "|<i>a</i>|"),
+    Row(SymbolProperty("modulus", A), "|a|", "abs(a)", r"\left|a\right|", "$|a|$", "|<i>a</i>|"),
     Row(
         UnitText((("cm", 1), ("s", -2))),
         "cm s⁻²",
@@ -297,13 +297,13 @@ PARENTHESES = [
     (Power(Power(A, 2), 12), "(a^2)^12", "(a^2)^(12)"),
     (Power(Root(A), 2), "(√a)^2", "sqrt(a)^2"),
     (Power(cos(PHI), -1), "(cos\xa0φ)^(−1)", '(op("cos") phi)^(-1)'),
-    (Power(Group(A), 2), "(a)^2", "(a)^2"),
+    (Power(Parenthesised(A), 2), "(a)^2", "(a)^2"),
     (Power(Absolute(A), 2), "|a|^2", "abs(a)^2"),
     (Power(deg("30"), 2), "(30°)^2", '("30°")^2'),
     (Root(Power(A, 2)), "√(a^2)", "sqrt(a^2)"),
     (cos(num("-1")), "cos(−1)", 'op("cos") ("−1")'),
     (cos(deg("-30")), "cos(−30°)", 'op("cos") ("−30°")'),
-    (cos(Group(plus(A, B))), "cos(a + b)", f'op("cos") (a {PLUS} b)'),
+    (cos(Parenthesised(plus(A, B))), "cos(a + b)", f'op("cos") (a {PLUS} b)'),
     (cos(times(A, B)), "cos(a · b)", f'op("cos") (a {DOT} b)'),
     (times(A, Power(cos(PHI), -1)), "a · (cos\xa0φ)^(−1)", f'a {DOT} (op("cos") phi)^(-1)'),
     (plus(A, times(Sum(((-1, A), (1, B))), C)), "a + (−a + b) · c", f"a {PLUS} (-a {PLUS} b) {DOT} c"),
@@ -314,7 +314,7 @@ PARENTHESES = [
     (Cross(times(num("2"), A), B), "2\xa0a × b", f'"2" thin a {CROSS} b'),
     (times(A, Cross(B, C)), "a · (b × c)", f"a {DOT} (b {CROSS} c)"),
     (times(Cross(A, B), C), "(a × b) · c", f"(a {CROSS} b) {DOT} c"),
-    (Fraction(Listing((A, B)), Place(sym("A"), A, B)), "(a, b) / A(a; b)", r"frac(a\, b, A (a\; b))"),
+    (Fraction(FormulaList((A, B)), PointCoordinates(sym("A"), A, B)), "(a, b) / A(a; b)", r"frac(a\, b, A (a\; b))"),
 ]  # fmt: skip
 
 

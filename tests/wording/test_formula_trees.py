@@ -13,25 +13,24 @@ from tests.wording import exact_reader
 from tests.wording.exact_reader import PRIME, AmbiguousError, read
 from tests.wording.formulas import deg, num, sym
 from tests.wording.latex_reader import in_line
-from variantgen.outputs.markup import markup
-from variantgen.outputs.motion_plot import STYLE
-from variantgen.outputs.typesetter import typesetter
+from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import (
-    About,
     Absolute,
     Cross,
     Dotted,
     Equation,
     Formula,
+    FormulaList,
     Fraction,
     Function,
     Graph,
-    Group,
     Index,
-    Listing,
     Measured,
     Number,
-    Place,
+    Parenthesised,
+    PointCoordinates,
     Power,
     Product,
     Relation,
@@ -39,6 +38,7 @@ from variantgen.wording.formula import (
     Sum,
     Surd,
     Symbol,
+    SymbolProperty,
     UnitText,
     Vector,
     to_plain,
@@ -85,7 +85,7 @@ def arithmetic(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
         st.builds(Power, inner, st.integers(-2, 12)),
         st.builds(Root, inner),
         st.builds(Function, st.sampled_from(["cos", "sin", "arctg"]), inner),
-        st.builds(Group, inner),
+        st.builds(Parenthesised, inner),
         st.builds(Absolute, inner),
     )
 
@@ -117,7 +117,7 @@ def value(formula: Formula) -> int:
             return exact_reader.root(value(inner))
         case Function(name, inner):
             return exact_reader.function(name, value(inner))
-        case Group(inner):
+        case Parenthesised(inner):
             return value(inner)
         case Absolute(inner):
             return exact_reader.modulus(value(inner))
@@ -173,7 +173,7 @@ ANY_LEAF: st.SearchStrategy[Formula] = st.one_of(
     st.builds(Number, WORDS),
     UNITS,
     st.builds(Measured, st.builds(Number, WORDS), st.one_of(UNITS, st.just(UnitText(())))),
-    st.builds(About, st.sampled_from(["modulus", "angle", "sense"]), ANY_SYMBOL),
+    st.builds(SymbolProperty, st.sampled_from(["modulus", "angle", "sense"]), ANY_SYMBOL),
     st.builds(Vector, ANY_SYMBOL),
     st.builds(Dotted, ANY_SYMBOL, st.sampled_from([1, 2])),
     LEAVES,
@@ -194,9 +194,9 @@ def layer(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
         arithmetic(inner),
         st.builds(Function, WORDS, inner),
         st.builds(Cross, inner, inner),
-        st.builds(Place, ANY_SYMBOL, inner, inner),
+        st.builds(PointCoordinates, ANY_SYMBOL, inner, inner),
         st.builds(Equation, inner, inner),
-        several(inner).map(Listing),
+        several(inner).map(FormulaList),
         chains(inner),
         st.builds(Graph, ANY_SYMBOL, legs),
     )

@@ -8,7 +8,17 @@ import pytest
 
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.wording.formula import About, Equation, Index, Listing, Measured, Number, Symbol, UnitText, to_plain
+from variantgen.wording.formula import (
+    Equation,
+    FormulaList,
+    Index,
+    Measured,
+    Number,
+    Symbol,
+    SymbolProperty,
+    UnitText,
+    to_plain,
+)
 from variantgen.wording.html import to_html
 from variantgen.wording.language import load_language
 
@@ -25,10 +35,10 @@ FASTER = UnitText((("см", 1), ("<с>", -2)))
         (FASTER, "см &lt;с&gt;<sup>−2</sup>"),
         (Measured(Number("45"), UnitText((("°", 1),), tight=True)), "45°"),
         (Equation(Symbol("h"), Measured(Number("0,5"), UnitText((("м", 1),)))), "<i>h</i>\xa0=\xa00,5\xa0м"),
-        (About("modulus", Symbol("omega")), "|<i>ω</i>|"),
-        (About("angle", Symbol("v")), "∠(<i>v</i>, <i>x</i>)"),
-        (Listing((Symbol("a"), Symbol("b"))), "<i>a</i>, <i>b</i>"),
-        (About("sense", Symbol("omega")), "sgn\xa0<i>ω</i>"),
+        (SymbolProperty("modulus", Symbol("omega")), "|<i>ω</i>|"),
+        (SymbolProperty("angle", Symbol("v")), "∠(<i>v</i>, <i>x</i>)"),
+        (FormulaList((Symbol("a"), Symbol("b"))), "<i>a</i>, <i>b</i>"),
+        (SymbolProperty("sense", Symbol("omega")), "sgn\xa0<i>ω</i>"),
     ],
 )
 def test_markup(formula: object, markup: str) -> None:

@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from variantgen.families.units import UNITS
-from variantgen.outputs.sheet_data import points_text
+from variantgen.outputs.documents.sheet_data import points_text
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
 from variantgen.wording.language import languages, load_language, round_text
+from variantgen.wording.plurals import plural_category
 
 EN, RU = load_language("en"), load_language("ru")
 
@@ -45,9 +46,22 @@ def test_a_number_and_its_unit_are_not_separated() -> None:
 
 
 def test_every_language_has_the_same_words_and_all_units() -> None:
-    shape = {name: {key: set(words) for key, words in load_language(name).tables.items()} for name in languages()}
-    assert all(tables == shape["en"] for tables in shape.values())
+    shape = {
+        name: {table: {key.partition(".")[0] for key in words} for table, words in load_language(name).tables.items()}
+        for name in languages()
+    }
+    for tables in shape.values():
+        del tables["plural_rules"]
+        assert tables == shape["en"]
     assert shape["en"]["units"] == set(UNITS)
+
+
+@pytest.mark.parametrize("name", languages())
+def test_what_is_counted_has_all_plural_categories(name: str) -> None:
+    tables = load_language(name).tables
+    needed = set(tables["plural_rules"]) | {plural_category(tables["plural_rules"], n) for n in range(1000)}
+    for what in {key.partition(".")[0] for key in tables["plurals"]}:
+        assert {key.partition(".")[2] for key in tables["plurals"] if key.startswith(what + ".")} == needed
 
 
 @pytest.mark.parametrize(

@@ -16,11 +16,11 @@ from variantgen.wording.formula import (
     Fraction,
     Function,
     Graph,
-    Group,
     Index,
     Measured,
     Number,
-    Place,
+    Parenthesised,
+    PointCoordinates,
     Power,
     Product,
     Root,
@@ -57,11 +57,11 @@ FORMULAS = [
     ),
     (Symbol("a", (), (Index("prime"),)), "<mrow><mi>a</mi><mo>′</mo></mrow>"),
     (
-        Group(Sum(((1, V), (-1, V)))),
+        Parenthesised(Sum(((1, V), (-1, V)))),
         '<mrow><mo stretchy="false">(</mo><msub><mi>v</mi><mi>B</mi></msub><mo form="infix">−</mo>'
         '<msub><mi>v</mi><mi>B</mi></msub><mo stretchy="false">)</mo></mrow>',
     ),
-    (Group(Fraction(V, V)), None),
+    (Parenthesised(Fraction(V, V)), None),
     (Dotted(Symbol("phi"), 2), '<mover accent="true"><mi>φ</mi><mo stretchy="false">¨</mo></mover>'),
     (Number("\N{MINUS SIGN}0,5"), '<mo form="prefix">−</mo><mn>0,5</mn>'),
     (Measured(Number("45"), UnitText((("°", 1),), tight=True)), "<mn>45</mn><mtext>°</mtext>"),
@@ -77,7 +77,7 @@ FORMULAS = [
     (Power(Function("sin", Symbol("phi")), 2), None),
     (Absolute(Sum(((1, V), (-1, V)))), None),
     (Cross(Vector(Symbol("omega")), Vector(Symbol("AB"))), None),
-    (Place(Symbol("A"), Number("3"), Number("4")), None),
+    (PointCoordinates(Symbol("A"), Number("3"), Number("4")), None),
     (Graph(Symbol("O"), ((Number("1"), Symbol("phi"), Symbol("A")),)), None),
 ]
 
@@ -107,7 +107,7 @@ def test_markup(formula: object, inner: str | None) -> None:
 
 def test_parentheses_grow_with_fractions_and_roots_only() -> None:
     for inner, grows in ((V, False), (Power(V, 2), False), (Fraction(V, V), True), (Root(V), True)):
-        for formula in (Group(inner), Absolute(inner)):
+        for formula in (Parenthesised(inner), Absolute(inner)):
             signs = [sign for sign in checked(formula).iter() if sign.text in {"(", ")", "|"}]
             assert len(signs) == 2
             assert all((sign.get("stretchy", "true") == "true") is grows for sign in signs)

@@ -9,8 +9,8 @@ from matplotlib.mathtext import MathTextParser
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.units import UNITS
-from variantgen.outputs.motion_plot import STYLE
-from variantgen.wording.formula import About, Equation, Formula, Index, Measured, Number, Symbol, UnitText
+from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, SymbolProperty, UnitText
 from variantgen.wording.language import languages, load_language
 from variantgen.wording.mathtext import to_mathtext
 
@@ -24,7 +24,7 @@ EXAMPLES: list[tuple[Formula, str]] = [
     (UnitText((("см/с", 2),)), r"$\mathrm{см/с}^{2}$"),
     (Measured(Number("30"), UnitText((("°", 1),), True)), r"$30\mathrm{°}$"),
     (Equation(Symbol("r"), Measured(Number("5"), UnitText((("cm", 1),)))), r"$r=5\,\mathrm{cm}$"),
-    (About("modulus", Symbol("omega")), r"$|\omega|$"),
+    (SymbolProperty("modulus", Symbol("omega")), r"$|\omega|$"),
 ]
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
+from variantgen.algebra.name import Name
 from variantgen.errors import InputError
 from variantgen.families.load import load_family
-from variantgen.methods.algebra.name import Name
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.notation import Notation, notation_of
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 FORM = load_family("four_bar").forms["crank"]
 

@@ -75,7 +75,7 @@ class Textbook(Protocol):
 
 
 @dataclass(frozen=True)
-class Group:
+class CaseGroup:
     """Variants of one structure: a scene of the shape (size,), and the closed form where there is one."""
 
     label: str

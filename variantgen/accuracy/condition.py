@@ -8,14 +8,14 @@ from typing import Any
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import mpmath
 from variantgen.accuracy.reference.exact_scene import data, perturbed
-from variantgen.accuracy.reference.motion import Solution, solve_exactly
+from variantgen.accuracy.reference.motion import ExactSolution, solve_exactly
 from variantgen.mechanism.scene import Scene
 
 _CHANGE = 25  # decimal places of the relative change of a number
 
 
 @dataclass(frozen=True)
-class Condition:
+class ConditionNumbers:
     """``kappa = sum over the data d of |d| |dy/dd| / |y|`` for positions, velocities, accelerations; at least 1."""
 
     position: float
@@ -23,7 +23,7 @@ class Condition:
     acceleration: float
 
 
-def condition(scene: Scene, solution: Solution) -> Condition:
+def condition(scene: Scene, solution: ExactSolution) -> ConditionNumbers:
     """Condition numbers of the solution of an exact scene.
 
     Each length, angle, ratio and rate is changed by 1e-25 of itself and the scene solved again, to many digits.
@@ -34,4 +34,4 @@ def condition(scene: Scene, solution: Solution) -> Condition:
         moved = solve_exactly(perturbed(scene, datum, 1 + change), near=solution).exact
         for k, gap in enumerate(deviation(moved, solution.exact)):
             totals[k] += gap / change
-    return Condition(*(max(1.0, float(total)) for total in totals))
+    return ConditionNumbers(*(max(1.0, float(total)) for total in totals))

@@ -13,14 +13,14 @@ from types import ModuleType
 
 import numpy as np
 
-from variantgen.accuracy import ways
-from variantgen.accuracy.computed import Computed, Group
-from variantgen.accuracy.condition import Condition, condition
+from variantgen.accuracy import algorithms
+from variantgen.accuracy.computed import CaseGroup, Computed
+from variantgen.accuracy.condition import ConditionNumbers, condition
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import exact_number, many_digits
 from variantgen.accuracy.reference.branches import on_branch
 from variantgen.accuracy.reference.exact_scene import exact_scene
-from variantgen.accuracy.reference.motion import Exact, solve_exactly
+from variantgen.accuracy.reference.motion import ExactMotion, solve_exactly
 from variantgen.accuracy.reference.positions import NoSuchPointError
 from variantgen.mechanism.arithmetic import EPS
 from variantgen.mechanism.motion import take_scene
@@ -31,12 +31,12 @@ FAILURES = ("exception", "not a number", "refused", "no convergence", "wrong bra
 
 
 @dataclass(frozen=True)
-class Truth:
+class ReferenceCase:
     """One variant as exact scene, its exact motion and how well conditioned it is."""
 
     scene: Scene
-    exact: Exact
-    condition: Condition
+    exact: ExactMotion
+    condition: ConditionNumbers
 
 
 @dataclass
@@ -66,12 +66,12 @@ class Errors:
 @cache
 def discovered() -> dict[str, ModuleType]:
     """The ways by name, production first."""
-    names = [info.name for info in pkgutil.iter_modules(ways.__path__) if not info.name.startswith("_")]
+    names = [info.name for info in pkgutil.iter_modules(algorithms.__path__) if not info.name.startswith("_")]
     names.sort(key=lambda name: (name != "production", name))
-    return {name: importlib.import_module(f"{ways.__name__}.{name}") for name in names}
+    return {name: importlib.import_module(f"{algorithms.__name__}.{name}") for name in names}
 
 
-def truths(group: Group) -> tuple[Group, list[Truth]]:
+def reference_cases(group: CaseGroup) -> tuple[CaseGroup, list[ReferenceCase]]:
     """The exact motion of every variant of a group; without those that do not assemble."""
     found, kept = [], []
     for index in range(group.size):
@@ -81,19 +81,19 @@ def truths(group: Group) -> tuple[Group, list[Truth]]:
                 solution = solve_exactly(scene)
             except (NoSuchPointError, ZeroDivisionError):
                 continue
-            found.append(Truth(scene, solution.exact, condition(scene, solution)))
+            found.append(ReferenceCase(scene, solution.exact, condition(scene, solution)))
         kept.append(index)
     return part(group, kept), found
 
 
-def part(group: Group, index: Sequence[int]) -> Group:
+def part(group: CaseGroup, index: Sequence[int]) -> CaseGroup:
     """The variants of a group at some indices, which may repeat."""
     chosen = np.array(index, dtype=int)
     textbook = group.textbook.take(chosen) if group.textbook else None
-    return Group(group.label, take_scene(group.scene, chosen, group.size), len(chosen), textbook, group.notes)
+    return CaseGroup(group.label, take_scene(group.scene, chosen, group.size), len(chosen), textbook, group.notes)
 
 
-def measure(name: str, group: Group, known: Sequence[Truth], rounds: int) -> Errors:
+def measure(name: str, group: CaseGroup, known: Sequence[ReferenceCase], rounds: int) -> Errors:
     """Errors of a way in a group whose exact motions are known, and its time in so many rounds (0: not timed)."""
     way = discovered()[name]
     found = Errors(name, group.label, dict(group.notes), variants=group.size, absent=way.applies(group))
@@ -102,7 +102,7 @@ def measure(name: str, group: Group, known: Sequence[Truth], rounds: int) -> Err
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         results = zip(_results(way.prepare, group), known, strict=True)
-        good = [number for number, (result, truth) in enumerate(results) if _judge(result, truth, found)]
+        good = [number for number, (result, truth) in enumerate(results) if _assess(result, truth, found)]
         if rounds and good:
             found.batch = way.BATCH
             batch = part(group, [good[i % len(good)] for i in range(way.BATCH)])
@@ -110,7 +110,7 @@ def measure(name: str, group: Group, known: Sequence[Truth], rounds: int) -> Err
     return found
 
 
-def _results(prepare: Callable[[Group], Callable[[], Computed]], group: Group) -> Iterable[Computed | None]:
+def _results(prepare: Callable[[CaseGroup], Callable[[], Computed]], group: CaseGroup) -> Iterable[Computed | None]:
     """The result of each variant; None where an exception was raised."""
     try:
         every = prepare(group)()
@@ -127,7 +127,7 @@ def _single(every: Computed, index: int) -> Computed:
     return Computed(one.z, one.v, one.a, one.omega, one.epsilon, **flags)
 
 
-def _judge(result: Computed | None, truth: Truth, found: Errors) -> bool:
+def _assess(result: Computed | None, truth: ReferenceCase, found: Errors) -> bool:
     """Count a variant as failed or note its errors; whether it has a result."""
     failure = _failure(result, truth)
     if failure:
@@ -144,7 +144,7 @@ def _judge(result: Computed | None, truth: Truth, found: Errors) -> bool:
     return True
 
 
-def _failure(result: Computed | None, truth: Truth) -> str:
+def _failure(result: Computed | None, truth: ReferenceCase) -> str:
     if result is None:
         return "exception"
     if result.refused is not None and bool(result.refused):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Protocol
 
-from variantgen.accuracy.reference.motion import Exact
+from variantgen.accuracy.reference.motion import ExactMotion
 
 
 class Tables(Protocol):
@@ -37,7 +37,7 @@ class Tables(Protocol):
         ...
 
 
-def deviation(found: Tables, exact: Exact) -> tuple[Any, Any, Any]:
+def deviation(found: Tables, exact: ExactMotion) -> tuple[Any, Any, Any]:
     """Relative deviation of positions, velocities and accelerations from the exact ones, numbers of mpmath.
 
     Positions by the size of the mechanism; the others by the largest of all ``|v|`` and ``|omega| size`` (``|a|`` and
@@ -52,7 +52,7 @@ def deviation(found: Tables, exact: Exact) -> tuple[Any, Any, Any]:
     )
 
 
-def scales(exact: Exact) -> tuple[Any, Any, Any]:
+def scales(exact: ExactMotion) -> tuple[Any, Any, Any]:
     """Size (m), largest velocity (m/s), largest acceleration (m/s^2); 1 where nothing moves."""
     speed = _largest(exact.v, exact.omega, exact.size)
     acceleration = _largest(exact.a, exact.epsilon, exact.size)

@@ -13,9 +13,9 @@ from types import ModuleType
 import numpy as np
 
 from variantgen.accuracy import cases
-from variantgen.accuracy.measure import Errors, discovered, measure, truths
-from variantgen.accuracy.overtime.compare import Followed, follow
-from variantgen.accuracy.overtime.passage import Passage, passing, turning
+from variantgen.accuracy.integration.compare import PassageErrors, follow
+from variantgen.accuracy.integration.passage import Passage, passing, turning
+from variantgen.accuracy.measure import Errors, discovered, measure, reference_cases
 from variantgen.accuracy.precise import DIGITS, mpmath
 from variantgen.version import VERSION
 
@@ -24,7 +24,7 @@ Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Extent:
+class MeasurementExtent:
     """How much is measured: about so many variants of a class; so many of its groups are timed, in so many rounds.
 
     Passages: turns of the long one, gaps of the stiff ones, instants of each, tolerances, most evaluations of one
@@ -41,8 +41,8 @@ class Extent:
     most: int
 
 
-QUICK = Extent(8, 2, 2, (10,), (1e-3, 1e-6), 16, (1e-3, 1e-6, 1e-9), 4_000)
-FULL = Extent(
+QUICK = MeasurementExtent(8, 2, 2, (10,), (1e-3, 1e-6), 16, (1e-3, 1e-6, 1e-9), 4_000)
+FULL = MeasurementExtent(
     192, 6, 5, (1, 100), (1e-3, 1e-4, 1e-5, 1e-6), 40, tuple(10.0**-k for k in range(3, 13)), 100_000
 )  # fmt: skip
 
@@ -58,25 +58,25 @@ class CaseClass:
 
 
 @dataclass(frozen=True)
-class Trip:
+class PassageResult:
     """A passage: its title, stiffness ratio, largest over smallest angular velocity of the rocker, results."""
 
     title: str
     stiffness: float
     jump: float
-    results: tuple[Followed, ...]
+    results: tuple[PassageErrors, ...]
 
 
 @dataclass(frozen=True)
-class Measured:
+class Measurement:
     """Everything that was measured, and on what."""
 
     classes: tuple[CaseClass, ...]
-    trips: tuple[Trip, ...]
+    trips: tuple[PassageResult, ...]
     machine: dict[str, str]
 
 
-def run(extent: Extent, progress: Progress = lambda _: None) -> Measured:
+def run(extent: MeasurementExtent, progress: Progress = lambda _: None) -> Measurement:
     """Measure everything. Raises ToolMissingError without mpmath."""
     mpmath()
     classes = []
@@ -89,7 +89,7 @@ def run(extent: Extent, progress: Progress = lambda _: None) -> Measured:
     for passage in passages:
         progress(passage.title)
         trips.append(_followed(passage, extent))
-    return Measured(tuple(classes), tuple(trips), machine())
+    return Measurement(tuple(classes), tuple(trips), machine())
 
 
 def case_modules() -> list[ModuleType]:
@@ -115,22 +115,22 @@ def machine() -> dict[str, str]:
     }
 
 
-def _measured(module: ModuleType, extent: Extent) -> CaseClass:
+def _measured(module: ModuleType, extent: MeasurementExtent) -> CaseClass:
     groups = module.groups(extent.count, np.random.default_rng([SEED, int(module.PLACE)]))
     timed = {round(k) for k in np.linspace(0, len(groups) - 1, min(extent.timed, len(groups)))}
     timed |= {number for number, group in enumerate(groups) if group.label == "four-bar"}
     found: list[Errors] = []
     variants = 0
     for number, group in enumerate(groups):
-        kept, known = truths(group)
+        kept, known = reference_cases(group)
         variants += len(known)
         for way in discovered():
             found.append(measure(way, kept, known, extent.rounds if number in timed else 0))
     return CaseClass(module.TITLE, module.ABOUT, tuple(found), variants)
 
 
-def _followed(passage: Passage, extent: Extent) -> Trip:
+def _followed(passage: Passage, extent: MeasurementExtent) -> PassageResult:
     speeds = [abs(float(exact.omega["BC"])) for exact in passage.exact]
     jump = max(speeds) / max(min(speeds), 1e-300)
     results = tuple(follow(passage, extent.tolerances, extent.most, extent.rounds))
-    return Trip(passage.title, passage.stiffness(), jump, results)
+    return PassageResult(passage.title, passage.stiffness(), jump, results)

@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from variantgen.accuracy.report.written import SUMMARY, write
+from variantgen.accuracy.report.report_files import SUMMARY, write
 from variantgen.accuracy.run import FULL, run
 from variantgen.resources import catalog_dir
 

@@ -10,21 +10,21 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from variantgen.builder.build_spec import BuildSpec, known_here
-from variantgen.builder.drawing import draw_all
-from variantgen.builder.jobs import Make
+from variantgen.builder.build_spec import BuildSpec, preloaded
+from variantgen.builder.draw_stage import draw_all
+from variantgen.builder.jobs import RenderJob
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import PoolWorkers, Workers, local_workers
 from variantgen.errors import InputError
-from variantgen.exam.assembly import Standing
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.order import in_order
+from variantgen.exam.allocation import HandedOutSheet
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.folder import check_free, terminable, whole_folder, writing
-from variantgen.outputs.formats import STUDENTS_PER_PART, Whole, formats, known_files, read_exam
-from variantgen.outputs.records import RECORDS, write_records
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.exam.student_order import in_order
+from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
+from variantgen.outputs.files.records import RECORDS, write_records
+from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, format_of, known_files, read_exam
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -64,7 +64,7 @@ def build(
     progress: Progress = lambda stage, done, total: None,
     executor: Executor | PoolWorkers | None = None,
     resume: bool = False,
-    standing: Sequence[Standing] = (),
+    standing: Sequence[HandedOutSheet] = (),
 ) -> Built:
     """Build an exam (a file, or one that has been read) into the folder ``out``, which is complete or not there.
 
@@ -78,27 +78,27 @@ def build(
     """
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     exam = exam if seed is None else replace(exam, seed=seed)
-    students = in_order(students, exam.sort)
+    students = in_order(students, exam.sort, exam.spoken.words("language")["alphabet"])
     known = known_files()
     check_free(out, force, known)
     for name in exam.formats:
-        formats()[name].check(exam, students)
+        format_of(name).check(exam, students)
     with terminable(), typesetter() as engine:
-        carried = BuildSpec.of(exam)
+        spec = BuildSpec.of(exam)
         with (
             writing(out),
-            unfinished(out, _plan(exam, carried, students, standing), resume, (RECORDS, *exam.formats)) as parts,
+            unfinished(out, _plan(exam, spec, students, standing), resume, (RECORDS, *exam.formats)) as parts,
         ):
-            with known_here(carried, exam, engine), _workers(executor, jobs) as workers:
+            with preloaded(spec, exam, engine), _workers(executor, jobs) as workers:
                 try:
-                    draw_all(exam, students, carried, parts, workers, progress, standing)
+                    draw_all(exam, students, spec, parts, workers, progress, standing)
                 except InputError as error:
                     raise error.located(str(exam.path)) from None
                 sheets = StoredSheets(exam, students, parts, [sheet.code for sheet in standing])
-                kept = _make_all(exam, sheets, carried, parts, workers, progress)
+                kept = _make_all(exam, sheets, spec, parts, workers, progress)
             notes: list[str] = []
             with whole_folder(out, force, known, notes) as folder:
-                built = _put_together(exam, sheets, carried, parts, folder, engine)
+                built = _put_together(exam, sheets, spec, parts, folder, engine)
             return replace(built, folder=out, kept=kept, notes=(*built.notes, *notes))
 
 
@@ -112,7 +112,9 @@ def _workers(executor: Executor | PoolWorkers | None, jobs: int) -> Iterator[Wor
             yield executor if isinstance(executor, PoolWorkers) else PoolWorkers(executor, AHEAD)
 
 
-def _plan(exam: Exam, carried: BuildSpec, students: Sequence[Student], standing: Sequence[Standing]) -> dict[str, str]:
+def _plan(
+    exam: Exam, spec: BuildSpec, students: Sequence[Student], standing: Sequence[HandedOutSheet]
+) -> dict[str, str]:
     """What must be the same for a build to go on: by the words that tell what is different."""
     roster = hashlib.sha256()
     for student in students:
@@ -120,10 +122,10 @@ def _plan(exam: Exam, carried: BuildSpec, students: Sequence[Student], standing:
     for sheet in standing:
         roster.update(repr((sheet.student.id, sheet.code)).encode())
     return {
-        "version of the program, its templates or families": _hash(sorted(carried.made_with.items())),
+        "version of the program, its templates or families": _hash(sorted(spec.made_with.items())),
         "seed": exam.seed,
         "roster": roster.hexdigest(),
-        "exam file or choice of outputs": carried.name,
+        "exam file or choice of outputs": spec.name,
     }
 
 
@@ -137,13 +139,13 @@ def _make_jobs(exam: Exam, count: int) -> Iterator[tuple[range, tuple[str, int] 
     for part in range(parts):
         yield range(part, part + 1), None
     for name in exam.formats:
-        for place, (size, _) in enumerate(formats()[name].SUMMARIES):
+        for place, (size, _) in enumerate(format_of(name).SUMMARIES):
             for start in range(0, parts, size):
                 yield range(start, min(start + size, parts)), (name, place)
 
 
 def _make_all(
-    exam: Exam, sheets: StoredSheets, carried: BuildSpec, parts: Unfinished, workers: Workers, progress: Progress
+    exam: Exam, sheets: StoredSheets, spec: BuildSpec, parts: Unfinished, workers: Workers, progress: Progress
 ) -> int:
     """Make all pieces that are not there; how many jobs were done before."""
     count = len(sheets)
@@ -156,11 +158,13 @@ def _make_all(
     todo = (
         (
             number,
-            Make(tuple(sheets.packed(part) for part in chosen), sheets.beginning(chosen), chosen.start == 0, summary),
+            RenderJob(
+                tuple(sheets.packed(part) for part in chosen), sheets.beginning(chosen), chosen.start == 0, summary
+            ),
         )
         for number, (chosen, summary) in (listed[number] for number in missing)
     )
-    for number, made in workers.run(carried, todo):
+    for number, made in workers.run(spec, todo):
         parts.put_made(number, made)
         done += sizes.get(number, 0)
         progress("typesetting", done, count)
@@ -168,7 +172,7 @@ def _make_all(
 
 
 def _put_together(
-    exam: Exam, sheets: StoredSheets, carried: BuildSpec, parts: Unfinished, folder: Path, engine: Typesetter
+    exam: Exam, sheets: StoredSheets, spec: BuildSpec, parts: Unfinished, folder: Path, engine: Typesetter
 ) -> Built:
     """The output folder from all pieces."""
     pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
@@ -180,7 +184,7 @@ def _put_together(
         unexplained.update(made.unexplained)
     notes: list[str] = []
     for name in exam.formats:
-        formats()[name].finish(Whole(exam, sheets, folder, engine, pieces[name], notes))
+        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes))
     redrawn, alike, cut = parts.drawn_marks()
-    write_records(folder, exam, carried.made_with, redrawn, pieces[RECORDS])
+    write_records(folder, exam, spec.made_with, redrawn, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.assembly import Drawer
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.record import made_with
+from variantgen.exam.allocation import ProblemSampler
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.manifest import made_with
 from variantgen.families.files import family_files
 from variantgen.outputs.formats import parse_exam
-from variantgen.outputs.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.resources import catalog_dir
 
 _FROM_TEXT = ("tasks", "path", "hash", "text")
@@ -110,37 +110,37 @@ def _tasks(exam: Exam) -> str:
 
 
 @dataclass(frozen=True)
-class Setting:
+class WorkerContext:
     """What the jobs of a build share in a process."""
 
     exam: Exam
     engine: Typesetter
 
     @cached_property
-    def drawer(self) -> Drawer:
+    def drawer(self) -> ProblemSampler:
         """Draws problems; it remembers what follows from the exam alone."""
-        return Drawer(self.exam)
+        return ProblemSampler(self.exam)
 
 
-_settings: dict[str, Setting] = {}
+_settings: dict[str, WorkerContext] = {}
 _lasting = ExitStack()
 
 
 @contextmanager
-def known_here(carried: BuildSpec, exam: Exam, engine: Typesetter) -> Iterator[None]:
+def preloaded(spec: BuildSpec, exam: Exam, engine: Typesetter) -> Iterator[None]:
     """Jobs in this process, and in those forked from it inside the block, find the exam as it is."""
-    _settings[carried.name] = Setting(exam, engine)
+    _settings[spec.name] = WorkerContext(exam, engine)
     try:
         yield
     finally:
-        _settings.pop(carried.name, None)
+        _settings.pop(spec.name, None)
 
 
 @contextmanager
-def setting_of(carried: BuildSpec) -> Iterator[Setting]:
+def worker_context(spec: BuildSpec) -> Iterator[WorkerContext]:
     """The setting of a build in this process, for one thread at a time (the engine has but one memory)."""
     with _LOCK:
-        if carried.name not in _settings:
+        if spec.name not in _settings:
             _settings.clear()
             _lasting.close()
             import multiprocessing.util
@@ -149,5 +149,5 @@ def setting_of(carried: BuildSpec) -> Iterator[Setting]:
             multiprocessing.util.Finalize(None, _lasting.close, exitpriority=1)
             folder = Path(_lasting.enter_context(tempfile.TemporaryDirectory(prefix="variantgen-")))
             engine = _lasting.enter_context(typesetter())
-            _settings[carried.name] = Setting(carried.exam(folder), engine)
-        yield _settings[carried.name]
+            _settings[spec.name] = WorkerContext(spec.exam(folder), engine)
+        yield _settings[spec.name]

@@ -8,15 +8,15 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from variantgen.builder.build_spec import BuildSpec, Setting, setting_of
-from variantgen.exam.assembly import DrawRequest
-from variantgen.exam.blueprint import Exam
+from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_context
+from variantgen.exam.allocation import DrawRequest
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, formats
-from variantgen.outputs.records import RECORDS, key_rows, manifest_lines
+from variantgen.outputs.files.records import RECORDS, key_rows, manifest_lines
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, format_of
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.similarity import Traits
 
@@ -28,13 +28,16 @@ STUDENTS_PER_DRAW = 12 * STUDENTS_PER_PART
 class Job(Protocol):
     """Some work of a build."""
 
-    def run(self, setting: Setting) -> Any:
+    def run(self, setting: WorkerContext) -> Any:
         """Do it."""
 
 
-def perform(carried: BuildSpec, job: Job) -> Any:
-    """Do a job in this process. This is what executors are given."""
-    with setting_of(carried) as setting, _without_collector():
+def perform(spec: BuildSpec, job: Job) -> Any:
+    """Do a job in this process; executors are given this function.
+
+    Raises VerificationError, with the seed, where two computations of a variant disagree.
+    """
+    with worker_context(spec) as setting, _without_collector():
         try:
             return job.run(setting)
         except VerificationError as error:
@@ -42,7 +45,7 @@ def perform(carried: BuildSpec, job: Job) -> Any:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnProblems:
     """Packed problems by parts of students, what is compared of their variants, and how many were drawn again for the
     exam's ceiling of tolerances.
     """
@@ -53,28 +56,28 @@ class Drawn:
 
 
 @dataclass(frozen=True)
-class Draw:
-    """Some wishes drawn, solved and verified."""
+class DrawJob:
+    """Some requests drawn, solved and verified."""
 
     requests: tuple[DrawRequest, ...]
 
-    def run(self, setting: Setting) -> Drawn:
+    def run(self, setting: WorkerContext) -> DrawnProblems:
         """Draw, solve, verify."""
         variants = setting.drawer.variants(self.requests)
         items = setting.drawer.items(self.requests, variants)
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
         packed = tuple(pack(setting.exam, part) for part in parts)
         drawer = setting.drawer
-        return Drawn(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
+        return DrawnProblems(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
 
 
 @dataclass(frozen=True)
-class Compare:
-    """The next draws of some wishes, only to be compared."""
+class CompareJob:
+    """The next draws of some requests, only to be compared."""
 
     requests: tuple[DrawRequest, ...]
 
-    def run(self, setting: Setting) -> Traits:
+    def run(self, setting: WorkerContext) -> Traits:
         """Draw."""
         found = setting.drawer.traits(self.requests, setting.drawer.variants(self.requests))
         setting.drawer.forget()
@@ -82,7 +85,7 @@ class Compare:
 
 
 @dataclass(frozen=True)
-class PackedPart:
+class PackedChunk:
     """Some students with the codes of their sheets, and their packed problems: each problem for all of them."""
 
     students: tuple[tuple[Student, str], ...]
@@ -98,7 +101,7 @@ class PackedPart:
 
 
 @dataclass(frozen=True)
-class Made:
+class RenderedChunk:
     """The pieces of a part by format, and the families of problems in it that have no worked solution."""
 
     pieces: tuple[tuple[str, Fragment], ...]
@@ -106,34 +109,33 @@ class Made:
 
 
 @dataclass(frozen=True)
-class Make:
+class RenderJob:
     """All outputs of a few students, or one overview of one format.
 
     ``beginning`` are the groups whose first student is among them, ``first`` says whether that of all is.
     """
 
-    parts: tuple[PackedPart, ...]
+    parts: tuple[PackedChunk, ...]
     beginning: frozenset[str]
     first: bool
     summary: tuple[str, int] | None = None
 
-    def run(self, setting: Setting) -> Made:
+    def run(self, setting: WorkerContext) -> RenderedChunk:
         """Make the pieces."""
         exam = setting.exam
         sheets = tuple(sheet for part in self.parts for sheet in part.sheets(exam))
         content = Content(exam, sheets)
         part = Chunk(content, self.first, setting.engine, self.beginning)
         pieces = [(name, piece) for name, make in self._makers(exam.formats) for piece in make(part)]
-        return Made(tuple(pieces), () if self.summary else content.unexplained)
+        return RenderedChunk(tuple(pieces), () if self.summary else content.unexplained)
 
     def _makers(self, chosen: Iterable[str]) -> Iterator[tuple[str, Callable[[Chunk], Iterable[Fragment]]]]:
-        known = formats()
         if self.summary:
             name, place = self.summary
-            yield name, known[name].SUMMARIES[place][1]
+            yield name, format_of(name).SUMMARIES[place][1]
         else:
             yield RECORDS, _records
-            yield from ((name, known[name].make) for name in chosen)
+            yield from ((name, format_of(name).make) for name in chosen)
 
 
 def _records(part: Chunk) -> Iterator[Fragment]:

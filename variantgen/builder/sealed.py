@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from variantgen.builder.claimed import NEW
+from variantgen.builder.folder_lock import NEW
 from variantgen.errors import VariantgenError
 
 _LARGEST = 1 << 28  # bytes of a sealed file, a hundred times what they have

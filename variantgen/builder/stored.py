@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any
 
-from variantgen.builder.jobs import PackedPart
+from variantgen.builder.jobs import PackedChunk
 from variantgen.builder.unfinished import Unfinished
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, variant_codes
 from variantgen.outputs.formats import STUDENTS_PER_PART
@@ -41,10 +41,10 @@ class StoredSheets(Sequence[Sheet]):
         places = range(parts.start * STUDENTS_PER_PART, parts.stop * STUDENTS_PER_PART)
         return frozenset(group for group, place in self._begun.items() if place in places)
 
-    def packed(self, part: int) -> PackedPart:
+    def packed(self, part: int) -> PackedChunk:
         """The students of a part and their packed problems."""
         chosen = slice(part * STUDENTS_PER_PART, (part + 1) * STUDENTS_PER_PART)
-        return PackedPart(
+        return PackedChunk(
             tuple(zip(self._students[chosen], self._codes[chosen], strict=True)),
             tuple(self._parts.problem(part, problem) for problem in range(len(self._exam.tasks))),
         )

@@ -24,8 +24,19 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from variantgen.builder.claimed import CHANGED, DRAWN, FOLDERS, MADE, NEW, PIECE, PLAN, SETTLED, claimed, empty
-from variantgen.builder.jobs import STUDENTS_PER_DRAW, Made
+from variantgen.builder.folder_lock import (
+    CHANGED,
+    DRAWN,
+    DRAWN_MARKS,
+    FOLDERS,
+    MADE,
+    NEW,
+    PIECE,
+    PLAN,
+    empty,
+    locked_folder,
+)
+from variantgen.builder.jobs import STUDENTS_PER_DRAW, RenderedChunk
 from variantgen.builder.sealed import DamagedError, digest, digest_of, read, write
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.outputs.formats import STUDENTS_PER_PART, is_target
@@ -34,7 +45,7 @@ _NO_KEY = b""  # of the plan itself
 
 
 @dataclass(frozen=True)
-class MadePart:
+class StoredChunk:
     """The pieces of a part: (format, target, file), and the families in it without worked solutions."""
 
     pieces: tuple[tuple[str, str, Path], ...]
@@ -56,7 +67,7 @@ def unfinished(target: Path, plan: Mapping[str, str], resume: bool, outputs: Col
     parts of another plan to go on from, or if what is there are no parts.
     """
     folder = unfinished_folder(target)
-    with claimed(folder, target):
+    with locked_folder(folder, target):
         parts = Unfinished(folder, plan, outputs)
         if resume:
             parts.check_plan(folder)
@@ -114,13 +125,13 @@ class Unfinished:
             for path in (self.folder / name).glob(f"*{NEW}"):
                 path.unlink()
 
-    def is_settled(self, drawn: Collection[tuple[int, int]]) -> bool:
+    def has_drawn_all(self, drawn: Collection[tuple[int, int]]) -> bool:
         """Whether nobody has to draw again, and all that was drawn is there: problems of the students from a start on.
 
         If not, what was changed is forgotten: it follows from the first draws.
         """
         try:
-            self._changed = {(part, problem) for part, problem in self._settled()["changed"]}
+            self._changed = {(part, problem) for part, problem in self._read_marks()["changed"]}
             for part, problem in self._changed:
                 self.problem(part, problem)
         except DamagedError:
@@ -129,7 +140,7 @@ class Unfinished:
             whole = all(self.has_drawn(start, problem) for start, problem in drawn)
         if not whole:
             self._changed.clear()
-            (self.folder / SETTLED).unlink(missing_ok=True)
+            (self.folder / DRAWN_MARKS).unlink(missing_ok=True)
             for path in (self.folder / CHANGED).iterdir():
                 path.unlink()
         return whole
@@ -139,22 +150,22 @@ class Unfinished:
         of tolerances has changed; all changed parts are there.
         """
         record = {"redrawn": list(redrawn), "alike": dict(alike), "cut": cut, "changed": sorted(self._changed)}
-        write(self.folder, SETTLED, json.dumps(record).encode(), self._key)
+        write(self.folder, DRAWN_MARKS, json.dumps(record).encode(), self._key)
 
     def drawn_marks(self) -> tuple[tuple[str, ...], dict[str, int], int]:
         """What was noted."""
-        found = self._settled()
+        found = self._read_marks()
         return tuple(found["redrawn"]), found["alike"], found["cut"]
 
-    def _settled(self) -> dict[str, Any]:
+    def _read_marks(self) -> dict[str, Any]:
         return _checked(
-            read(self.folder, SETTLED, self._key),
+            read(self.folder, DRAWN_MARKS, self._key),
             lambda found: (
                 all(isinstance(one, str) for one in found["redrawn"])
                 and all(isinstance(number, int) for number in (*found["alike"].values(), found["cut"]))
                 and all(isinstance(number, int) for place in found["changed"] for number in place)
             ),
-            SETTLED,
+            DRAWN_MARKS,
         )
 
     def has_drawn(self, start: int, problem: int) -> bool:
@@ -204,7 +215,7 @@ class Unfinished:
         except (OSError, DamagedError):
             return False
 
-    def put_made(self, number: int, made: Made) -> None:
+    def put_made(self, number: int, made: RenderedChunk) -> None:
         """Keep the pieces of a part."""
         listed = []
         for k, (output, piece) in enumerate(made.pieces):
@@ -214,11 +225,11 @@ class Unfinished:
         record = {"pieces": listed, "unexplained": made.unexplained}
         write(self.folder, f"{MADE}/{number:07}.json", json.dumps(record).encode(), self._key)
 
-    def made(self, number: int) -> MadePart:
+    def made(self, number: int) -> StoredChunk:
         """The pieces of a part."""
         listed = self._listed(number)
         pieces = tuple((output, target, self.folder / MADE / name) for output, target, name, _ in listed["pieces"])
-        return MadePart(pieces, tuple(listed["unexplained"]))
+        return StoredChunk(pieces, tuple(listed["unexplained"]))
 
     def _listed(self, number: int) -> dict[str, Any]:
         """The list of the pieces of a part: with names as they are made here, and targets of the formats alone."""

@@ -36,17 +36,17 @@ class WorkerLostError(VariantgenError):
 class Workers(Protocol):
     """Who does jobs."""
 
-    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+    def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
 
 
 class InlineWorkers:
     """Does every job at once, in this process."""
 
-    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+    def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs one after another."""
         for key, job in jobs:
-            yield key, perform(carried, job)
+            yield key, perform(spec, job)
 
 
 @dataclass(frozen=True)
@@ -60,12 +60,15 @@ class PoolWorkers:
     ahead: int
     there: Callable[[], bool] = lambda: True
 
-    def run(self, carried: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
-        """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
+    def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
+        """Do jobs; results come with the keys of the jobs, in the order in which they are ready.
+
+        Raises WorkerLostError when a process has died or nobody has been there for long.
+        """
         pending: dict[Future[Any], _Key] = {}
         try:
             for key, job in jobs:
-                pending[self.executor.submit(perform, carried, job)] = key
+                pending[self.executor.submit(perform, spec, job)] = key
                 while len(pending) >= self.ahead:
                     yield from self._ready(pending)
             while pending:

@@ -14,15 +14,16 @@ from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.families.family import Family, Form, Nice
+from variantgen.families.draw_rules import HandFriendly
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import invariants, recompute
 from variantgen.single import SINGLE
-from variantgen.variants.batch import MakeScreening, Tally
+from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.counting import variety
-from variantgen.variants.draw import Drawing, draw
+from variantgen.variants.draw import FamilySampler, draw
 from variantgen.variants.screening import VERIFIED
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -39,7 +40,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     found = FormReport(form.name, len(form.parameters), [len(block.unknowns) for block in form.plan.blocks])
     report.forms.append(found)
     where = f"form {form.name!r}" if form.name else "draws"
-    tally = Tally()
+    tally = RejectionCounts()
     start = time.perf_counter()
     try:
         variants = _drawn(family, form, seeds, tally, AnswerTolerances())
@@ -50,7 +51,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     found.variants, found.distinct = seeds, len({variant.identity for variant in variants})
     attempts = sum(variant.attempt for variant in variants)
     found.acceptance = seeds / attempts
-    found.own_acceptance = seeds / sum(v.attempt for v in _drawn(family, form, seeds, Tally(), None))
+    found.own_acceptance = seeds / sum(v.attempt for v in _drawn(family, form, seeds, RejectionCounts(), None))
     found.rejected = dict(tally.rejected.most_common())
     count = variety(family, form, asked, seeds, attempts)
     found.grid, found.valid, found.valid_exact = count.grid, count.valid, count.exact
@@ -79,17 +80,19 @@ def _check_nice(family: Family, form: Form, found: FormReport, where: str, repor
         narrowed = restrict(single, nice=True)
         variants = draw(narrowed, None, keys, screening=AnswerTolerances())
     except InputError as error:
-        if form.nice != Nice():
+        if form.nice != HandFriendly():
             report.fail(str(error), f"{where}, hand-friendly variants")
         return
     found.nice_attempts = sum(variant.attempt for variant in variants) / len(variants)
     found.nice = max(1, round(narrowed.forms[form.name].grid_size / found.nice_attempts))
 
 
-def _drawn(family: Family, form: Form, seeds: int, tally: Tally, screening: MakeScreening | None) -> list[Variant]:
+def _drawn(
+    family: Family, form: Form, seeds: int, tally: RejectionCounts, screening: MakeScreening | None
+) -> list[Variant]:
     single = replace(family, forms={form.name: form})
     keys = [(str(seed), *SINGLE) for seed in range(seeds)]
-    return Drawing(single, None, tally, screening=screening).after(keys, [0] * seeds)
+    return FamilySampler(single, None, tally, screening=screening).after(keys, [0] * seeds)
 
 
 def _check_agreement(motion: Motion, found: FormReport, where: str, report: Report) -> None:

@@ -11,13 +11,14 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
+from variantgen.resources import languages
 from variantgen.single import asked_quantities, one_variant, solution_document
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import UnexplainedError, explain
 
 
-def check_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
+def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Report) -> None:
     """Look at a scene in which nothing varies. Raises InputError for one that cannot be read or contradicts itself."""
     variant = one_variant(name_or_path, folders=folders)
     document = solution_document(variant)

@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 
 from variantgen.check.draws import check_form
-from variantgen.check.explained import check_scene
+from variantgen.check.explained import check_single_scene
 from variantgen.check.report import Report
 from variantgen.check.texts import check_languages
 from variantgen.families.cases import AGREES, load_cases
@@ -34,7 +34,7 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
         for form in family.forms.values():
             check_form(family, form, seeds, report)
     else:
-        check_scene(name_or_path, folders, report)
+        check_single_scene(name_or_path, folders, report)
     report.seconds = round(time.perf_counter() - start, 3)
     return report
 

@@ -19,7 +19,7 @@ from variantgen.figure.build import statement_figure
 from variantgen.mechanism.outcome import Outcome
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.figures.svg import render
-from variantgen.outputs.file_names import file_names
+from variantgen.outputs.files.file_names import file_names
 from variantgen.single import one_variant
 from variantgen.tables import read_limited
 from variantgen.variants.variant import Variant, solve_variants

@@ -8,7 +8,7 @@ from difflib import SequenceMatcher
 from itertools import combinations
 from typing import NamedTuple
 
-from variantgen.check.reading import Datum, Sheet
+from variantgen.check.statement_reading import PrintedNumber, StatementReading
 from variantgen.families.family import Form
 
 _LONGEST = 150  # names in a text whose order is compared; the longest of the catalogue has 20
@@ -23,7 +23,7 @@ class Difference(NamedTuple):
     sure: bool = True
 
 
-def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iterator[Difference]:
+def differing(sheets: Sequence[StatementReading], given: Sequence[str], form: Form) -> Iterator[Difference]:
     """What the first language says otherwise than the others.
 
     ``given`` are the names of the printed data: what is said of them in one language is said in the others.
@@ -48,15 +48,15 @@ def differing(sheets: Sequence[Sheet], given: Sequence[str], form: Form) -> Iter
         yield from _exchanged(first, other, form)
 
 
-def _size(datum: Datum) -> str:
+def _size(datum: PrintedNumber) -> str:
     return f"{datum.value:.9g} {datum.measures}"
 
 
-def _written(sheet: Sheet, name: str) -> str:
+def _written(sheet: StatementReading, name: str) -> str:
     return " and ".join(dict.fromkeys(datum.written for datum in sheet.data[name]))
 
 
-def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[Difference]:
+def _exchanged(first: StatementReading, other: StatementReading, form: Form) -> Iterator[Difference]:
     """Two names of which the second text says what the first says of the other one.
 
     What tells are the nouns before them (the rod BC, the rocker CD). Where these do not tell them apart, it is the
@@ -79,7 +79,7 @@ def _exchanged(first: Sheet, other: Sheet, form: Form) -> Iterator[Difference]:
             yield Difference(other.language, message, message, proved or alike[one] != "point")
 
 
-def _crossed_once(first: Sheet, other: Sheet) -> set[str]:
+def _crossed_once(first: StatementReading, other: StatementReading) -> set[str]:
     """The names that stand in each other's place, if all others are in theirs and nouns do not tell why."""
     pairs = list(zip(first.mentions, other.mentions, strict=False))
     apart = [(one, two) for one, two in pairs if one.name != two.name]
@@ -92,7 +92,7 @@ def _crossed_once(first: Sheet, other: Sheet) -> set[str]:
     return set() if distinguished else {one.name, two.name}
 
 
-def _in_wrong_order(first: Sheet, other: Sheet, one: str, two: str) -> bool:
+def _in_wrong_order(first: StatementReading, other: StatementReading, one: str, two: str) -> bool:
     """Whether the texts name the same in the same order once two names are exchanged in the second."""
     turned = {one: two, two: one}
     exchanged = [turned.get(name, name) for name in other.names]
@@ -108,7 +108,7 @@ def _kind(name: str, form: Form) -> str:
     return "point" if name in form.points else "length"
 
 
-def _nouns(sheet: Sheet) -> Mapping[str, set[str]]:
+def _nouns(sheet: StatementReading) -> Mapping[str, set[str]]:
     """The nouns that stand before each name."""
     found: dict[str, set[str]] = {name: set() for name in sheet.names}
     for mention in sheet.mentions:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from variantgen.check.reading import Sheet, two_points
+from variantgen.check.statement_reading import StatementReading, two_points
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity, quantity_names, split_name
 from variantgen.families.units import Unit, unit
@@ -22,7 +22,9 @@ _EQUAL = 1e-6  # relative: what rounding changes
 Fault = tuple[str, str]
 
 
-def false_prints(variant: Variant, motion: Motion, place: int, sheets: Sequence[Sheet]) -> Iterator[Fault]:
+def print_mismatches(
+    variant: Variant, motion: Motion, place: int, sheets: Sequence[StatementReading]
+) -> Iterator[Fault]:
     """What is printed of a variant and is not so in its solved position (that of ``motion`` at ``place``)."""
     yield from _false_marks(variant, motion, place)
     yield from _false_lengths(variant, motion, place, sheets)
@@ -30,7 +32,7 @@ def false_prints(variant: Variant, motion: Motion, place: int, sheets: Sequence[
     yield from _false_rates(variant, motion, place)
 
 
-def _false_lengths(variant: Variant, motion: Motion, place: int, sheets: Sequence[Sheet]) -> Iterator[Fault]:
+def _false_lengths(variant: Variant, motion: Motion, place: int, sheets: Sequence[StatementReading]) -> Iterator[Fault]:
     """Lengths named by two points are the distances of these points."""
     length = unit(variant.family.length_unit)
     for name, datum in ((name, datum) for sheet in sheets for name, data in sheet.data.items() for datum in data):

@@ -96,7 +96,7 @@ class Report:
     seconds: float = 0.0
 
     def fail(self, message: str, where: str = "", kind: str = "") -> None:
-        """Note a mistake; copies are told apart by ``where``, and known by ``kind`` (without one by the message)."""
+        """Note a mistake; copies are distinguished by ``where``, and known by ``kind`` (without one by the message)."""
         self.findings.append(Finding(kind or message, where, message))
 
     def remark(self, text: str) -> None:

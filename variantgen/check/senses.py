@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.check.printed import Fault
-from variantgen.check.reading import Mention, Sense, Sheet
+from variantgen.check.statement_reading import Mention, Sense, StatementReading
 from variantgen.families.family import Form
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.variant import Variant
@@ -21,7 +21,7 @@ _WAYS = {"up": 1j, "down": -1j, "left": -1, "right": 1}
 _GROWTH = {"grows": 1, "shrinks": -1}
 
 
-def wrong_senses(sheet: Sheet, variant: Variant, motion: Motion, place: int) -> Iterator[Fault]:
+def wrong_senses(sheet: StatementReading, variant: Variant, motion: Motion, place: int) -> Iterator[Fault]:
     """Words for senses in a statement that the numbers contradict.
 
     A word belongs to the nearest name before it that has such a sense, or to the nearest after it: in its clause, or
@@ -49,7 +49,7 @@ def _fault(sense: Sense, name: str) -> Fault:
     return message, f"{message}; say it by speeding, speeds or choice, or leave it to the figure"
 
 
-def _nearest(sheet: Sheet, sense: Sense, measure: Callable[[str], Any]) -> tuple[str, Any] | None:
+def _nearest(sheet: StatementReading, sense: Sense, measure: Callable[[str], Any]) -> tuple[str, Any] | None:
     """The name that a word belongs to, and what is measured of it."""
     first, last = (
         bisect(sheet.mentions, sense.place.sentence, key=lambda mention: mention.place.sentence)

@@ -7,20 +7,21 @@ from dataclasses import replace
 from decimal import Decimal
 
 from variantgen.check.languages import differing
-from variantgen.check.printed import false_prints
-from variantgen.check.reading import read_sheet
+from variantgen.check.printed import print_mismatches
 from variantgen.check.report import Report
 from variantgen.check.senses import wrong_senses
+from variantgen.check.statement_reading import read_sheet
 from variantgen.errors import VariantgenError
 from variantgen.families.family import Family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
-from variantgen.variants.needed import given_names
+from variantgen.resources import languages
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
-from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.language import Language, load_language
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.statement import Statement, statement
 
@@ -63,7 +64,7 @@ def _check_agreement(variants: Sequence[Variant], asked: Sequence[Quantity], mot
             return  # it has been told with the statements
         form, where = variant.form, _where(variant, place)
         sheets = [read_sheet(text, form, language) for text, language in zip(said, spoken, strict=True)]
-        for kind, message in false_prints(variant, motion, place, sheets):
+        for kind, message in print_mismatches(variant, motion, place, sheets):
             report.fail(message, where, kind)
         for sheet in sheets:
             for kind, message in wrong_senses(sheet, variant, motion, place):

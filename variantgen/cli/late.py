@@ -11,17 +11,20 @@ from variantgen.cli.messages import some_of, tell
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from variantgen.exam.assembly import Standing
-    from variantgen.exam.blueprint import Exam
-    from variantgen.exam.record import Record
+    from variantgen.exam.allocation import HandedOutSheet
+    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.manifest import Manifest
     from variantgen.exam.roster import Student
     from variantgen.finished.late import Changes
 
 
 def late(
     arguments: argparse.Namespace, exam: Exam, students: Sequence[Student], folders: tuple[Path, ...]
-) -> tuple[Path, Sequence[Student], Sequence[Standing]]:
-    """Where to build, for whom, and which sheets are handed out; who is new, gone or changed since is told."""
+) -> tuple[Path, Sequence[Student], Sequence[HandedOutSheet]]:
+    """Where to build, for whom, and which sheets are handed out; reports who is new, gone or changed since.
+
+    Raises InputError for ``--only-new`` with ``--force``, and where there is no earlier build of this exam.
+    """
     if not arguments.only_new and not arguments.out.exists():
         return arguments.out, students, ()
     from variantgen.finished.late import (
@@ -59,12 +62,12 @@ def late(
     return arguments.out, students, ()
 
 
-def _record(folder: Path) -> Record | None:
+def _record(folder: Path) -> Manifest | None:
     """The manifest of a folder; None if it cannot be read."""
-    from variantgen.exam.record import read_record
+    from variantgen.exam.manifest import read_manifest
 
     try:
-        return read_record(folder)
+        return read_manifest(folder)
     except InputError:
         return None
 

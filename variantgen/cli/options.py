@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import tell
 from variantgen.errors import InputError, Problem
+from variantgen.resources import languages
 
 if TYPE_CHECKING:
-    from variantgen.outputs.explanation import Explanation
+    from variantgen.outputs.single.explanation import Explanation
     from variantgen.variants.variant import Variant
 
 
@@ -40,6 +41,11 @@ def add_choice(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
     add_nice(parser)
     add_families(parser)
+
+
+def add_language(parser: argparse.ArgumentParser) -> None:
+    """``--lang``: the language of what is printed."""
+    parser.add_argument("--lang", default="en", help=f"language: {' or '.join(languages())} (default: en)")
 
 
 def add_nice(parser: argparse.ArgumentParser) -> None:
@@ -79,7 +85,7 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
             if value:
                 raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
         return None
-    from variantgen.outputs.explanation import explain
+    from variantgen.outputs.single.explanation import explain
     from variantgen.wording.solution.explain import UnexplainedError
 
     depth = arguments.depth or "full"

@@ -20,19 +20,20 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.family import Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.methods.hand.rounding import HandCalculation
-from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.batch import Tally
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import RejectionCounts
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
-from variantgen.variants.variant import Variant, columns
+from variantgen.variants.variant import Variant, parameter_arrays
 
-Table = NDArray[np.float64]
+Array = NDArray[np.float64]
 Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed in it
 
 # Where no method leads to an answer: three standard deviations of data rounded to three digits (0.13 % each), by the
@@ -50,17 +51,17 @@ class AnswerTolerances:
     """
 
     tolerance: Tolerance = _USUAL
-    _errors: dict[tuple[object, ...], Table] = field(default_factory=dict)
+    _errors: dict[tuple[object, ...], Array] = field(default_factory=dict)
     _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
 
     def __call__(
         self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
-    ) -> Screened:
+    ) -> ToleranceScreening:
         """The screens of a batch of attempts at a form; see :class:`variantgen.variants.batch.Screening`."""
-        wrong = _Wrong((), np.empty((0, len(asked), motion.size)))
+        wrong = _WrongAnswers((), np.empty((0, len(asked), motion.size)))
         if self.tolerance.mistakes:
             wrong = _wrong(form, parameters, on_paper, asked, motion)
-        return Screened(self, form, asked, motion, wrong)
+        return ToleranceScreening(self, form, asked, motion, wrong)
 
     def unnoticed(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
@@ -74,13 +75,13 @@ class AnswerTolerances:
         if new:
             chosen, own = [variants[i] for i in new], motion.take(np.array([places[i] for i in new]))
             on_paper = frame([v.sense for v in chosen], [v.turns for v in chosen])
-            wrong = _wrong(chosen[0].form, columns(chosen), on_paper, asked, own)
+            wrong = _wrong(chosen[0].form, parameter_arrays(chosen), on_paper, asked, own)
             needed = self.tolerances(chosen, asked, own, range(len(new)))
             self._marks.update(zip((keys[i] for i in new), wrong.within(needed), strict=True))
         return [self._marks[key] for key in keys]
 
-    def keep(self, variants: Sequence[Variant], asked: Sequence[Quantity], errors: Table, wrong: _Wrong) -> None:
-        """Keep what the screens have found of variants that passed them."""
+    def keep(self, variants: Sequence[Variant], asked: Sequence[Quantity], errors: Array, wrong: _WrongAnswers) -> None:
+        """Keep what the screens have found of variants that passed them: ``errors`` of shape (answers, N)."""
         keys = _keys(variants, asked)
         self._errors.update(zip(keys, errors.T, strict=True))
         if wrong.names:
@@ -88,7 +89,7 @@ class AnswerTolerances:
 
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
-    ) -> Table:
+    ) -> Array:
         """Relative tolerances of the answers (for an angle in radians), shape (answers, N).
 
         ``places`` are the indices of the variants, which share one form, in the batch ``motion``. An answer of zero or
@@ -107,13 +108,13 @@ class AnswerTolerances:
         self._marks.clear()
 
 
-def _at_least(errors: Table, floor: float) -> Table:
+def _at_least(errors: Array, floor: float) -> Array:
     """The tolerances for relative errors of a hand calculation: the floor, or the errors rounded up."""
     steps = np.ceil(errors / _STEP - 1e-6) * _STEP
     return np.asarray(np.where(errors > floor, steps, floor))
 
 
-def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Table:
+def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Array:
     """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
     errors = _calculation(variants[0], asked).errors(variants, motion, places)
     chosen = np.array(places, dtype=int)
@@ -137,32 +138,32 @@ def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: 
     return table
 
 
-def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Table:
+def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Array:
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    return sensitivity(variants[0].form, columns(variants), on_paper, asked, motion)
+    return sensitivity(variants[0].form, parameter_arrays(variants), on_paper, asked, motion)
 
 
 _MISTAKES = "plausible mistakes outside the tolerance"
 
 
 @dataclass(frozen=True)
-class _Wrong:
+class _WrongAnswers:
     """By mistake how far each answer is from the wrong one, shape (mistakes, answers, N)."""
 
     names: tuple[str, ...]
-    distances: Table
+    distances: Array
 
-    def at(self, places: list[int]) -> _Wrong:
+    def at(self, places: list[int]) -> _WrongAnswers:
         """Of some variants."""
-        return _Wrong(self.names, self.distances[..., places])
+        return _WrongAnswers(self.names, self.distances[..., places])
 
-    def seen(self, tolerances: Table | float) -> NDArray[np.bool_]:
+    def seen(self, tolerances: Array | float) -> NDArray[np.bool_]:
         """Whether every mistake that touches an answer leads beyond the tolerance in one of them, shape (N,)."""
         touched = np.isfinite(self.distances)
         shown = touched & (self.distances > tolerances)
         return np.asarray(np.all(~np.any(touched, axis=1) | np.any(shown, axis=1), axis=0))
 
-    def within(self, tolerances: Table) -> list[Marks]:
+    def within(self, tolerances: Array) -> list[Marks]:
         """By variant and answer the mistakes that change the answer by less than its tolerance."""
         count, size = tolerances.shape
         found: list[list[list[str]]] = [[[] for _ in range(count)] for _ in range(size)]
@@ -172,21 +173,24 @@ class _Wrong:
 
 
 @dataclass(frozen=True)
-class Screened:
+class ToleranceScreening:
     """A batch of attempts at a form with what mistakes make of their answers."""
 
     answer_tolerances: AnswerTolerances
     form: Form
     asked: Sequence[Quantity]
     motion: Motion
-    wrong: _Wrong
+    wrong: _WrongAnswers
 
     def of_all(self) -> dict[str, NDArray[np.bool_]]:
-        """What a mistake rules out already, however well the answers can be worked out."""
+        """The screen of plausible mistakes, shape (N,): which variants show each of them."""
         return {_MISTAKES: self.wrong.seen(self.form.screens.mistakes)}
 
     def of_survivors(self, variants: Sequence[Variant], places: Sequence[int]) -> dict[str, NDArray[np.bool_]]:
-        """Whether hand calculations keep within the ceiling and tell the mistakes; what passes is kept."""
+        """The screens of hand calculation for the variants at these indices, shape (len(places),) each.
+
+        They keep within the ceiling and still show the mistakes; what is found for those that pass is kept.
+        """
         chosen, screens = list(places), self.form.screens
         errors, wrong = hand_errors(variants, self.asked, self.motion, chosen), self.wrong.at(chosen)
         needed = _at_least(errors, _USUAL.floor)
@@ -214,11 +218,11 @@ def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation
     return found
 
 
-def _wrong(form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion) -> _Wrong:
+def _wrong(form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion) -> _WrongAnswers:
     right = np.array([quantity.value(motion) for quantity in asked], dtype=float)
     wrong = wrong_answers(form, parameters, on_paper, asked, motion)
     answers = np.array(list(wrong.values())).reshape(len(wrong), *right.shape)
-    return _Wrong(tuple(wrong), distances(right, answers, asked))
+    return _WrongAnswers(tuple(wrong), distances(right, answers, asked))
 
 
 def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list[Variant]]:
@@ -227,7 +231,7 @@ def _models(variant: Variant, asked: Sequence[Quantity]) -> Callable[[int], list
     def drawn(count: int) -> list[Variant]:
         if variant.form.grid_size == 1:
             return []
-        drawing = FormDrawing(variant.family, variant.form, asked, Tally(), variant.family.name)
+        drawing = FormSampler(variant.family, variant.form, asked, RejectionCounts(), variant.family.name)
         streams = [Stream("model", number, variant.family.name) for number in range(count)]
         try:
             return drawing.first(streams, [0] * count)

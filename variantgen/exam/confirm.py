@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.by_groups.walk import velocities
+from variantgen.methods.by_groups.solve_groups import velocities
 from variantgen.methods.groups.group import Group
 from variantgen.methods.hand.evaluation import AGREES, deviations
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
 
@@ -46,7 +46,7 @@ def _groups(variant: Variant, motion: Motion, place: int, asked: tuple[Quantity,
     if ("groups", asked) not in known:
         try:
             known["groups", asked] = velocities(Book(task_of(variant, motion, place, asked)))
-        except NO_WAY:  # what needs no groups is confirmed all the same
+        except NOT_APPLICABLE:  # what needs no groups is confirmed all the same
             known["groups", asked] = []
     found: list[Group] = known["groups", asked]
     return found

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
@@ -24,7 +24,7 @@ from variantgen.wording.statement import Statement, statement
 
 # What writes solutions is loaded by the functions that need it: sheets alone do without.
 if TYPE_CHECKING:
-    from variantgen.exam.shown import SolutionFigure
+    from variantgen.exam.solution_figures import SolutionFigure
     from variantgen.wording.solution.document import SolutionText
 
 
@@ -33,12 +33,12 @@ class PosedProblem:
     """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
 
     item: Item
-    said: Statement
+    statement: Statement
     figure: Drawing
 
 
 @dataclass(frozen=True)
-class Solved:
+class SolvedProblem:
     """A problem with its worked solution, in the language of the solutions.
 
     ``rows`` are the figures, first that of the statement; ``numbers`` are those of their kinds. ``explained`` is false
@@ -46,7 +46,7 @@ class Solved:
     """
 
     variant: Variant
-    said: Statement
+    statement: Statement
     text: SolutionText
     rows: tuple[tuple[SolutionFigure, ...], ...]
     numbers: dict[str, int]
@@ -68,7 +68,7 @@ class Content:
         return tuple(tuple(_posed(item, *next(placed), language) for item in sheet.items) for sheet in self.sheets)
 
     @cached_property
-    def solved(self) -> tuple[tuple[Solved, ...], ...]:
+    def solved(self) -> tuple[tuple[SolvedProblem, ...], ...]:
         """The problems of each student with their solutions; none if the exam wants no solutions."""
         if not self.exam.solutions.wanted:
             return tuple(() for _ in self.sheets)
@@ -88,7 +88,7 @@ class Content:
         """The families of problems that have an answer, but no worked solution."""
         return tuple(p.variant.family.name for own in self.solved for p in own if not p.explained)
 
-    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: PosedProblem | None) -> Solved:
+    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: PosedProblem | None) -> SolvedProblem:
         """One solution; ``known`` is the problem as it was posed in the same language."""
         from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
 
@@ -97,7 +97,8 @@ class Content:
             text = explain(item.variant, *place, item.asked, language, self.exam.solution_options(item.task))
         except InputError as error:
             where = f"problem[{item.task.number}]."
-            raise InputError(replace(p, file=str(self.exam.path), key=where + p.key) for p in error.problems) from None
+            problems = [p if p.file else replace(p, key=where + p.key) for p in error.problems]
+            raise InputError(problems).located(str(self.exam.path)) from None
         except VerificationError as error:
             where = f"student {sheet.student.id}, problem {item.task.number}"
             raise VerificationError(f"{error} ({where})") from error
@@ -115,20 +116,20 @@ def with_figures(
     text: SolutionText,
     known: PosedProblem | None = None,
     explained: bool = True,
-) -> Solved:
+) -> SolvedProblem:
     """A written solution with the problem and the figures that its steps name.
 
     ``place`` is the motion of the variant and its index in that batch, ``known`` the problem as it was posed in the
     same language.
     """
-    from variantgen.exam.shown import Figures, view_order
+    from variantgen.exam.solution_figures import SolutionFigures, view_order
 
-    said = known.said if known else statement(variant, asked, language)
-    figures = Figures(variant, asked, language, place, known.figure if known else None, text)
+    problem_text = known.statement if known else statement(variant, asked, language)
+    figures = SolutionFigures(variant, asked, language, place, known.figure if known else None, text)
     figures.draw(view_order(text))
-    return Solved(variant, said, text, figures.rows(), figures.numbers, explained)
+    return SolvedProblem(variant, problem_text, text, figures.rows(), figures.numbers, explained)
 
 
 def _posed(item: Item, motion: Motion, place: int, language: Language) -> PosedProblem:
-    said = statement(item.variant, item.asked, language)
-    return PosedProblem(item, said, statement_figure(item.variant, motion, place, item.asked, language))
+    problem_text = statement(item.variant, item.asked, language)
+    return PosedProblem(item, problem_text, statement_figure(item.variant, motion, place, item.asked, language))

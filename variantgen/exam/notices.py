@@ -12,9 +12,10 @@ from typing import Any
 
 from variantgen.errors import nearest
 from variantgen.exam import printable
+from variantgen.resources import languages
 from variantgen.tables import Table
 from variantgen.wording.inline import inline
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.text import Text
 
 FACTS = ("date", "duration", "deadline")

@@ -19,7 +19,7 @@ from math import isfinite
 from typing import Any
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.units import Unit

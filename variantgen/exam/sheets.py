@@ -9,7 +9,7 @@ from decimal import Decimal
 from math import degrees
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.blueprint import Task
+from variantgen.exam.exam_file import ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
@@ -44,16 +44,21 @@ class Answer:
 
     @property
     def accepted_intervals(self) -> tuple[tuple[float, float], ...]:
-        """The intervals, ends included, in which an answer counts as right.
+        """The intervals, ends included, in which an answer counts as right."""
+        return tuple((float(low), float(high)) for low, high in self.exact_intervals)
+
+    @property
+    def exact_intervals(self) -> tuple[tuple[Decimal, Decimal], ...]:
+        """The intervals in which an answer counts as right, first that around the answer.
 
         A direction near ±180° has two: an angle of −179.9° is as good as 180.1°. The ends are the sums of the decimal
         numbers, so that an answer that is typed as it stands at an end is inside.
         """
         value, tolerance = Decimal(repr(self.value)), Decimal(repr(self.tolerance))
-        low, high = float(value - tolerance), float(value + tolerance)
-        if self.quantity.component == "angle" and (low < -180.0 or high > 180.0):
-            turn = 360 if low < -180.0 else -360
-            return ((low, high), (float(value - tolerance + turn), float(value + tolerance + turn)))
+        low, high = value - tolerance, value + tolerance
+        if self.quantity.component == "angle" and (low < -180 or high > 180):
+            turn = 360 if low < -180 else -360
+            return (low, high), (low + turn, high + turn)
         return ((low, high),)
 
 
@@ -61,7 +66,7 @@ class Answer:
 class Item:
     """One problem of one student."""
 
-    task: Task
+    task: ExamProblem
     variant: Variant
     answers: tuple[Answer, ...]
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.expressions import dimension_name, parse
+from variantgen.families.dimensions import dimension_name
+from variantgen.families.expressions import parse
 from variantgen.families.plain_angles import Unknown, kind_of
-from variantgen.families.units import Unit, is_number, parse_value, sound
+from variantgen.families.units import Unit, checked, is_number, parse_value
 
 _PURE, _LENGTH = (0, 0), (1, 0)
 
@@ -19,7 +20,7 @@ def amount(value: int | Decimal | str, unit: Unit) -> float:
     converted. Raises InputError for another dimension and for what could be meant in two ways (``"pi / 3"`` degrees).
     """
     if not isinstance(value, str):
-        return float(sound(Decimal(value), ""))
+        return float(checked(Decimal(value), ""))
     if is_number(value):
         return float(parse_value(value, unit, ""))
     expression = parse(value)

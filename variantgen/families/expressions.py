@@ -9,96 +9,146 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, partial, reduce
 from operator import itemgetter
 from typing import Any
 
 import numpy as np
 
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Variable,
+)
+from variantgen.algebra.substitution import substituted
+from variantgen.algebra.values import walk
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.dimensions import CONSTANTS, Dimension, dimension_of
 from variantgen.mechanism.arithmetic import Real
 
-Dimension = tuple[float, float]
-_PURE: Dimension = (0, 0)
-
-CONSTANTS: dict[str, tuple[float, Dimension]] = {
-    "pi": (float(np.pi), _PURE),
-    "deg": (float(np.pi / 180), _PURE),
-    "m": (1.0, (1, 0)),
-    "cm": (0.01, (1, 0)),
-    "mm": (0.001, (1, 0)),
+# Functions by their names in a file. In a scene angles are in radians.
+_MADE: dict[str, Callable[..., Expression]] = {
+    **{name: partial(Applied, name) for name in ("sin", "cos", "tan")},
+    **{name: partial(Applied, name.replace("a", "arc", 1)) for name in ("asin", "acos", "atan")},
+    "sqrt": SquareRoot,
+    "abs": Magnitude,
+    **{name: partial(Applied, name) for name in ("min", "max", "atan2")},
 }
-_PURE_FUNCTIONS: dict[str, Callable[[Any], Any]] = {
+FUNCTIONS = tuple(_MADE)
+_OF_TWO = ("min", "max", "atan2")
+_ROUGH = ("abs", *_OF_TWO)  # without a derivative everywhere
+_APPLIED: dict[str, Callable[..., Any]] = {
     "sin": np.sin,
     "cos": np.cos,
     "tan": np.tan,
-    "asin": lambda x: np.arcsin(np.clip(x, -1.0, 1.0)),
-    "acos": lambda x: np.arccos(np.clip(x, -1.0, 1.0)),
-    "atan": np.arctan,
-}
-_CALLED: dict[str, Callable[..., Any]] = {
-    **_PURE_FUNCTIONS,
-    "sqrt": lambda x: np.sqrt(np.where(x < 0, 0.0, x)),
-    "abs": np.abs,
+    "arcsin": lambda x: np.arcsin(np.clip(x, -1.0, 1.0)),
+    "arccos": lambda x: np.arccos(np.clip(x, -1.0, 1.0)),
+    "arctan": np.arctan,
     "min": np.minimum,
     "max": np.maximum,
     "atan2": np.arctan2,
 }
-FUNCTIONS = tuple(_CALLED)
-_OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Add: np.add,
-    ast.Sub: np.subtract,
-    ast.Mult: np.multiply,
-    ast.Div: lambda a, b: a / np.where(np.equal(b, 0), np.inf, b),
-}
-_MAX_LENGTH, _MAX_POWER = 200, 8
+_MAX_LENGTH, _MAX_POWER, _MAX_NODES = 200, 8, 600
+
+Computation = Callable[[Mapping[str, Real]], Any]  # from SI values to a value
 
 
-@dataclass(frozen=True)
-class Expression:
-    """A parsed expression; ``names`` are the quantities it uses.
+@dataclass(frozen=True, eq=False)
+class FamilyExpression:
+    """An expression as a file states it: its ``text``, for messages, and what is computed, in SI and radians.
 
-    ``measures`` says of a number that stands alone (``distance = 60``) what it measures: its value is in SI. Numbers
-    within a formula are plain.
+    A number that stands alone (``distance = 60``) has a measure and is in SI, too; numbers within a formula are plain.
     """
 
     text: str
-    tree: ast.expr
-    names: frozenset[str]
-    measures: str = ""
+    tree: Expression
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.text, self.tree)  # without what can be worked out again
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The quantities that it uses."""
+        return frozenset(_names(self.tree) - CONSTANTS.keys())
+
+    @property
+    def measures(self) -> str:
+        """What a number that stands alone measures."""
+        return self.tree.measure if isinstance(self.tree, Constant) else ""
+
+    @cached_property
+    def _computation(self) -> Computation:
+        return _computation(self.tree)
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
-        compute = _compiled(self.tree)
-        if isinstance(self.tree, ast.Name | ast.Constant):
-            plain: Real = compute(values)
+        if isinstance(self.tree, Variable | Constant):
+            plain: Real = self._computation(values)
             return plain
         with np.errstate(all="ignore"):
-            result: Real = compute(values)
+            result: Real = self._computation(values)
         return result
 
     @property
     def risky(self) -> bool:
         """Whether some values can leave it without a meaning."""
-        return any(
-            isinstance(node, ast.Div | ast.Pow) or (isinstance(node, ast.Name) and node.id in ("sqrt", "asin", "acos"))
-            for node in ast.walk(self.tree)
-        )
+        return bool(self._meanings) or any(isinstance(item, Raised) for item in walk(self.tree))
+
+    @cached_property
+    def _meanings(self) -> list[Computation]:
+        return [test for item in walk(self.tree) if (test := _meaning(item))]
 
     def defined(self, values: Mapping[str, Real]) -> Any:
         """Whether it has a meaning: nothing divided by zero, no root of a negative number, no arc sine beyond 1."""
-        return _defined(self.tree, values)
+        return reduce(np.logical_and, (test(values) for test in self._meanings), np.True_)
 
     def uses(self, name: str) -> bool:
         """Whether a constant or name stands in it."""
-        return any(isinstance(node, ast.Name) and node.id == name for node in ast.walk(self.tree))
+        return name in _names(self.tree)
 
     def dimension(self, dimensions: Mapping[str, Dimension]) -> Dimension | None:
         """Exponents of length and time; None for a bare zero, which fits everything. Raises InputError."""
-        return _dimension(self.tree, dimensions, self.text)
+        return dimension_of(self.tree, dimensions, self.text)
+
+    def inlined(self, definitions: Mapping[str, FamilyExpression]) -> FamilyExpression:
+        """With defined names replaced by what they stand for (definitions without each other's names)."""
+        used = {Variable(name): definitions[name].tree for name in self.names if name in definitions}
+        return self._made(substituted(self.tree, used)) if used else self
+
+    def derivative(self, name: str) -> FamilyExpression:
+        """The derivative by one of its names, as an expression of the same names.
+
+        Raises InputError for functions that have no derivative everywhere (abs, min, max, atan2), and for expressions
+        whose derivative would grow beyond measure.
+        """
+        for item in walk(self.tree):
+            function = item.function if isinstance(item, Applied) else "abs" if isinstance(item, Magnitude) else ""
+            if function in _ROUGH and name in _names(item):
+                said = f"{function} of the time has no derivative here"
+                raise InputError(Problem(said, value=self.text, remedy="use a smooth function"))
+        return self._made(derivative(self.tree, {Variable(name): Constant(1.0)}))
+
+    def _made(self, tree: Expression | None) -> FamilyExpression:
+        tree = tree or Constant(0.0)
+        if sum(1 for _ in walk(tree)) > _MAX_NODES:
+            raise InputError(Problem("too long for a law of motion", value=self.text, remedy="write it more simply"))
+        return FamilyExpression(self.text, tree)
 
 
-def parse(text: str) -> Expression:
+def _names(item: Expression) -> set[str]:
+    """The names in it, those of constants too."""
+    return {part.name for part in walk(item) if isinstance(part, Variable)}
+
+
+def parse(text: str) -> FamilyExpression:
     """Parse an expression; raises InputError naming what is not allowed."""
     if len(text) > _MAX_LENGTH:
         raise InputError(
@@ -110,14 +160,12 @@ def parse(text: str) -> Expression:
         raise InputError(
             Problem("not an arithmetic expression", value=text, remedy='write it like "OA * cos(phi)"')
         ) from None
-    names: set[str] = set()
-    _check(tree, text, names)
-    return Expression(text, tree, frozenset(names))
+    return FamilyExpression(text, _read(tree, text))
 
 
-def number(value: float, measures: str = "") -> Expression:
+def number(value: float, measures: str = "") -> FamilyExpression:
     """A constant in SI as an expression."""
-    return Expression(str(value), ast.Constant(float(value)), frozenset(), measures)
+    return FamilyExpression(str(value), Constant(float(value), measures))
 
 
 def _refuse(text: str, what: str) -> InputError:
@@ -128,135 +176,90 @@ def _refuse(text: str, what: str) -> InputError:
     )
 
 
-def _check(node: ast.expr, text: str, names: set[str]) -> None:
+def _read(node: ast.expr, text: str) -> Expression:
+    """What Python has parsed, as an expression: only what is allowed. Raises InputError."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
             if not abs(value) < 1e12:
                 raise _refuse(text, "a number this large")
+            return Constant(float(value))
         case ast.Name(id=name):
-            if name not in CONSTANTS:
-                names.add(name)
-        case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=operand):
-            _check(operand, text, names)
+            return Variable(name)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return Total(((-1, _read(operand, text)),))
+        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+            return _read(operand, text)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
             if not 0 <= power <= _MAX_POWER:
                 raise _refuse(text, f"a power above {_MAX_POWER}")
-            _check(left, text, names)
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
-            _check(left, text, names)
-            _check(right, text, names)
+            return Raised(_read(left, text), power)
+        case ast.BinOp(left=left, op=ast.Add() | ast.Sub() as op, right=right):
+            return Total(((1, _read(left, text)), (1 if isinstance(op, ast.Add) else -1, _read(right, text))))
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            return Times((_read(left, text), _read(right, text)))
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            return Ratio(_read(left, text), _read(right, text))
         case ast.Call(func=ast.Name(id=name), args=args, keywords=[]):
             if name not in FUNCTIONS:
                 raise InputError(
                     Problem("unknown function", value=f"{name} in {text}", remedy=nearest(name, FUNCTIONS))
                 )
-            wanted = 2 if name in ("min", "max", "atan2") else 1
+            wanted = 2 if name in _OF_TWO else 1
             if len(args) != wanted:
                 raise _refuse(text, f"{name} with {len(args)} arguments instead of {wanted}")
-            for arg in args:
-                _check(arg, text, names)
-        case _:
-            raise _refuse(text, type(node).__name__.lower())
+            return _MADE[name](*(_read(arg, text) for arg in args))
+    raise _refuse(text, type(node).__name__.lower())
 
 
-@lru_cache(maxsize=10_000)
-def _compiled(node: ast.expr) -> Callable[[Mapping[str, Real]], Any]:
-    """A function from SI values to the value of a node; the tree is walked once, not at every value."""
-    match node:
-        case ast.Constant(value=value):
-            constant: Any = np.float64(value)  # type: ignore[arg-type]
+def _computation(item: Expression) -> Computation:
+    """A function from SI values to the value of an expression; it is walked once, not at every value."""
+    parts = [_computation(operand) for operand in item.operands()]
+    match item:
+        case Constant(value):
+            constant: Any = np.float64(value)
             return lambda values: constant
-        case ast.Name(id=name) if name in CONSTANTS:
+        case Variable(name) if name in CONSTANTS:
             constant = CONSTANTS[name][0]
             return lambda values: constant
-        case ast.Name(id=name):
+        case Variable(name):
             return itemgetter(name)
-        case ast.UnaryOp(op=op, operand=operand):
-            inner = _compiled(operand)
-            return (lambda values: -inner(values)) if isinstance(op, ast.USub) else inner
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)):
-            base = _compiled(left)
-            return lambda values: base(values) ** power
-        case ast.BinOp(left=left, op=op, right=right):
-            join, first, second = _OPERATORS[type(op)], _compiled(left), _compiled(right)
-            return lambda values: join(first(values), second(values))
-        case ast.Call(func=ast.Name(id=name), args=args):
-            apply, inputs = _CALLED[name], [_compiled(arg) for arg in args]
-            return lambda values: apply(*[value(values) for value in inputs])
-    raise TypeError(f"unchecked expression node {node!r}")
+        case Total(terms):
+            if terms[0][0] < 0:
+                parts[0] = _joined(np.negative, parts[0])
+            found = parts[0]
+            for (sign, _), part in zip(terms[1:], parts[1:], strict=True):
+                found = _joined(np.add if sign > 0 else np.subtract, found, part)
+            return found
+        case Times():
+            return reduce(partial(_joined, np.multiply), parts)
+        case Ratio():
+            return _joined(lambda above, below: above / np.where(np.equal(below, 0), np.inf, below), *parts)
+        case Raised(_, exponent):
+            return _joined(lambda base: base**exponent, *parts)
+        case SquareRoot():
+            return _joined(lambda square: np.sqrt(np.where(square < 0, 0.0, square)), *parts)
+        case Magnitude():
+            return _joined(np.abs, *parts)
+        case Applied(function):
+            return _joined(_APPLIED[function], *parts)
+    raise TypeError(f"no value of {item!r}")
 
 
-def _defined(node: ast.expr, values: Mapping[str, Real]) -> Any:
-    parts = [part for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)]
-    if isinstance(node, ast.Call):
-        parts = list(node.args)
-    good: Any = np.True_
-    for part in parts:
-        good = good & _defined(part, values)
-    match node:
-        case ast.BinOp(op=ast.Div(), right=right):
-            return good & np.not_equal(_compiled(right)(values), 0)
-        case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
-            return good & np.greater_equal(_compiled(arg)(values), 0)
-        case ast.Call(func=ast.Name(id="asin" | "acos"), args=[arg]):
-            return good & np.less_equal(np.abs(_compiled(arg)(values)), 1 + 1e-12)
-    return good
+def _joined(function: Callable[..., Any], *parts: Computation) -> Computation:
+    if len(parts) == 1:
+        only = parts[0]
+        return lambda values: function(only(values))
+    first, second = parts
+    return lambda values: function(first(values), second(values))
 
 
-def _dimension(node: ast.expr, known: Mapping[str, Dimension], text: str) -> Dimension | None:
-    match node:
-        case ast.Constant(value=value):
-            return None if value == 0 else _PURE
-        case ast.Name(id=name):
-            return CONSTANTS[name][1] if name in CONSTANTS else known[name]
-        case ast.UnaryOp(operand=operand):
-            return _dimension(operand, known, text)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
-            length, time = _dimension(left, known, text) or _PURE
-            return length * power, time * power
-        case ast.BinOp(left=left, op=op, right=right):
-            a, b = _dimension(left, known, text), _dimension(right, known, text)
-            if isinstance(op, ast.Add | ast.Sub):
-                return _same(a, b, text)
-            sign = 1 if isinstance(op, ast.Mult) else -1
-            if a is None or b is None:
-                return None
-            return a[0] + sign * b[0], a[1] + sign * b[1]
-        case ast.Call(func=ast.Name(id=name), args=args):
-            inputs = [_dimension(arg, known, text) for arg in args]
-            if name == "sqrt":
-                return None if inputs[0] is None else (inputs[0][0] / 2, inputs[0][1] / 2)
-            if name in _PURE_FUNCTIONS:
-                _same(inputs[0], _PURE, text)
-                return _PURE
-            joined = inputs[0] if len(inputs) == 1 else _same(inputs[0], inputs[1], text)
-            return _PURE if name == "atan2" else joined
-    raise TypeError(f"unchecked expression node {node!r}")
-
-
-def _same(a: Dimension | None, b: Dimension | None, text: str) -> Dimension | None:
-    if a is None or b is None:
-        return a or b
-    if a != b:
-        raise InputError(
-            Problem(
-                f"adds or compares {dimension_name(a)} with {dimension_name(b)}",
-                value=text,
-                remedy="check the units of the parameters in it",
-            )
-        )
-    return a
-
-
-def dimension_name(dimension: Dimension) -> str:
-    """A dimension in words for messages."""
-    names = {
-        (0, 0): "a number or an angle",
-        (1, 0): "a length",
-        (0, 1): "a time",
-        (0, -1): "an angular velocity",
-        (0, -2): "an angular acceleration",
-        (1, -1): "a velocity",
-        (1, -2): "an acceleration",
-    }
-    return names.get((int(dimension[0]), int(dimension[1])), f"length^{dimension[0]:g} time^{dimension[1]:g}")
+def _meaning(item: Expression) -> Computation | None:
+    """A test whether an operation has a meaning for its operands; None if it always has."""
+    match item:
+        case Ratio(_, below):
+            return _joined(lambda value: np.not_equal(value, 0), _computation(below))
+        case SquareRoot(inner):
+            return _joined(lambda value: np.greater_equal(value, 0), _computation(inner))
+        case Applied("arcsin" | "arccos", argument):
+            return _joined(lambda value: np.less_equal(np.abs(value), 1 + 1e-12), _computation(argument))
+    return None

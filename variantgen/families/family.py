@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
-from decimal import Decimal
 from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from variantgen.families.expressions import Expression
+from variantgen.families.draw_rules import HandFriendly, Pose, Screens, TiedValues
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
+from variantgen.families.parameter import Parameter
 from variantgen.families.quantities import quantity_names
-from variantgen.families.units import Unit
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
@@ -24,57 +21,7 @@ from variantgen.mechanism.structure import Plan, analyse
 
 
 @dataclass(frozen=True)
-class Parameter:
-    """A drawn parameter: its grid of printed values, and the same in SI.
-
-    A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A
-    ``constant`` has the dimension of a rate but is none that the figure shows (g, the acceleration of free fall).
-    A ``silent`` parameter only gives the figure variety: it is not printed and no answer may depend on it.
-    """
-
-    name: str
-    unit: Unit | None
-    printed: tuple[Decimal, ...]
-    words: tuple[str, ...] = ()
-    symbol: str = ""
-    constant: bool = False
-    silent: bool = False
-
-    @cached_property
-    def si(self) -> NDArray[np.float64]:
-        """The grid in SI, shape (G,): what is printed is what is solved."""
-        return np.array([self._to_si(value) for value in self.printed])
-
-    def in_si(self, printed: Iterable[Decimal]) -> NDArray[np.float64]:
-        """Printed values in SI; they need not lie on the grid."""
-        known = self._on_grid
-        return np.array([known[value] if value in known else self._to_si(value) for value in printed])
-
-    @cached_property
-    def _on_grid(self) -> dict[Decimal, float]:
-        return dict(zip(self.printed, self.si.tolist(), strict=True))
-
-    def _to_si(self, value: Decimal) -> float:
-        return float(value) if self.unit is None else self.unit.to_si(value)
-
-    @property
-    def given(self) -> bool:
-        """Whether its value is printed (a choice is seen in the figure)."""
-        return self.unit is not None and not self.silent
-
-    @property
-    def is_rate(self) -> bool:
-        """Whether it is a velocity, acceleration or their angular kin, whose sign the figure shows."""
-        return self.unit is not None and self.unit.dimension[1] < 0 and not self.constant
-
-    @property
-    def of_second_order(self) -> bool:
-        """Whether only accelerations depend on it."""
-        return self.unit is not None and self.unit.dimension[1] == -2 and not self.constant
-
-
-@dataclass(frozen=True)
-class Template:
+class ComponentTemplate:
     """A construction, joint or driver whose numbers are expressions."""
 
     component: type
@@ -88,107 +35,16 @@ class Template:
     def names(self) -> frozenset[str]:
         """Parameters and derived quantities that it uses."""
         every = [part for item in self.fields.values() for part in (item if isinstance(item, tuple) else (item,))]
-        used = [part.names for part in every if isinstance(part, Expression | Template)]
+        used = [part.names for part in every if isinstance(part, FamilyExpression | ComponentTemplate)]
         return frozenset().union(*used)
 
 
 def _built(item: Any, values: Mapping[str, Real]) -> Any:
-    if isinstance(item, Expression):
+    if isinstance(item, FamilyExpression):
         return item.value(values)
     if isinstance(item, tuple):
-        return tuple(part.build(values) if isinstance(part, Template) else part for part in item)
+        return tuple(part.build(values) if isinstance(part, ComponentTemplate) else part for part in item)
     return item
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """``left < right`` (strict) or ``left <= right``, as written in ``text``."""
-
-    text: str
-    left: Expression
-    right: Expression
-    strict: bool
-
-    def holds(self, values: Mapping[str, Real]) -> Any:
-        """Whether it holds, per variant."""
-        left, right = self.left.value(values), self.right.value(values)
-        return np.less(left, right) if self.strict else np.less_equal(left, right)
-
-
-@dataclass(frozen=True)
-class Screens:
-    """What a variant must meet. Angles in rad, the others relative to the size or rates of the mechanism.
-
-    ``transmission``: distance from dead points (see Motion.transmission); ``spacing``: smallest distance of two
-    hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides;
-    ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
-    ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
-    change of the data; ``ceiling``: the largest relative error that a careful hand calculation may lead to;
-    ``mistakes``: how far a plausible mistake must lead from the right answer, relative, to be noticed.
-    """
-
-    transmission: float = float(np.radians(30))
-    spacing: float = 0.11
-    aspect: float = 4.0
-    trivial: float = 0.04
-    sensitivity: float = 10.0
-    ceiling: float = 0.03
-    mistakes: float = 0.01
-    inside: tuple[tuple[str, str, str], ...] = ()
-    require: tuple[Comparison, ...] = ()
-
-
-@dataclass(frozen=True)
-class Ties:
-    """Values of some parameters that go together: one of the ``rows`` is drawn, each with a printed value per name."""
-
-    names: tuple[str, ...]
-    rows: tuple[tuple[Decimal, ...], ...]
-
-    def within(self, parameters: Mapping[str, Parameter]) -> Ties:
-        """The rows that lie on the grids of the parameters."""
-        grids = [parameters[name].printed for name in self.names]
-        return Ties(self.names, tuple(r for r in self.rows if all(v in g for v, g in zip(r, grids, strict=True))))
-
-    def places(self, parameters: Mapping[str, Parameter]) -> dict[str, NDArray[np.int64]]:
-        """Per name the places of the values of the rows on its grid, shape (R,)."""
-        return {
-            name: np.array([parameters[name].printed.index(row[k]) for row in self.rows], dtype=np.int64)
-            for k, name in enumerate(self.names)
-        }
-
-
-@dataclass(frozen=True)
-class Nice:
-    """How hand-friendly variants are drawn: grids in place of those of the form, rows of values that go together.
-
-    ``require``: further comparisons; ``possible``: whether there are such variants at all; ``answers``: whether the
-    answers, too, must be short decimals or simple roots.
-    """
-
-    parameters: Mapping[str, Parameter] = field(default_factory=dict)
-    ties: Ties | None = None
-    require: tuple[Comparison, ...] = ()
-    possible: bool = True
-    answers: bool = True
-
-
-@dataclass(frozen=True)
-class Pose:
-    """How a scene may be laid on paper: reflected, turned by quarter turns."""
-
-    mirror: bool = True
-    quarter_turns: tuple[int, ...] = (0,)
-
-    def frames(self) -> list[tuple[int, int]]:
-        """All (sense, quarter turns) pairs."""
-        return [(sense, turn) for sense in ((1, -1) if self.mirror else (1,)) for turn in self.quarter_turns]
-
-
-def frame(sense: Any, quarter_turns: Any) -> Frame:
-    """The frame of a pose; exact at all quarter turns. Scalars or arrays."""
-    turns = np.array([1.0, 1.0j, -1.0, -1.0j])[np.asarray(quarter_turns) % 4]
-    return Frame(turns, np.asarray(sense, dtype=float))
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,20 +56,20 @@ class Form:
 
     name: str
     parameters: Mapping[str, Parameter]
-    derived: Mapping[str, Expression]
-    points: Mapping[str, Template]
+    derived: Mapping[str, FamilyExpression]
+    points: Mapping[str, ComponentTemplate]
     bodies: Mapping[str, tuple[str, ...]]
-    joints: tuple[Template, ...]
-    drivers: tuple[Template, ...]
+    joints: tuple[ComponentTemplate, ...]
+    drivers: tuple[ComponentTemplate, ...]
     ask: tuple[str, ...]
-    conditions: tuple[Template, ...] = ()
+    conditions: tuple[ComponentTemplate, ...] = ()
     may_ask: tuple[str, ...] = ()
     screens: Screens = Screens()
     pose: Pose = Pose()
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
-    nice: Nice = field(default_factory=Nice)
-    ties: Ties | None = None
+    nice: HandFriendly = field(default_factory=HandFriendly)
+    ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 

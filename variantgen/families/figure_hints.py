@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.families.expressions import Expression
+from variantgen.families.expressions import FamilyExpression
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class DiscMark:
     """
 
     centre: str
-    radius: Expression
+    radius: FamilyExpression
     name: str = ""
     body: str = ""
     label: str = ""

@@ -10,12 +10,13 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
-from variantgen.families.derivative import derivative, inlined
-from variantgen.families.expressions import Dimension, Expression, dimension_name, parse
-from variantgen.families.family import Form, Parameter, Template
+from variantgen.families.dimensions import Dimension, dimension_name
+from variantgen.families.expressions import FamilyExpression, parse
+from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
 from variantgen.families.nice import read_nice
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.quantities import quantity_names
@@ -53,7 +54,7 @@ class FormReader:
         self.ask = ask
         self.problems = problems
         self.parameters: dict[str, Parameter] = {}
-        self.derived: dict[str, Expression] = {}
+        self.derived: dict[str, FamilyExpression] = {}
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
         self._values = 0
@@ -218,9 +219,9 @@ class FormReader:
             table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
             return
         # What depends on the time through other names is written out, so that it is differentiated too.
-        moving: dict[str, Expression] = {}
+        moving: dict[str, FamilyExpression] = {}
         for name, expression in self.derived.items():
-            whole = inlined(expression, moving)
+            whole = expression.inlined(moving)
             if time in whole.names:
                 moving[name] = whole
         for name in [name for name in table.data if name != "time"]:
@@ -229,25 +230,25 @@ class FormReader:
             if law is None:
                 continue
             with table.collecting(name):
-                law = inlined(law, moving)
+                law = law.inlined(moving)
                 if time in law.names:
                     moving[name] = law
                 dimension = self._define(name, law)
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
-                    law = derivative(law, time)
+                    law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))
         table.finish()
 
-    def _parsed(self, table: Table, name: str, value: Any) -> Expression | None:
+    def _parsed(self, table: Table, name: str, value: Any) -> FamilyExpression | None:
         if not isinstance(value, str):
             table.problem("expected an expression in quotes", name, value)
             return None
-        found: list[Expression] = []
+        found: list[FamilyExpression] = []
         with table.collecting(name):
             found.append(parse(value))
         return found[0] if found else None
 
-    def _define(self, name: str, expression: Expression, dimension: Dimension | None = None) -> Dimension:
+    def _define(self, name: str, expression: FamilyExpression, dimension: Dimension | None = None) -> Dimension:
         """Make a name known; its dimension is that of the expression unless it is stated. Raises InputError."""
         if name in self.dimensions:
             raise InputError(Problem("the name is taken", value=name, remedy="choose another name"))
@@ -259,12 +260,12 @@ class FormReader:
         self.derived[name] = expression
         return found
 
-    def _known_names(self, expression: Expression) -> None:
+    def _known_names(self, expression: FamilyExpression) -> None:
         for used in sorted(expression.names):
             if used not in self.dimensions:
                 raise InputError(unknown_name(used, list(self.dimensions), expression.text))
 
-    def expression(self, text: str, dimension: str = "") -> Expression:
+    def expression(self, text: str, dimension: str = "") -> FamilyExpression:
         """An expression over the known names, of the given dimension if one is due. Raises InputError."""
         expression = parse(text)
         self._known_names(expression)
@@ -276,12 +277,12 @@ class FormReader:
         (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
         return expression
 
-    def _by_name(self, table: Table, package: str) -> dict[str, Template]:
+    def _by_name(self, table: Table, package: str) -> dict[str, ComponentTemplate]:
         return table.each(
             lambda name, value: self._templates.read(Table(value, table.key(name), self.problems), package)
         )
 
-    def _listed(self, name: str, package: str) -> tuple[Template, ...]:
+    def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]
         return tuple(template for template in found if template is not None)
 

@@ -10,14 +10,14 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import Expression
-from variantgen.families.family import Comparison, Pose, Screens
+from variantgen.families.draw_rules import Comparison, Pose, Screens
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import AngleMark, DiscMark, FigureHints, LengthMark, RightAngle
 from variantgen.limits import MARKS, PARTS
 from variantgen.tables import Table
 
-ExpressionReader = Callable[..., Expression]
-QuantityReader = Callable[[str, int | Decimal | str], Expression]
+ExpressionReader = Callable[..., FamilyExpression]
+QuantityReader = Callable[[str, int | Decimal | str], FamilyExpression]
 _COMPARISON = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)")
 DIRECTIONS = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
 

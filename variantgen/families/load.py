@@ -12,8 +12,8 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
-from variantgen.families.repeated import told_once
-from variantgen.families.solving import check_methods
+from variantgen.families.method_names import check_methods
+from variantgen.families.repeated import reported_once
 from variantgen.families.units import unit
 from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
@@ -62,7 +62,10 @@ def read_family(path: Path) -> Family:
 
 
 def parse_family(data: dict[str, Any], path: Path) -> Family:
-    """A family from the content of its file; ``path`` gives its name and folder."""
+    """A family from the content of its file; ``path`` gives its name and folder.
+
+    Raises InputError with every problem found.
+    """
     problems: list[Problem] = []
     top = Table(data, "", problems)
     for key, letter, kind in _unseen(data, ""):
@@ -99,7 +102,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             forms[name] = form
     _check_symbols(forms, problems)
     if problems:
-        raise InputError(told_once(problems, overlays))
+        raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY
     return Family(
         path.resolve().parent.name if is_family else path.stem,

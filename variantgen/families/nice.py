@@ -12,15 +12,17 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import Problem, nearest
-from variantgen.families.family import Family, Form, Nice, Parameter, Ties
+from variantgen.families.draw_rules import HandFriendly, TiedValues
+from variantgen.families.family import Family, Form
 from variantgen.families.hints import ExpressionReader, read_require
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words, read_parameter
 from variantgen.tables import Table
 
 _USUAL_ANGLES = (30, 45)  # degrees: multiples of these have the sines that everybody knows
 
 
-def read_nice(table: Table, parameters: Mapping[str, Parameter], expression: ExpressionReader) -> Nice:
+def read_nice(table: Table, parameters: Mapping[str, Parameter], expression: ExpressionReader) -> HandFriendly:
     """The table ``[nice]``; an empty one leaves everything to the answers."""
     before = len(table.problems)
     grids = table.table("parameters")
@@ -30,7 +32,7 @@ def read_nice(table: Table, parameters: Mapping[str, Parameter], expression: Exp
     require = read_require(table, expression)
     possible, answers = table.take("possible", bool, True), table.take("answers", bool, True)
     table.finish()
-    return Nice(found, ties, require, possible, answers) if len(table.problems) == before else Nice()
+    return HandFriendly(found, ties, require, possible, answers) if len(table.problems) == before else HandFriendly()
 
 
 def _read_grid(table: Table, name: str, value: Any, parameters: Mapping[str, Parameter]) -> Parameter | None:
@@ -67,7 +69,7 @@ def _read_ties(
     rows: Sequence[Any],
     parameters: Mapping[str, Parameter],
     grids: dict[str, Parameter],
-) -> Ties | None:
+) -> TiedValues | None:
     """Values that go together; the grid of a parameter becomes its column, unless ``parameters`` gives it one."""
     for name in columns:
         if name not in parameters or parameters[name].silent:
@@ -92,7 +94,7 @@ def _read_ties(
             return None
         grids[name] = grid
         read.append([numbers[value] for value in values])
-    return Ties(tuple(columns), tuple(zip(*read, strict=True)))
+    return TiedValues(tuple(columns), tuple(zip(*read, strict=True)))
 
 
 def _is_row(row: Any, size: int) -> bool:
@@ -111,7 +113,7 @@ def no_nice_forms(family: Family) -> Problem:
 
 
 def hand_friendly(form: Form) -> Form:
-    """The form that draws hand-friendly variants only (:attr:`Nice.possible` says whether it has any)."""
+    """The form that draws hand-friendly variants only (:attr:`HandFriendly.possible` says whether it has any)."""
     nice = form.nice
     parameters = {name: nice.parameters.get(name) or _usual_angles(known) for name, known in form.parameters.items()}
     screens = replace(form.screens, require=form.screens.require + nice.require)

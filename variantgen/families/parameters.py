@@ -10,9 +10,10 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import CONSTANTS, FUNCTIONS
-from variantgen.families.family import Parameter
-from variantgen.families.units import UNITS, sound, unit
+from variantgen.families.dimensions import CONSTANTS
+from variantgen.families.expressions import FUNCTIONS
+from variantgen.families.parameter import Parameter
+from variantgen.families.units import UNITS, checked, unit
 from variantgen.limits import VALUES
 from variantgen.tables import Table
 
@@ -127,7 +128,7 @@ def _stepped(table: Table) -> tuple[Decimal, ...]:
 
 def _is_sound(value: int | Decimal) -> bool:
     try:
-        sound(Decimal(value), "")
+        checked(Decimal(value), "")
     except InputError:
         return False
     return True

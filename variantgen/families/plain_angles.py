@@ -8,16 +8,17 @@ zero or a small multiple of pi.
 
 from __future__ import annotations
 
-import ast
 import math
 from collections.abc import Mapping
 from enum import Enum
 from itertools import product
 from typing import TypeAlias
 
+from variantgen.algebra.expression import Applied, Expression, Magnitude, Ratio, Times, Total, Variable
 from variantgen.errors import InputError, Problem
-from variantgen.families.expressions import CONSTANTS, Expression
-from variantgen.families.family import Parameter
+from variantgen.families.dimensions import CONSTANTS
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameter import Parameter
 
 
 class Unknown(Enum):
@@ -33,7 +34,7 @@ Kind: TypeAlias = Unknown | frozenset[float]
 _STEP = math.pi / 12  # multiples of this are meant in radians
 _LARGEST = 4 * math.pi
 _MOST = 64  # combinations of choices that are followed
-_ARCS, _CIRCULAR = ("asin", "acos", "atan", "atan2"), ("sin", "cos", "tan")
+_ARCS, _CIRCULAR = ("arcsin", "arccos", "arctan", "atan2"), ("sin", "cos", "tan")
 
 
 def kind_of_parameter(parameter: Parameter) -> Kind:
@@ -43,12 +44,12 @@ def kind_of_parameter(parameter: Parameter) -> Kind:
     return Unknown.ANGLE if parameter.unit.measures.startswith("ang") else Unknown.OTHER
 
 
-def kind_of(expression: Expression, known: Mapping[str, Kind]) -> Kind:
+def kind_of(expression: FamilyExpression, known: Mapping[str, Kind]) -> Kind:
     """What an expression is, from what its names are. Raises InputError for a plain number beside an angle."""
     return _Reading(expression.text, known).kind(expression.tree)
 
 
-def check_angle(expression: Expression, known: Mapping[str, Kind]) -> None:
+def check_angle(expression: FamilyExpression, known: Mapping[str, Kind]) -> None:
     """Raise InputError if an expression that stands for an angle is, or adds to one, a number of degrees."""
     reading = _Reading(expression.text, known)
     reading.beside_angle(reading.kind(expression.tree))
@@ -61,24 +62,27 @@ class _Reading:
         self._text = text
         self._known = known
 
-    def kind(self, node: ast.expr) -> Kind:
+    def kind(self, item: Expression) -> Kind:
         """What a part of the expression is; whatever is added to an angle in it is looked at."""
-        match node:
-            case ast.Name(id=name):
-                return self._of_name(name)
-            case ast.Call(func=ast.Name(id=name), args=args):
-                return self._of_call(node, name, [self.kind(part) for part in args])
-        kinds = [self.kind(part) for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)]
+        if isinstance(item, Variable):
+            return self._of_name(item.name)
+        kinds = [self.kind(part) for part in item.operands()]
+        if isinstance(item, Applied) and item.function in _CIRCULAR:
+            self.beside_angle(kinds[0])
+        if isinstance(item, Applied) and item.function in _ARCS:
+            return Unknown.ANGLE
         if all(isinstance(kind, frozenset) for kind in kinds):
-            return self._values(node)
-        match node:
-            case ast.BinOp(op=ast.Add() | ast.Sub()):
+            return self._values(item)
+        match item:
+            case Total() | Magnitude() | Applied("min" | "max"):
                 return self._together(kinds)
-            case ast.BinOp(op=ast.Div()) if not isinstance(kinds[1], frozenset) or _is_turn(kinds[1]):
-                return Unknown.OTHER  # an angle divided by an angle, by pi, or by what may be one: epsilon / omega**2
-            case ast.BinOp(op=ast.Pow()):
-                return Unknown.OTHER
-        return Unknown.ANGLE if kinds[0] is Unknown.ANGLE or Unknown.ANGLE in kinds[1:] else Unknown.OTHER
+            case Times() if Unknown.ANGLE in kinds:
+                return Unknown.ANGLE
+            case Ratio() if isinstance(kinds[1], frozenset) and not _is_turn(kinds[1]):
+                return kinds[
+                    0
+                ]  # an angle divided by an angle, by pi, or by what may be one (epsilon / omega**2) is none
+        return Unknown.OTHER
 
     def beside_angle(self, kind: Kind) -> None:
         """Raise InputError for a plain number that is no small multiple of pi."""
@@ -97,15 +101,6 @@ class _Reading:
             return Unknown.ANGLE
         return frozenset({CONSTANTS[name][0]}) if name == "pi" else self._known.get(name, Unknown.OTHER)
 
-    def _of_call(self, node: ast.expr, name: str, kinds: list[Kind]) -> Kind:
-        if name in _ARCS:
-            return Unknown.ANGLE
-        if name in _CIRCULAR:
-            self.beside_angle(kinds[0])
-        if all(isinstance(kind, frozenset) for kind in kinds):
-            return self._values(node)
-        return Unknown.OTHER if name in (*_CIRCULAR, "sqrt") else self._together(kinds)
-
     def _together(self, kinds: list[Kind]) -> Kind:
         """Parts that are added or compared."""
         if Unknown.ANGLE not in kinds:
@@ -114,13 +109,13 @@ class _Reading:
             self.beside_angle(kind)
         return Unknown.ANGLE
 
-    def _values(self, node: ast.expr) -> Kind:
+    def _values(self, item: Expression) -> Kind:
         """The values of a plain number, whatever the choices in it."""
-        names = sorted({part.id for part in ast.walk(node) if isinstance(part, ast.Name)} & self._known.keys())
+        part = FamilyExpression(self._text, item)
+        names = sorted(part.names & self._known.keys())
         choices = [sorted(kind) for name in names if isinstance(kind := self._known[name], frozenset)]
         if math.prod(len(values) for values in choices) > _MOST:
             return Unknown.OTHER
-        part = Expression(self._text, node, frozenset(names))
         return frozenset(float(part.value(dict(zip(names, row, strict=True)))) for row in product(*choices))
 
 

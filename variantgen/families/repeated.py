@@ -12,11 +12,11 @@ from variantgen.errors import Problem
 _SHOWN = 3  # forms that are named
 
 
-def told_once(problems: Iterable[Problem], overlays: Mapping[str, Any]) -> list[Problem]:
+def reported_once(problems: Iterable[Problem], overlays: Mapping[str, Any]) -> list[Problem]:
     """The problems, those that forms share once each, under the key where the mistake stands.
 
     ``overlays`` are the tables of the forms. What no form writes itself stands in the tables of the family: it is read
-    again with each form and noted as ``forms.NAME.bodies.OA``, and is told as ``bodies.OA``.
+    again with each form and noted as ``forms.NAME.bodies.OA``, and is reported as ``bodies.OA``.
     """
     groups: dict[tuple[str, ...], list[tuple[str, Problem]]] = {}
     for problem in problems:

@@ -9,10 +9,11 @@ from functools import lru_cache
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.family import Family, Form, Parameter
+from variantgen.families.family import Family, Form
 from variantgen.families.nice import hand_friendly, no_nice_forms
+from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words
-from variantgen.families.units import UNITS, parse_value, sound
+from variantgen.families.units import UNITS, checked, parse_value
 
 
 def restrict(
@@ -26,18 +27,18 @@ def restrict(
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
     A bare number is in the unit that the sheet prints. Fixed values need not lie on the grid, but in its range, unless
-    they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same wish gives
-    the same family again, so that problems which are alike share what is known of their forms. Raises InputError naming
-    the key, the value and what is possible.
+    they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same narrowing
+    gives the same family again, so that problems which are alike share what is known of their forms. Raises InputError
+    naming the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
     key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond))
-    return _restricted(_Wish(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond))
+    return _restricted(_Narrowing(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond))
 
 
 @dataclass(frozen=True)
-class _Wish:
-    """How a family is to be narrowed; two wishes are equal if they say the same of the same family."""
+class _Narrowing:
+    """How a family is to be narrowed; two narrowings are equal if they say the same of the same family."""
 
     number: int
     key: str
@@ -50,9 +51,9 @@ class _Wish:
 
 
 @lru_cache(maxsize=64)
-def _restricted(wish: _Wish) -> Family:
-    """The narrowed family. A wish that is kept keeps its family, so that the number of that stays its own."""
-    family, fixed, ranges, forms = wish.family, wish.fixed, wish.ranges, wish.forms
+def _restricted(narrowing: _Narrowing) -> Family:
+    """The narrowed family. A narrowing that is kept keeps its family, so that the number of that stays its own."""
+    family, fixed, ranges, forms = narrowing.family, narrowing.fixed, narrowing.ranges, narrowing.forms
     problems: list[Problem] = []
     for name in forms:
         if name not in family.forms:
@@ -71,7 +72,7 @@ def _restricted(wish: _Wish) -> Family:
         )
     if problems:
         raise InputError(problems)
-    if wish.nice:
+    if narrowing.nice:
         chosen = _hand_friendly(family, chosen)
     narrowed: dict[str, Form] = {}
     outside: dict[str, list[Problem]] = {}
@@ -83,7 +84,7 @@ def _restricted(wish: _Wish) -> Family:
             except InputError as error:
                 problems += error.problems
                 continue
-            if name in fixed and parameter.unit is not None and not wish.beyond:
+            if name in fixed and parameter.unit is not None and not narrowing.beyond:
                 grids = (family.forms[form_name].parameters[name], parameter)
                 outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
         narrowed[form_name] = replace(form, parameters=parameters)
@@ -186,7 +187,7 @@ def _decimal(parameter: Parameter, value: Any, key: str) -> Decimal:
         return parse_value(value, parameter.unit, key)
     if isinstance(value, bool) or not isinstance(value, int | Decimal | float) or not Decimal(value).is_finite():
         raise InputError(Problem("expected a number", key=key, value=str(value), remedy=_possible(parameter)))
-    return sound(Decimal(str(value)) if isinstance(value, float) else Decimal(value), key)
+    return checked(Decimal(str(value)) if isinstance(value, float) else Decimal(value), key)
 
 
 def _possible(parameter: Parameter) -> str:

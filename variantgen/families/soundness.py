@@ -1,7 +1,7 @@
 """Whether the expressions of a form have a meaning for given values: domains of functions, signs of lengths, words.
 
 An expression never yields NaN (dividing by zero gives zero, a root of a negative zero), so that one bad variant cannot
-spoil a batch; here such variants are told apart.
+spoil a batch; here such variants are found.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.families.expressions import Expression
-from variantgen.families.family import Form, Template
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.family import ComponentTemplate, Form
 from variantgen.mechanism.arithmetic import Flags, Real
 from variantgen.mechanism.component import field_specs
 
@@ -23,7 +23,7 @@ class Demand:
     """What an expression must meet: ``allowed`` values (a word's numbers), or a ``least`` value (strict or not)."""
 
     key: str
-    expression: Expression
+    expression: FamilyExpression
     allowed: tuple[float, ...] = ()
     least: str = ""
 
@@ -64,10 +64,10 @@ def demands(form: Form) -> list[Demand]:
     return [demand for demand in found if demand.allowed or demand.least or demand.expression.risky]
 
 
-def _of_template(template: Template, key: str) -> Iterator[Demand]:
+def _of_template(template: ComponentTemplate, key: str) -> Iterator[Demand]:
     for spec in field_specs(template.component):
         item: Any = template.fields.get(spec.name)
-        if isinstance(item, Expression):
+        if isinstance(item, FamilyExpression):
             yield Demand(f"{key}.{spec.name}", item, tuple(spec.words.values()), spec.least)
         elif isinstance(item, tuple) and spec.part:
             for i, part in enumerate(item, start=1):

@@ -8,9 +8,9 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import Expression, number
-from variantgen.families.family import Template
-from variantgen.families.units import UNITS, Unit, is_number, parse_value, sound
+from variantgen.families.expressions import FamilyExpression, number
+from variantgen.families.family import ComponentTemplate
+from variantgen.families.units import UNITS, Unit, checked, is_number, parse_value
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.tables import Table, shown
 
@@ -25,11 +25,11 @@ class TemplateReader:
     ``expression`` reads an expression of a given dimension, ``length`` is the unit of bare lengths.
     """
 
-    def __init__(self, expression: Callable[[str, str], Expression], length: Unit) -> None:
+    def __init__(self, expression: Callable[[str, str], FamilyExpression], length: Unit) -> None:
         self._expression = expression
         self._length = length
 
-    def read(self, table: Table, package: str) -> Template | None:
+    def read(self, table: Table, package: str) -> ComponentTemplate | None:
         """A component of a package from a table with one kind; None (and a problem noted) if it is wrong."""
         kinds = discover(package)
         if len(table.data) != 1:
@@ -41,7 +41,7 @@ class TemplateReader:
             return None
         return self._fields(table.table(kind), kinds[kind])
 
-    def _fields(self, table: Table, component: type) -> Template:
+    def _fields(self, table: Table, component: type) -> ComponentTemplate:
         specs = field_specs(component)
         table.expect(*(spec.name for spec in specs))
         fields: dict[str, Any] = {}
@@ -59,7 +59,7 @@ class TemplateReader:
             if first in table.data and second in table.data:
                 table.problem(f"{first} and {second} both give the direction", second, table.data[second], "keep one")
         table.finish()
-        return Template(component, fields)
+        return ComponentTemplate(component, fields)
 
     def _field(self, spec: FieldSpec, value: Any) -> Any:
         wrong = InputError(Problem(f"expected {spec.expects}", value=shown(value)))
@@ -87,11 +87,11 @@ class TemplateReader:
                 raise wrong from None
         return self.quantity(spec.dimension, value)
 
-    def quantity(self, dimension: str, value: int | Decimal | str) -> Expression:
+    def quantity(self, dimension: str, value: int | Decimal | str) -> FamilyExpression:
         """A number in the printed unit of its dimension, a number with a unit, or an expression. Raises InputError."""
         default = self._printed_unit(dimension)
         if not isinstance(value, str):
-            return number(default.to_si(sound(_cleaned(Decimal(value)), "")), default.measures)
+            return number(default.to_si(checked(_cleaned(Decimal(value)), "")), default.measures)
         if tiny := _TINY.fullmatch(value.strip()):
             value = f"0 {tiny[1] or default.name}"
         if is_number(value):

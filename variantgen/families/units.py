@@ -68,7 +68,7 @@ def unit(name: str, key: str = "unit") -> Unit:
     return UNITS[name]
 
 
-def sound(value: Decimal, key: str) -> Decimal:
+def checked(value: Decimal, key: str) -> Decimal:
     """The value itself; InputError if it is not finite or far beyond anything that can be drawn or built."""
     if not value.is_finite() or (value != 0 and abs(value.adjusted()) > _LARGEST_EXPONENT):
         raise InputError(Problem("expected a number of ordinary size", key=key, value=str(value)[:40]))
@@ -92,7 +92,7 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
             Problem("expected a number", key=key, value=text, remedy=f'write it like "30" or "30 {default.name}"')
         )
     try:
-        value, name = sound(Decimal(match[1]), key), match[2]
+        value, name = checked(Decimal(match[1]), key), match[2]
     except ArithmeticError:
         raise InputError(Problem("expected a number of ordinary size", key=key, value=text[:40])) from None
     if name is None or name == default.name:

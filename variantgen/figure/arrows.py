@@ -8,7 +8,7 @@ import numpy as np
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.requests import along_arrow
+from variantgen.figure.label_requests import along_arrow
 from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0
@@ -21,7 +21,7 @@ _OFF_WALL = 3.4
 def velocity_arrow(board: Board, point: str, ahead: complex, symbol: Symbol | None) -> None:
     """An arrow from the symbol at a point in the direction ``ahead`` (unit); none for a velocity that is not given."""
     if symbol is not None:
-        start = board.sketch.at[point] + ahead * board.sketch.reach.get(point, 1.1)
+        start = board.sketch.at[point] + ahead * board.sketch.symbol_radius.get(point, 1.1)
         _arrow(board, point, start, start + _LENGTH * ahead, symbol, 0.75)
 
 
@@ -29,7 +29,7 @@ def acceleration_arrow(board: Board, point: str, ahead: complex, symbol: Symbol 
     """A thinner arrow; ``beside`` the point, so that neither hides a velocity along the same line."""
     if symbol is None:
         return
-    start = board.sketch.reach.get(point, 1.1)
+    start = board.sketch.symbol_radius.get(point, 1.1)
     place = board.sketch.at[point]
     foot = place + (_roomier_side(board, place, ahead, max(start, _ASIDE)) if beside else ahead * start)
     _arrow(board, point, foot, foot + (0.8 if beside else 1.15) * _LENGTH * ahead, symbol, MEDIUM)
@@ -43,7 +43,7 @@ def arrows_beside(
     symbols: tuple[Symbol | None, Symbol | None],
 ) -> None:
     """Velocity and acceleration along a link, on different sides of it; ``ways`` are directions, zero for none."""
-    gap = max(board.sketch.reach.get(point, 1.1), _ASIDE)
+    gap = max(board.sketch.symbol_radius.get(point, 1.1), _ASIDE)
     taken = 0j
     for way, symbol, weight, length in zip(ways, symbols, (0.75, MEDIUM), (1.0, 0.8), strict=True):
         if way == 0 or symbol is None:
@@ -86,7 +86,7 @@ def _roomier_side(board: Board, point: complex, ahead: complex, gap: float, take
     Not on the side on which another arrow has ``taken`` its place.
     """
     sides = sorted((1j * ahead, -1j * ahead), key=lambda side: (round(side.imag, 6), -round(side.real, 6)))
-    ways = [reach * side for reach in (gap, gap + _WIDER) for side in sides]
+    ways = [symbol_radius * side for symbol_radius in (gap, gap + _WIDER) for side in sides]
     ways = [way for way in ways if (way * taken.conjugate()).real <= 0]
     parts = np.array([0.0, 0.25, 0.5, 0.75, 1.0]) * 1.2 * _LENGTH * ahead
     lanes = np.array([point + way + parts for way in ways])

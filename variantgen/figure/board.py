@@ -106,11 +106,11 @@ class Board:
         """The symbol of a point, parameter or quantity."""
         return self.language.symbol(name, self.form.symbols)
 
-    def sized(self, point: str, reach: float, box: Sequence[complex] = ()) -> None:
+    def sized(self, point: str, extent: float, box: Sequence[complex] = ()) -> None:
         """Note how far the symbol at a point reaches, for arrows that start there and for its label."""
-        self.sketch.reach[point] = max(self.sketch.reach.get(point, 0.0), reach)
-        radius = max((abs(corner - self.sketch.at[point]) for corner in box), default=reach)
-        self.clear[point] = max(self.clear.get(point, 0.0), min(radius, reach))
+        self.sketch.symbol_radius[point] = max(self.sketch.symbol_radius.get(point, 0.0), extent)
+        radius = max((abs(corner - self.sketch.at[point]) for corner in box), default=extent)
+        self.clear[point] = max(self.clear.get(point, 0.0), min(radius, extent))
 
     def centre_of_rotation(self, body: str) -> str:
         """The key in ``sketch.at`` of the place about which the arcs of a body's rotation are drawn.

@@ -16,13 +16,13 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.axes import draw_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
+from variantgen.figure.label_requests import around
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
-from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
-from variantgen.variants.needed import given_names, shown_points
+from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -45,10 +45,10 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), tell=partial(_told, board, _has_axes(asked)), language=language.name)
+    return replace(finished(board), tell=partial(_alt_text, board, _has_axes(asked)), language=language.name)
 
 
-def _told(board: Board, axes: bool) -> str:
+def _alt_text(board: Board, axes: bool) -> str:
     """What a statement figure shows, in words."""
     # Here, because most programs draw figures and tell of none.
     from variantgen.figure.alt_text.description import describe
@@ -57,7 +57,7 @@ def _told(board: Board, axes: bool) -> str:
 
 
 def finished(board: Board) -> Drawing:
-    """The drawing of a board: labels placed, everything in order; not told in words."""
+    """The drawing of a board: labels placed, everything in order; without an alternative text."""
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 

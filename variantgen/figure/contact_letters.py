@@ -5,45 +5,45 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from variantgen.algebra.name import Name
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
+from variantgen.figure.label_requests import around
 from variantgen.figure.motion_board import MotionBoard
-from variantgen.figure.requests import around
 from variantgen.figure.sketch import DOT
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.groups.contact import place_of
-from variantgen.methods.groups.law import touches
+from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 _CENTRE = "P"  # a contact at rest bears the letter of the velocity centre, which is drawn as such
 
 
 @dataclass(frozen=True)
-class Contact:
+class ContactPoint:
     """A point of a turning body where it touches another or a thread: its place (m) and velocity (m/s)."""
 
     place: complex
     velocity: complex
 
 
-def contacts(board: Board, task: Task, now: Instant) -> dict[str, Contact]:
+def contacts(board: Board, task: Task, now: Instant) -> dict[str, ContactPoint]:
     """The points of contact of the bodies that the solution needs, by letter, where no point is shown."""
     needed = task.needed.bodies
-    found: dict[str, Contact] = {}
-    for touch in touches(task).values():
-        for side in (touch.first, touch.second):
+    found: dict[str, ContactPoint] = {}
+    for contact in contacts_of_scene(task).values():
+        for side in (contact.first, contact.second):
             if not side.lever or side.name in (_CENTRE, *board.shown, *found) or side.body not in needed:
                 continue
             place = place_of(task, side) * task.length_unit
             swing = 1j * now.omega[side.body] * (place - now.z[side.centre])
-            found[side.name] = Contact(place, now.v[side.centre] + swing)
+            found[side.name] = ContactPoint(place, now.v[side.centre] + swing)
     return found
 
 
-def draw_contacts(board: MotionBoard, found: Mapping[str, Contact], scale: float, symbols: Symbols) -> None:
+def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: float, symbols: Symbols) -> None:
     """Add dots with letters and velocities (``scale`` u per m/s)."""
     sketch = board.sketch
     for name, contact in found.items():

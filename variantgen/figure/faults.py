@@ -62,8 +62,8 @@ def count_label_faults(drawing: Drawing) -> int:
     covers = (step[0] <= half[:, :1] + half[:, 0]) & (step[1] <= half[:, 1:] + half[:, 1])
     overlaps = (int(np.sum(covers)) - len(places)) // 2
     segments, weights = _weighted(drawing.lines)
-    middle, reach = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
-    near = crosses(middle - places[:, None], reach, (half[:, :1] + weights, half[:, 1:] + weights))
+    middle, half_segment = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
+    near = crosses(middle - places[:, None], half_segment, (half[:, :1] + weights, half[:, 1:] + weights))
     own = leaders(drawing)
     crossed = sum(
         _free_space(drawing.labels[i], segments[near[i]], weights[near[i]], own) <= 0

@@ -1,6 +1,6 @@
 """The letters of figures: widths, bounds and outlines of the glyphs that the typesetting engine uses.
 
-The table (``glyphs.json``) is made by :mod:`variantgen.outputs.glyph_table` from New Computer Modern Math and New
+The table (``glyphs.json``) is made by :mod:`variantgen.outputs.typst.glyph_table` from New Computer Modern Math and New
 Computer Modern (GUST Font License). Lengths are in thousandths of the size of the lettering, y up. Formula letters of
 an index are cut for their size and stand in the table at that size; words of an index are the upright letters, smaller.
 """

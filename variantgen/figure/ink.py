@@ -62,7 +62,10 @@ def spans_of(segments: Segments) -> Spans:
 def boxes_crossed_by(
     spans: Spans, places: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.int64]:
-    """The same as :func:`boxes_crossed` for segments that are asked again and again."""
+    """Number of segments that cross the box about each place, shape (P,).
+
+    The same as :func:`boxes_crossed` for segments that are asked again and again: ``spans`` are :func:`spans_of` them.
+    """
     hx, hy = half_sides
     middle_x, middle_y, way_x, way_y, dx, dy = spans
     x, y = middle_x - places.real[:, None], middle_y - places.imag[:, None]
@@ -73,8 +76,8 @@ def boxes_crossed_by(
     if not at.size:
         return np.zeros(len(places), dtype=np.int64)
     box, line = np.divmod(at, len(dx))
-    reach = (hx * dy + hy * dx)[..., line] if isinstance(hx, float) else (hx * dy + hy * dx).ravel()[at]
-    passed = np.abs(way_x[line] * y.ravel()[at] - way_y[line] * x.ravel()[at]) <= reach
+    half_width = (hx * dy + hy * dx)[..., line] if isinstance(hx, float) else (hx * dy + hy * dx).ravel()[at]
+    passed = np.abs(way_x[line] * y.ravel()[at] - way_y[line] * x.ravel()[at]) <= half_width
     result: NDArray[np.int64] = np.bincount(box[passed], minlength=len(places))
     return result
 

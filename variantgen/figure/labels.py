@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
+from variantgen.figure.label_requests import Costs, LabelRequest, Places, far_from
 from variantgen.figure.occupancy import Occupancy
-from variantgen.figure.requests import Costs, Places, Request, far_from
 
 GAP = 0.8  # free space around a label, u
 _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
@@ -43,7 +43,7 @@ _OWN = 1.0  # where that way ends before a line or symbol that is named, u
 class _Choice:
     """The candidates of one label with what they cost apart from other labels, and which of them need a leader."""
 
-    request: Request
+    request: LabelRequest
     places: Places
     costs: Costs
     led: NDArray[np.bool_]
@@ -61,7 +61,7 @@ class _Choice:
 
 
 def place_labels(
-    requests: Sequence[Request], segments: Segments, strangers: Sequence[complex]
+    requests: Sequence[LabelRequest], segments: Segments, strangers: Sequence[complex]
 ) -> tuple[list[Label], list[Path]]:
     """Labels where they cost least, and the leaders of those that are far from what they name.
 
@@ -74,19 +74,21 @@ def place_labels(
     for choice in choices:
         choice.taken = int(choice.costs.argmin())
     first = _conflicting(choices)
-    _settle(choices, first)
+    _resolve_overlaps(choices, first)
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
     crowded = sorted(worst | set(_conflicting(choices) if first else ()))
     if crowded:
         for i in crowded:
             choices[i] = _with_leaders(choices[i], occupancy)
-        _settle(choices, crowded)
+        _resolve_overlaps(choices, crowded)
     labels = [Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1])) for c in choices]
     return labels, [leader for c in choices if (leader := c.leader)]
 
 
-def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: Sequence[complex]) -> list[_Choice]:
-    """The candidates of all labels, judged together."""
+def _near_choices(
+    requests: Sequence[LabelRequest], occupancy: Occupancy, strangers: Sequence[complex]
+) -> list[_Choice]:
+    """The candidates of all labels with their costs, computed at once."""
     count = [len(r.places) for r in requests]
     places = np.concatenate([r.places for r in requests])
     owner = np.repeat(np.arange(len(requests)), count)
@@ -102,7 +104,7 @@ def _near_choices(requests: Sequence[Request], occupancy: Occupancy, strangers: 
 
 
 def _add_misleading(
-    requests: Sequence[Request],
+    requests: Sequence[LabelRequest],
     strangers: Sequence[complex],
     occupancy: Occupancy,
     places: Places,
@@ -136,7 +138,7 @@ def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64])
 
 
 def _misleading(
-    requests: Sequence[Request],
+    requests: Sequence[LabelRequest],
     strangers: Sequence[complex],
     places: Places,
     owner: NDArray[np.intp],
@@ -193,7 +195,7 @@ def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
     )
 
 
-def _settle(choices: list[_Choice], first: Sequence[int]) -> None:
+def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
     """Move labels that cover each other until none does; those with the fewest good places move first."""
     if not first:
         return
@@ -262,14 +264,16 @@ def _leader_costs(choices: Sequence[_Choice], i: int) -> Costs:
     return costs
 
 
-def _leader(request: Request, place: complex) -> Path | None:
+def _leader(request: LabelRequest, place: complex) -> Path | None:
     """A thin line from the edge of the symbol to the edge of the label; none where the two nearly touch."""
     step = place - request.anchor
     way = step / abs(step)
     half_width, half_height = request.box
-    reach = min(half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf)
+    to_edge = min(
+        half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf
+    )
     start = request.anchor + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
-    end = place - (reach + _LEADER_GAP) * way
+    end = place - (to_edge + _LEADER_GAP) * way
     if ((end - start) * way.conjugate()).real < 1.0:
         return None
     return Path((start, end), Layer.LABEL, THIN)

@@ -15,14 +15,14 @@ from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import (
     GREEK,
-    About,
     Equation,
     Formula,
+    FormulaList,
     Index,
-    Listing,
     Measured,
     Number,
     Symbol,
+    SymbolProperty,
     UnitText,
     letters,
 )
@@ -35,7 +35,7 @@ _UNKNOWN = "0u°"  # stands for a letter that the table does not have
 
 
 @dataclass(frozen=True)
-class Placed:
+class PlacedGlyph:
     """A glyph with the place of its origin (em, baseline of the formula at 0)."""
 
     glyph: Glyph
@@ -46,7 +46,7 @@ class Placed:
 class Lettering:
     """A set formula: its glyphs, its width, and the bounds of its ink above the baseline (em)."""
 
-    glyphs: tuple[Placed, ...]
+    glyphs: tuple[PlacedGlyph, ...]
     width: float
     bottom: float
     top: float
@@ -73,7 +73,7 @@ class _Run:
     """Letters in a row; ``x`` is where the next one begins."""
 
     def __init__(self) -> None:
-        self.glyphs: list[Placed] = []
+        self.glyphs: list[PlacedGlyph] = []
         self.x = 0.0
         self.index_x = 0.0
 
@@ -96,7 +96,7 @@ class _Run:
                 self._put(_upright(letter, level))
 
     def _put(self, letter: Glyph) -> None:
-        self.glyphs.append(Placed(letter, complex(self.x, 0.0)))
+        self.glyphs.append(PlacedGlyph(letter, complex(self.x, 0.0)))
         self.index_x = self.x + letter.index_at
         self.x += letter.width
 
@@ -113,7 +113,7 @@ class _Run:
         end = self.x
         for run, x, y in ((index, self.index_x, -down), (power, self.x, up)):
             if run.glyphs:
-                self.glyphs += [Placed(p.glyph, p.at + complex(x, y)) for p in run.glyphs]
+                self.glyphs += [PlacedGlyph(p.glyph, p.at + complex(x, y)) for p in run.glyphs]
                 end = max(end, x + run.x + _AFTER * scale)
         self.x = self.index_x = end
 
@@ -149,13 +149,13 @@ def _set(run: _Run, formula: Formula) -> None:
             run.words("=")
             run.x += _AROUND_EQUALS
             _set(run, right)
-        case Listing(items):
+        case FormulaList(items):
             for i, item in enumerate(items):
                 if i:
                     run.words(",")
                     run.x += _THIN
                 _set(run, item)
-        case About(what, symbol):
+        case SymbolProperty(what, symbol):
             _set_about(run, what, symbol)
         case _:
             raise TypeError(f"figures have no letters for a formula of the kind {type(formula).__name__}")

@@ -13,8 +13,8 @@ from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, Ri
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
+from variantgen.figure.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
 from variantgen.figure.labels import GAP
-from variantgen.figure.requests import Request, along_arc, along_line, along_radius, label_size
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
@@ -213,10 +213,10 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     width, height = label_size(formula)
     half = 0.5 * math.hypot(width, height)
     inside = [radius - half - off for off in (0.9, 2.4, 4.2, 6.5) if radius - half - off > half]
-    reach = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
+    distances = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
     ways = np.exp(1j * math.tau / 24 * np.arange(24))
     centre = board.sketch.at[mark.centre]
-    places = centre + np.array(reach)[:, None] * ways[None, :]
-    costs = 1.5 * np.arange(len(reach))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
+    places = centre + np.array(distances)[:, None] * ways[None, :]
+    costs = 1.5 * np.arange(len(distances))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
     rim = tuple(complex(place) for place in centre + radius * ways[::4])
-    board.sketch.label(Request(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))
+    board.sketch.label(LabelRequest(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))

@@ -18,7 +18,7 @@ from variantgen.figure.sketch import moved
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import fixed_points
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -34,7 +34,7 @@ class Paper:
     shift: complex
 
     def at(self, z: ComplexField) -> ComplexField:
-        """Places in u."""
+        """Places in u, of the shape of ``z`` (m)."""
         return np.asarray(self.scale * z + self.shift)
 
 
@@ -49,17 +49,17 @@ class Moving:
 
     @cached_property
     def paths(self) -> dict[str, ComplexField]:
-        """Places (m) of the shown points that move, by name."""
+        """Places (m) of the shown points that move by name, shape (K,) each."""
         size = float(self.motion.length_scale()[0])
         shown = {name: self.motion.z[name] for name in shown_points(self.variant, self.asked)}
         return {name: z for name, z in shown.items() if np.ptp(z.real) + np.ptp(z.imag) > 1e-6 * size}
 
     @cached_property
     def ground(self) -> list[ComplexField]:
-        """Places (m) at which wheels touch what is at rest: rails and circles as far as they are rolled on."""
+        """Places (m), shape (K,) each, at which wheels touch what is at rest: the parts of rails that are rolled on."""
         at = Placement(self.motion.z, self.motion.frame)
         touches = [joint.contact_at(at) for joint in self.motion.scene.joints]
-        return [np.asarray(touch.place) for touch in touches if touch is not None and touch.other is None]
+        return [np.asarray(contact.place) for contact in touches if contact is not None and contact.other is None]
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
@@ -68,8 +68,8 @@ class Moving:
         values = form.values({name: self.variant.si(name) for name in form.parameters})
         parts = [self.motion.z[name] for name in shown_points(self.variant, self.asked)]
         for disc in (disc for disc in form.figure.discs if not disc.arc):
-            reach = float(disc.radius.value(values)) * (1 + 1j)
-            parts += [self.motion.z[disc.centre] + reach, self.motion.z[disc.centre] - reach]
+            half_box = float(disc.radius.value(values)) * (1 + 1j)
+            parts += [self.motion.z[disc.centre] + half_box, self.motion.z[disc.centre] - half_box]
         every = np.concatenate(parts)
         low = complex(every.real.min(), every.imag.min())
         high = complex(every.real.max(), every.imag.max())
@@ -80,7 +80,7 @@ class Moving:
         joints = self.motion.scene.joints
         held = fixed_points(self.motion.scene)
         if not bases:
-            joints = tuple(j for j in joints if not {shape.lead for shape in j.shapes()} & held)
+            joints = tuple(j for j in joints if not {shape.given_point for shape in j.shapes()} & held)
         one = replace(
             self.motion,
             scene=replace(self.motion.scene, joints=joints),

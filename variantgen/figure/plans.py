@@ -12,14 +12,14 @@ import numpy as np
 
 from variantgen.families.units import Unit
 from variantgen.families.units import unit as unit_of
-from variantgen.figure.clean import first_clean
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.requests import Places, Request, along_line, around, label_size
+from variantgen.figure.label_requests import LabelRequest, Places, along_line, around, label_size
+from variantgen.figure.least_crowded import first_clean
 from variantgen.figure.sketch import DOT, Sketch
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, places_of
 from variantgen.methods.graphical.vector_chain import VectorChain
 from variantgen.methods.linkage.instant import Instant
-from variantgen.wording.formula import Equation, Formula, Listing, Measured, Symbol
+from variantgen.wording.formula import Equation, Formula, FormulaList, Measured, Symbol
 from variantgen.wording.language import Language
 
 _BEYOND = (6.0, 3.0, 9.0, 4.5)  # how far a construction line runs on, tried until all letters find room, u
@@ -32,7 +32,7 @@ _BELOW = 7.5  # between plan and scale bar, u
 
 
 @dataclass(frozen=True)
-class Vector:
+class PlanVector:
     """An arrow of a plan from ``start`` to ``end`` (m/s or m/s^2 from the pole); ``whole`` for one from the pole."""
 
     start: complex
@@ -50,7 +50,7 @@ class VectorPlan:
 
     pole: Symbol
     ends: list[tuple[Symbol, complex]] = field(default_factory=list)
-    vectors: list[Vector] = field(default_factory=list)
+    vectors: list[PlanVector] = field(default_factory=list)
     lines: list[tuple[complex, complex]] = field(default_factory=list)
     edges: list[tuple[complex, complex]] = field(default_factory=list)
 
@@ -89,7 +89,7 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
     scale = printed.figure_units
     sketch = Sketch({"pole": 0j}, scale)
     ends = _gathered([(plan.pole, 0j), *((symbol, scale * end) for symbol, end in plan.ends)])
-    vectors = [Vector(scale * v.start, scale * v.end, v.symbol, v.whole) for v in plan.vectors]
+    vectors = [PlanVector(scale * v.start, scale * v.end, v.symbol, v.whole) for v in plan.vectors]
     vectors = [v for v in vectors if abs(v.end - v.start) >= COINCIDENT]
     crowded = [place for place, symbols in ends if len(symbols) > 1]
     for end, way in plan.lines:
@@ -102,14 +102,14 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
     _draw_vectors(sketch, vectors)
     sketch.circle(0j, DOT, Layer.HINGE, fill="ink")
     for place, symbols in ends:
-        names: Formula = symbols[0] if len(symbols) == 1 else Listing(tuple(symbols))
+        names: Formula = symbols[0] if len(symbols) == 1 else FormulaList(tuple(symbols))
         sketch.label(around(names, place, 0.7))
     _draw_scale(sketch, printed, language)
     return sketch.finish({str(i): place for i, (place, _) in enumerate(ends)})
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:
-    """Letters by place; places too near to each other to be told apart are one."""
+    """Letters by place; places too near to each other to be distinguished are one."""
     found: list[tuple[complex, list[Symbol]]] = []
     for symbol, place in named:
         near = next((symbols for at, symbols in found if abs(at - place) < COINCIDENT), None)
@@ -127,50 +127,50 @@ def _draw_construction(sketch: Sketch, end: complex, way: complex, beyond: float
         sketch.path((end - beyond * way, end + beyond * way), Layer.GROUND, THIN, dash="dashed")
 
 
-def _draw_vectors(sketch: Sketch, vectors: Sequence[Vector]) -> None:
+def _draw_vectors(sketch: Sketch, vectors: Sequence[PlanVector]) -> None:
     """The rays from the pole, then what lies between their ends; what coincides is one arrow with all names."""
-    drawn: list[Vector] = []
+    drawn: list[PlanVector] = []
     for vector in sorted(vectors, key=lambda v: not v.whole):
-        if any(_same(vector, other) for other in drawn):
+        if any(_coincide(vector, other) for other in drawn):
             continue
-        formula = _names([v for v in vectors if _same(vector, v)])
+        formula = _names([v for v in vectors if _coincide(vector, v)])
         aside = _aside(vector, drawn)
         start, end = vector.start + aside, vector.end + aside
         weight = BOLD if vector.whole else MEDIUM
         sketch.arrow(start, end, Layer.VECTOR, weight, min(2.6, 0.7 * abs(end - start)))
         sketch.label(_beside(formula, start, end, _free_from(vector, vectors)))
-        drawn.append(Vector(start, end, vector.symbol, vector.whole))
+        drawn.append(PlanVector(start, end, vector.symbol, vector.whole))
 
 
-def _names(vectors: Sequence[Vector]) -> Formula:
-    """The name of one arrow for vectors that cannot be told apart: an equation only where they are equal."""
+def _names(vectors: Sequence[PlanVector]) -> Formula:
+    """The name of one arrow for vectors that cannot be distinguished: an equation only where they are equal."""
     first, *others = vectors
     if not others:
         return first.symbol
     length = abs(first.end - first.start)
     if all(abs((v.end - v.start) - (first.end - first.start)) < EQUAL * length for v in others):
         return Equation(first.symbol, others[0].symbol)
-    return Listing(tuple(v.symbol for v in vectors))
+    return FormulaList(tuple(v.symbol for v in vectors))
 
 
-def _same(first: Vector, second: Vector) -> bool:
+def _coincide(first: PlanVector, second: PlanVector) -> bool:
     """Whether two vectors have the same ends, as far as the eye can tell."""
     return abs(first.start - second.start) < COINCIDENT and abs(first.end - second.end) < COINCIDENT
 
 
-def _aside(vector: Vector, drawn: Sequence[Vector]) -> complex:
+def _aside(vector: PlanVector, drawn: Sequence[PlanVector]) -> complex:
     """How far a part must be moved so as not to lie on what is drawn already; a ray stays."""
     if vector.whole:
         return 0j
     way = (vector.end - vector.start) / abs(vector.end - vector.start)
     for step in (0j, 1j * way, -1j * way, 2j * way, -2j * way):
-        moved = Vector(vector.start + _ASIDE * step, vector.end + _ASIDE * step, vector.symbol)
+        moved = PlanVector(vector.start + _ASIDE * step, vector.end + _ASIDE * step, vector.symbol)
         if not any(_covers(moved, other) for other in drawn):
             return _ASIDE * step
     return 0j
 
 
-def _covers(first: Vector, second: Vector) -> bool:
+def _covers(first: PlanVector, second: PlanVector) -> bool:
     """Whether two vectors lie on one line with a good part of the first on the second."""
     way = (second.end - second.start) / abs(second.end - second.start)
     start, end = ((p - second.start) / way for p in (first.start, first.end))
@@ -181,7 +181,7 @@ def _covers(first: Vector, second: Vector) -> bool:
     return shared > 0.3 * abs(first.end - first.start) or shared > 4.0
 
 
-def _free_from(vector: Vector, others: Sequence[Vector]) -> complex:
+def _free_from(vector: PlanVector, others: Sequence[PlanVector]) -> complex:
     """Where the name of a ray should begin: past the ends of shorter rays on the same line."""
     length = abs(vector.end)
     if not vector.whole:
@@ -192,14 +192,14 @@ def _free_from(vector: Vector, others: Sequence[Vector]) -> complex:
     return max(shorter, default=0.0) / length * vector.end
 
 
-def _beside(formula: Formula, start: complex, end: complex, free: complex) -> Request:
+def _beside(formula: Formula, start: complex, end: complex, free: complex) -> LabelRequest:
     """A name beside a vector; ``free`` is where the part begins at which it may stand."""
     if abs(end - free) > 3.0:
         near, far = along_line(formula, free, end), along_line(formula, free, end, 2.6)
         whole = along_line(formula, start, end)
         places = np.concatenate((near.places, far.places, whole.places))
         costs = np.concatenate((near.costs, far.costs + 5.0, whole.costs + 7.0))
-        return Request(formula, near.anchor, places, costs, near.extent)
+        return LabelRequest(formula, near.anchor, places, costs, near.extent)
     return along_line(formula, start, end)
 
 
@@ -241,6 +241,6 @@ def _tells_millimetres(formula: Formula) -> bool:
     return isinstance(formula, Equation) and isinstance(formula.left, Measured)
 
 
-def _beside_bar(formula: Formula, start: complex, end: complex, places: Places) -> Request:
+def _beside_bar(formula: Formula, start: complex, end: complex, places: Places) -> LabelRequest:
     """A label with its places, best first."""
-    return Request(formula, 0.5 * (start + end), places, 0.5 * np.arange(len(places), dtype=np.float64))
+    return LabelRequest(formula, 0.5 * (start + end), places, 0.5 * np.arange(len(places), dtype=np.float64))

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
 from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
+from variantgen.figure.label_requests import LabelRequest
 from variantgen.figure.labels import place_labels
-from variantgen.figure.requests import Request
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -36,9 +36,9 @@ class Sketch:
     at: dict[str, complex]
     scale: float
     lines: list[Line] = field(default_factory=list)
-    requests: list[Request] = field(default_factory=list)
+    requests: list[LabelRequest] = field(default_factory=list)
     busy: dict[str, list[float]] = field(default_factory=dict)
-    reach: dict[str, float] = field(default_factory=dict)
+    symbol_radius: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
     _corners: list[complex] = field(default_factory=list)
     _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
@@ -99,11 +99,11 @@ class Sketch:
         self.path((start, end - 0.8 * head * way), layer, weight)
         self._head(end, way, layer, head)
 
-    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float, weight: float = MEDIUM) -> None:
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> None:
         """An arc with a head at its end, in the sense of ``sweep``."""
         head = 2.3
         sense = math.copysign(1.0, sweep)
-        self.arc(Arc(centre, radius, Layer.VECTOR, weight, start, sweep - sense * 0.8 * head / radius))
+        self.arc(Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep - sense * 0.8 * head / radius))
         tip = centre + cmath.rect(radius, start + sweep)
         # The head follows the chord of its own length, so that it lies on the arc.
         way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)
@@ -146,7 +146,7 @@ class Sketch:
     def circle_crossings(
         self, centre: complex, radii: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) from a centre in which the lines drawn so far cross circles about it, and which of them."""
+        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
         segments = self._segments()
         start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
         # |start + t step| = radius
@@ -163,7 +163,10 @@ class Sketch:
     def corners_near_circles(
         self, centre: complex, radii: NDArray[np.float64], margin: float
     ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of the beginnings of segments within a margin of circles about a centre; which circle."""
+        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
+
+        Near is within ``margin`` (u) of the ``radii``, shape (R,).
+        """
         arms = self._segments()[:, 0] - centre
         circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
         return np.arctan2(arms.imag, arms.real)[arm], circle
@@ -184,7 +187,7 @@ class Sketch:
             self._known = np.concatenate((self._known, new))
         return self._known
 
-    def label(self, request: Request) -> None:
+    def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
         self.requests.append(request)
 

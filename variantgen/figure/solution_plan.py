@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.plans import Vector, VectorPlan
+from variantgen.algebra.name import Name
+from variantgen.figure.plans import PlanVector, VectorPlan
 from variantgen.figure.vectors import Vectors
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.steps.point_vectors import Arrow, Equation
 from variantgen.wording.formula import Symbol
 
@@ -17,7 +17,7 @@ def solution_plan(named: Vectors, letter: str, pole: Symbol, points: Sequence[st
     for point in points:
         vector = named.found.own[point].vector
         plan.ends.append((named.symbols.letter(Name("image", point, body=letter)), vector))
-        plan.vectors.append(Vector(0j, vector, named.symbols.letter(Name(letter, point)), whole=True))
+        plan.vectors.append(PlanVector(0j, vector, named.symbols.letter(Name(letter, point)), whole=True))
     for equation in named.found.equations:
         sides = [_laid(side) for side in (equation.left, equation.right)]
         many = sum(arrow.sought for side in sides for arrow in side) == 2
@@ -44,7 +44,7 @@ def _add_side(plan: VectorPlan, named: Vectors, equation: Equation, side: Sequen
         symbol = named.symbols.letter(arrow.name)
         # The vectors of points are rays; what two equations have in common is drawn once.
         if arrow.name not in whole and all(symbol != vector.symbol for vector in plan.vectors):
-            plan.vectors.append(Vector(place, end, symbol))
+            plan.vectors.append(PlanVector(place, end, symbol))
         place = end
         if arrow.sought and meeting is None:
             meeting = end
@@ -66,4 +66,4 @@ def _add_transport(plan: VectorPlan, named: Vectors, letter: str, equation: Equa
     if any(arrow.sought for arrow in turning):
         plan.ends.append((named.symbols.letter(Name("image", point, part="tr", body=letter)), end))
     if before or len(turning) == 1:
-        plan.vectors.append(Vector(0j, end, named.symbols.letter(Name(letter, point, part="tr")), whole=True))
+        plan.vectors.append(PlanVector(0j, end, named.symbols.letter(Name(letter, point, part="tr")), whole=True))

@@ -14,7 +14,7 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 Named = list[tuple[Symbol, complex]]
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.exam.order import base, in_order
-from variantgen.exam.record import Record, RecordedSheet
+from variantgen.exam.manifest import Manifest, RecordedSheet
+from variantgen.exam.student_order import base, in_order
 
 _QR = "variantgen:1:"
 _LISTED = 20
 
 
-def find(record: Record, text: str) -> int:
+def find(record: Manifest, text: str) -> int:
     """The place of the student meant: by the id, the code of the sheet, the text of its QR code, the name or a part.
 
     Raises InputError if there is none, with names and ids that are close, or if there are several, with a list.
@@ -39,7 +39,7 @@ def find(record: Record, text: str) -> int:
     raise InputError(Problem("the exam has no such student", key="--student", value=text, remedy=close))
 
 
-def _code_of(record: Record, text: str) -> str:
+def _code_of(record: Manifest, text: str) -> str:
     """The code in the text of a QR code. Raises InputError if the sheet is of another build."""
     exam, _, code = text[len(_QR) :].partition(":")
     if record.exam_id and exam.casefold() != record.exam_id.casefold():
@@ -64,7 +64,7 @@ def _has_words(name: str, text: str) -> bool:
     return bool(wanted) and (begun or " ".join(wanted) in " ".join(words))
 
 
-def _several(record: Record, found: Sequence[RecordedSheet], text: str) -> InputError:
+def _several(record: Manifest, found: Sequence[RecordedSheet], text: str) -> InputError:
     """The list to choose from."""
     own = {sheet.student.id: sheet for sheet in found}
     lines = []

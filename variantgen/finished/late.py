@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.assembly import Standing
-from variantgen.exam.blueprint import Exam, with_floors
-from variantgen.exam.order import in_order
-from variantgen.exam.record import NAME, Record, read_record
+from variantgen.exam.allocation import HandedOutSheet
+from variantgen.exam.exam_file import Exam, with_floors
+from variantgen.exam.manifest import NAME, Manifest, read_manifest
 from variantgen.exam.roster import Student
+from variantgen.exam.student_order import in_order
 from variantgen.finished.restore import restore
 
 
@@ -27,7 +27,7 @@ class Changes:
     changed: tuple[tuple[Student, Student], ...]
 
 
-def changes(records: Sequence[Record], students: Sequence[Student]) -> Changes:
+def changes(records: Sequence[Manifest], students: Sequence[Student]) -> Changes:
     """What is different; each part by group and name."""
     before = {sheet.student.id: sheet.student for record in records for sheet in record.sheets}
     now = {student.id: student for student in in_order(students)}
@@ -38,7 +38,7 @@ def changes(records: Sequence[Record], students: Sequence[Student]) -> Changes:
     )
 
 
-def is_same_exam(record: Record, exam: Exam) -> bool:
+def is_same_exam(record: Manifest, exam: Exam) -> bool:
     """Whether an output is of this exam file and its seed."""
     return record.exam_hash == exam.hash and record.seed == exam.seed
 
@@ -62,12 +62,12 @@ def _names(out: Path) -> Iterator[Path]:
         number += 1
 
 
-def earlier(folders: Sequence[Path], exam: Exam) -> list[Record]:
+def earlier(folders: Sequence[Path], exam: Exam) -> list[Manifest]:
     """The manifests of earlier builds of an exam. Raises InputError where there are none or of another exam."""
     if not folders:
         remedy = "leave the option out: everybody is new"
         raise InputError(Problem("there is no finished build in the folder of --out", key="--only-new", remedy=remedy))
-    found = [read_record(folder) for folder in folders]
+    found = [read_manifest(folder) for folder in folders]
     for record in found:
         if not is_same_exam(record, exam):
             what = "seed" if record.exam_hash == exam.hash else "exam file"
@@ -82,21 +82,21 @@ def earlier(folders: Sequence[Path], exam: Exam) -> list[Record]:
     return found
 
 
-def standing(records: Sequence[Record], folders: tuple[Path, ...]) -> tuple[list[Standing], list[str]]:
+def standing(records: Sequence[Manifest], folders: tuple[Path, ...]) -> tuple[list[HandedOutSheet], list[str]]:
     """The sheets that are handed out, and what is not as it was when they were; ``folders`` hold own families."""
-    found: list[Standing] = []
+    found: list[HandedOutSheet] = []
     differences: dict[str, None] = {}
     for record in records:
         finished = restore(record, folders)
         differences.update(dict.fromkeys(finished.differences))
         found += [
-            Standing(sheet.student, sheet.code, tuple(own))
+            HandedOutSheet(sheet.student, sheet.code, tuple(own))
             for sheet, own in zip(record.sheets, finished.variants, strict=True)
         ]
     return found, list(differences)
 
 
-def is_marked_otherwise(record: Record, exam: Exam) -> bool:
+def is_marked_otherwise(record: Manifest, exam: Exam) -> bool:
     """Whether an output has other tolerances than its exam file says: it was given another key since."""
     given = with_floors(replace(exam, tolerance=record.tolerance), record.floors)
     return any(

@@ -14,17 +14,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, with_floors
 from variantgen.exam.content import Content
-from variantgen.exam.record import NAME
+from variantgen.exam.exam_file import Exam, with_floors
+from variantgen.exam.manifest import NAME
 from variantgen.exam.sheets import Sheet
 from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
-from variantgen.outputs.edited import EDITED
-from variantgen.outputs.folder import file_hashes, whole_folder
-from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, Whole, formats
-from variantgen.outputs.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.files.edited import EDITED
+from variantgen.outputs.files.folder import file_hashes, whole_folder
+from variantgen.outputs.files.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
+from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, WholeExam, format_of
+from variantgen.outputs.typst.typesetter import Typesetter
 
 _EVERYTHING = ("*",)  # whatever is in the folder stays there
 _AT_ONCE = 512  # students whose answers are computed together
@@ -32,7 +32,7 @@ _SHOWN = 3
 
 
 @dataclass(frozen=True)
-class Rekeyed:
+class RekeyResult:
     """What was done: how many answers there are and have another tolerance now, the files made again, messages."""
 
     answers: int
@@ -69,7 +69,7 @@ def marking(exam: Exam, floors: Mapping[int | None, float], ceiling: float | Non
     return replace(found, tolerance=replace(found.tolerance, ceiling=ceiling))
 
 
-def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> Rekeyed:
+def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> RekeyResult:
     """Give the finished exam in a folder other tolerances, those of ``exam`` (see :func:`marking`).
 
     Raises InputError if an answer would need more than a new ceiling, or if this program computes other answers than
@@ -77,7 +77,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
     """
     before = finished.record
     for name in exam.formats:
-        formats()[name].check(exam, [sheet.student for sheet in before.sheets])
+        format_of(name).check(exam, [sheet.student for sheet in before.sheets])
     again = Finished(before, exam, finished.differences)
     sheets = [sheet for places in _places(len(before.sheets)) for sheet in again.sheets(places, marked=True)]
     changed = _compare(finished, sheets)
@@ -105,7 +105,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
         shutil.rmtree(fresh)
         shutil.rmtree(parts)
     count = sum(len(item.answers) for sheet in sheets for item in sheet.items)
-    return Rekeyed(count, changed, tuple(sorted(renewed)), tuple(notes))
+    return RekeyResult(count, changed, tuple(sorted(renewed)), tuple(notes))
 
 
 def _places(count: int) -> Iterator[range]:
@@ -210,13 +210,13 @@ class _Making:
 
     def format(self, name: str) -> None:
         """Those files of a format that show tolerances."""
-        module = formats()[name]
+        module = format_of(name)
         found: dict[str, list[Path]] = {}
         if module.write_key is None:
             self._collect(found, (piece for part in self._of(1) for piece in module.make(part)))
         for size, make in module.SUMMARIES:
             self._collect(found, (piece for part in self._of(size) for piece in make(part)))
-        whole = Whole(self._exam, self._sheets, self._folder, self._engine, found, self._notes)
+        whole = WholeExam(self._exam, self._sheets, self._folder, self._engine, found, self._notes)
         (module.write_key or module.finish)(whole)
 
     def pieces(self, ending: str, contents: Iterable[bytes]) -> list[Path]:

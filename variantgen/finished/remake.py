@@ -15,18 +15,18 @@ from pathlib import Path
 from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
 from variantgen.exam.sheets import Sheet
-from variantgen.finished.comparing import compared, destination, is_used
+from variantgen.finished.pdf_comparison import compared, destination, is_used
 from variantgen.finished.restore import Finished
-from variantgen.outputs.file_names import file_stem
+from variantgen.outputs.files.file_names import file_stem
+from variantgen.outputs.files.student_groups import GroupFiles
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, options, pdf
-from variantgen.outputs.groups import GroupFiles
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.typst.typesetter import Typesetter
 
 SHEETS, SOLUTIONS = "sheets", "solutions"
 
 
 @dataclass(frozen=True)
-class Remade:
+class RemadeDocument:
     """A document of a student made again.
 
     ``same`` tells with what in the folder it is identical, ``faults`` say what differs; both are empty where there is
@@ -39,7 +39,7 @@ class Remade:
     faults: tuple[str, ...]
 
 
-def remake(finished: Finished, place: int, target: str, folder: Path, engine: Typesetter) -> Remade:
+def remake(finished: Finished, place: int, target: str, folder: Path, engine: Typesetter) -> RemadeDocument:
     """The sheet (or the solutions, by ``target``) of the student at a place; ``folder`` holds the finished exam."""
     chosen = options(finished.exam, "pdf")
     alone = chosen.for_students or target == SOLUTIONS
@@ -68,7 +68,7 @@ def remake(finished: Finished, place: int, target: str, folder: Path, engine: Ty
     if chosen.standards and not alone:
         # Pages that are cut out have lost their tags: what is handed out is typeset by itself.
         content = _typeset(finished, (sheet,), target, engine)
-    return Remade(stem, content, "" if faults else same, tuple(faults))
+    return RemadeDocument(stem, content, "" if faults else same, tuple(faults))
 
 
 def _typeset_with(finished: Finished, place: int) -> list[int]:

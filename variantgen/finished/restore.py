@@ -10,11 +10,11 @@ from functools import cached_property
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, Task, with_floors
-from variantgen.exam.record import Record, RecordedProblem, RecordedSheet
+from variantgen.exam.exam_file import Exam, ExamProblem, with_floors
+from variantgen.exam.manifest import Manifest, RecordedProblem, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet, answer_variants
 from variantgen.exam.solutions import NONE, Solutions
-from variantgen.families.family import Parameter
+from variantgen.families.parameter import Parameter
 from variantgen.outputs.formats import parse_exam
 from variantgen.variants.variant import Variant
 
@@ -23,7 +23,7 @@ from variantgen.variants.variant import Variant
 class Finished:
     """A finished exam. ``differences`` say what it was made with and is not as it was then."""
 
-    record: Record
+    record: Manifest
     exam: Exam
     differences: tuple[str, ...]
 
@@ -57,7 +57,7 @@ class Finished:
         )
 
 
-def restore(record: Record, folders: tuple[Path, ...]) -> Finished:
+def restore(record: Manifest, folders: tuple[Path, ...]) -> Finished:
     """The exam of a manifest; ``folders`` hold the instructor's own families. Raises InputError."""
     if hashlib.sha256(record.exam_text.encode()).hexdigest()[:16] != record.exam_hash:
         remedy = "the manifest has been changed since the build; restore it from a copy"
@@ -83,7 +83,7 @@ def _placed(sheet: RecordedSheet) -> list[tuple[str, RecordedProblem]]:
     return [(f"student {sheet.student.id}, problem {problem.number}", problem) for problem in sheet.problems]
 
 
-def _task(exam: Exam, problem: RecordedProblem) -> Task:
+def _task(exam: Exam, problem: RecordedProblem) -> ExamProblem:
     return next(task for task in exam.tasks if task.number == problem.number)
 
 

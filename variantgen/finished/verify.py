@@ -12,14 +12,14 @@ from pathlib import Path
 
 import numpy as np
 
-from variantgen.exam.record import NAME, RecordedAnswer
+from variantgen.exam.manifest import NAME, RecordedAnswer
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import recompute
-from variantgen.outputs.edited import EDITED, is_meant
-from variantgen.outputs.folder import file_hashes
+from variantgen.outputs.files.edited import EDITED, is_meant
+from variantgen.outputs.files.folder import file_hashes
 from variantgen.variants.variant import Variant, solve_variants
 
 # Of an answer's size, or of the largest speed (acceleration) of the mechanism: numbers of the key have eight digits,
@@ -29,7 +29,7 @@ _AT_ONCE = 512  # students whose motions are in memory together
 
 
 @dataclass(frozen=True)
-class Verified:
+class VerificationReport:
     """How many answers were computed again, the largest relative difference, and what is wrong, in words.
 
     ``edited`` are the files that were changed since the build and are there to be edited: no fault.
@@ -42,7 +42,7 @@ class Verified:
     edited: tuple[str, ...] = ()
 
 
-def verify(finished: Finished, folder: Path) -> Verified:
+def verify(finished: Finished, folder: Path) -> VerificationReport:
     """Compute every answer again and look whether the files are as they were built."""
     faults, edited = _files(finished, folder)
     largest, count = 0.0, 0
@@ -61,7 +61,7 @@ def verify(finished: Finished, folder: Path) -> Verified:
                 )
             elif again:
                 largest = max(largest, difference / max(abs(again), _OF_LARGEST / _RELATIVE * scale))
-    return Verified(len(finished.record.sheets), count, largest, tuple(faults), tuple(edited))
+    return VerificationReport(len(finished.record.sheets), count, largest, tuple(faults), tuple(edited))
 
 
 def _who(finished: Finished, place: int, number: int) -> str:

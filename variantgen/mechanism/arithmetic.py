@@ -17,8 +17,8 @@ Complex: TypeAlias = Any  # complex or NDArray[np.complex128]
 Flags: TypeAlias = Any  # bool or NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
-# A sum smaller than this many rounding errors of its largest terms cannot be told from zero: positions carry a few
-# roundings each, and a closed chain multiplies several of them.
+# A sum smaller than this many rounding errors of its largest terms cannot be distinguished from zero: positions carry a
+# few roundings each, and a closed chain multiplies several of them.
 _ZERO_ULPS = 16.0
 
 
@@ -28,11 +28,11 @@ def rounding(x: Real) -> float:
     return EPS if kind.kind not in "fc" else float(np.finfo(kind).eps)
 
 
-def unit(angle: Real) -> Complex:
+def unit_vector(angle: Real) -> Complex:
     """Unit vector ``exp(i*angle)`` (rad), exact at multiples of a right angle.
 
-    The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings
-    cannot be told from zero and is set to zero. An angle that is no floating-point number (a truncated series over
+    The double nearest to pi/2 is not pi/2, so cos(pi/2) evaluates to 6e-17. A component below four roundings cannot be
+    distinguished from zero and is set to zero. An angle that is no floating-point number (a truncated series over
     numbers of many digits, say) is taken as it is.
     """
     cos, sin = np.cos(angle), np.sin(angle)
@@ -53,13 +53,13 @@ def from_parts(x: Real, y: Real) -> Complex:
     return result
 
 
-def along(a: Complex, b: Complex) -> Real:
+def dot(a: Complex, b: Complex) -> Real:
     """Scalar product ``Re(conj(a) b)`` of two vectors."""
     result: Real = np.real(a) * np.real(b) + np.imag(a) * np.imag(b)
     return result
 
 
-def across(a: Complex, b: Complex) -> Real:
+def cross(a: Complex, b: Complex) -> Real:
     """Vector product ``Im(conj(a) b)``: positive when b lies to the left of a."""
     result: Real = np.real(a) * np.imag(b) - np.imag(a) * np.real(b)
     return result

@@ -26,7 +26,7 @@ _CLOSED = 1e-13
 # Ratio of the Jacobian's determinant to that of the picture below which the way has come too near to a dead point.
 _SINGULAR = 1e-6
 
-Table = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 
 class Condition(Protocol):
@@ -69,7 +69,7 @@ class _Assembly:
         """All points."""
         return {**self.known, **{name: self.z[..., i] for i, name in enumerate(self.names)}}
 
-    def residual(self) -> Table:
+    def residual(self) -> Array:
         """What is left of the conditions, shape (N, conditions)."""
         at = self.at()
         found = np.empty((*self.shape, len(self.conditions)))
@@ -77,7 +77,7 @@ class _Assembly:
             found[..., row] = condition.value(at)
         return found
 
-    def jacobian(self) -> Table:
+    def jacobian(self) -> Array:
         """Derivative by x and y of each point, shape (N, conditions, 2 points)."""
         at = self.at()
         found = np.zeros((*self.shape, len(self.conditions), 2 * len(self.names)))
@@ -110,7 +110,7 @@ class _Assembly:
             jacobian = self.jacobian()
         return {name: self.z[..., i] for i, name in enumerate(self.names)}, sound & (left <= _CLOSED * self.size)
 
-    def _newton(self, jacobian: Table, target: Table, sound: Flags) -> None:
+    def _newton(self, jacobian: Array, target: Array, sound: Flags) -> None:
         """One step towards ``residual = target``; variants that are given up stay where they are."""
         safe = np.where(sound[..., None, None], jacobian, np.eye(2 * len(self.names)))
         lack = np.where(sound[..., None], target - self.residual(), 0.0)

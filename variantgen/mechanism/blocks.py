@@ -58,11 +58,11 @@ def _matching(depends: Sequence[set[int]]) -> dict[int, int]:
 
 def _components(needs: Sequence[set[int]]) -> list[int]:
     """The strongly connected components: by equation the first one that needs it and that it needs, however far."""
-    reach = [_reach(needs, e) for e in range(len(needs))]
-    return [min(f for f in own if e in reach[f]) for e, own in enumerate(reach)]
+    reachable = [_reachable(needs, e) for e in range(len(needs))]
+    return [min(f for f in own if e in reachable[f]) for e, own in enumerate(reachable)]
 
 
-def _reach(needs: Sequence[set[int]], start: int) -> set[int]:
+def _reachable(needs: Sequence[set[int]], start: int) -> set[int]:
     """An equation and all that it needs."""
     found, waiting = {start}, [start]
     while waiting:

@@ -10,26 +10,26 @@ from numpy.typing import NDArray
 from variantgen.mechanism.motion import ComplexField, Motion
 
 
-class Centre(NamedTuple):
+class CentrePosition(NamedTuple):
     """Position (m), shape (N,), and where it is finite; where it is not, the position is a placeholder (0)."""
 
     z: ComplexField
     finite: NDArray[np.bool_]
 
 
-def velocity_centre(motion: Motion, body: str) -> Centre:
+def velocity_centre(motion: Motion, body: str) -> CentrePosition:
     """The point of the body that is at rest: ``z_P = z_A + i v_A / omega``; infinite in translation (omega = 0)."""
     pole = motion.scene.bodies[body][0]
     omega = motion.omega[body]
     finite = omega != 0
     z = motion.z[pole] + 1j * motion.v[pole] / np.where(finite, omega, 1.0)
-    return Centre(np.where(finite, z, 0.0), finite)
+    return CentrePosition(np.where(finite, z, 0.0), finite)
 
 
-def acceleration_centre(motion: Motion, body: str) -> Centre:
+def acceleration_centre(motion: Motion, body: str) -> CentrePosition:
     """The point without acceleration: ``z_Q = z_A + a_A / (omega^2 - i epsilon)``; infinite if both are zero."""
     pole = motion.scene.bodies[body][0]
     divisor = motion.omega[body] ** 2 - 1j * motion.epsilon[body]
     finite = divisor != 0
     z = motion.z[pole] + motion.a[pole] / np.where(finite, divisor, 1.0)
-    return Centre(np.where(finite, z, 0.0), finite)
+    return CentrePosition(np.where(finite, z, 0.0), finite)

@@ -62,7 +62,7 @@ class ClosureResiduals:
         flags = [True, True] * len(self.hinges)
         for c in self.motion.scene.constraints:
             for shape in c.shapes():
-                flags += [True] * (2 if shape.lead else 1) if shape.points else [False]
+                flags += [True] * (2 if shape.given_point else 1) if shape.points else [False]
         return np.array(flags)
 
     def placement(self, q: Vector) -> Placement:

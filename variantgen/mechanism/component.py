@@ -24,15 +24,15 @@ class Dim(str):
     """Annotation of a numeric field: its dimension, a key of :data:`DIMENSIONS`."""
 
 
-class Words(tuple[tuple[str, float], ...]):
+class NamedValues(tuple[tuple[str, float], ...]):
     """Annotation of a numeric field that may also be written as one of a few words."""
 
 
-class Means(str):
+class WordMeaning(str):
     """Annotation of a field whose words need an explanation."""
 
 
-class Least(str):
+class LowerBound(str):
     """Annotation of a numeric field that must be ``above 0`` or ``not negative``."""
 
 
@@ -50,16 +50,16 @@ DIMENSIONS: dict[str, tuple[int, int]] = {
 PointName: TypeAlias = Annotated[str, Ref("point")]
 BodyName: TypeAlias = Annotated[str, Ref("body")]
 Length: TypeAlias = Annotated[Real, Dim("length")]
-Size: TypeAlias = Annotated[Real, Dim("length"), Least("above 0")]
-Radius: TypeAlias = Annotated[Real, Dim("length"), Least("not negative")]
+Size: TypeAlias = Annotated[Real, Dim("length"), LowerBound("above 0")]
+Radius: TypeAlias = Annotated[Real, Dim("length"), LowerBound("not negative")]
 Angle: TypeAlias = Annotated[Real, Dim("angle")]
 Ratio: TypeAlias = Annotated[Real, Dim("number")]
 AngularVelocity: TypeAlias = Annotated[Real, Dim("angular velocity")]
 AngularAcceleration: TypeAlias = Annotated[Real, Dim("angular acceleration")]
 Velocity: TypeAlias = Annotated[Real, Dim("velocity")]
 Acceleration: TypeAlias = Annotated[Real, Dim("acceleration")]
-Side: TypeAlias = Annotated[Real, Dim("number"), Words((("left", 1.0), ("right", -1.0)))]
-Sense: TypeAlias = Annotated[Real, Dim("number"), Words((("ahead", 1.0), ("behind", -1.0)))]
+Side: TypeAlias = Annotated[Real, Dim("number"), NamedValues((("left", 1.0), ("right", -1.0)))]
+Sense: TypeAlias = Annotated[Real, Dim("number"), NamedValues((("ahead", 1.0), ("behind", -1.0)))]
 
 
 class FieldSpec:
@@ -71,9 +71,9 @@ class FieldSpec:
         self.required = required
         self.ref = next((str(mark) for mark in marks if isinstance(mark, Ref)), "")
         self.dimension = next((str(mark) for mark in marks if isinstance(mark, Dim)), "")
-        self.least = next((str(mark) for mark in marks if isinstance(mark, Least)), "")
-        self.means = next((str(mark) for mark in marks if isinstance(mark, Means)), "")
-        self.words = dict(next((mark for mark in marks if isinstance(mark, Words)), ()))
+        self.least = next((str(mark) for mark in marks if isinstance(mark, LowerBound)), "")
+        self.means = next((str(mark) for mark in marks if isinstance(mark, WordMeaning)), "")
+        self.words = dict(next((mark for mark in marks if isinstance(mark, NamedValues)), ()))
         self.part = _part(hint)
         self.many = get_origin(hint) is tuple and self.part is None
         self.flag = hint is bool
@@ -127,7 +127,7 @@ def discover(package: str) -> dict[str, type]:
     """Component classes of a package, by kind (= module name), in alphabetical order.
 
     Every public module of the package defines exactly one public dataclass (besides the parts it is made of); there is
-    no list to edit.
+    no list to edit. Raises TypeError for a module without one, or with several.
     """
     home: ModuleType = importlib.import_module(package)
     found: dict[str, type] = {}

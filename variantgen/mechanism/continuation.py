@@ -1,4 +1,4 @@
-"""Pursuit of a mechanism along its way: predictor and corrector on the closing equations, without leaving the branch.
+"""Numerical continuation of a motion: predictor and corrector on the closing equations, without leaving the branch.
 
 The way s is that of the leading driver; every driver is displaced by ``s`` times its share. A step goes along the
 tangent and is corrected by Newton's method. It is taken back and shortened where the correction is large against the
@@ -15,7 +15,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.mechanism.arithmetic import along
+from variantgen.mechanism.arithmetic import dot
 from variantgen.mechanism.closure_residuals import ClosureResiduals, Vector
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.rows import Placement
@@ -33,13 +33,13 @@ _STRAIGHT = 0.1
 _ITERATIONS, _CLOSED = 12, 1e-12
 # Singular values (of the largest) that the differences of the Jacobian cannot tell from zero.
 _SINGULAR = 1e-7
-# Growth of the tangent by which a dead point is told from a joint that is at its limit.
+# Growth of the tangent by which a dead point is distinguished from a joint that is at its limit.
 _BLOWN_UP = 100.0
 # Of the size squared: a point that just touches the end of its rod may go on.
 _TOUCHING = 1e-9
 
 
-class Stop(Enum):
+class StopReason(Enum):
     """Why a way cannot go on."""
 
     DEAD_POINT = "dead point"
@@ -48,7 +48,7 @@ class Stop(Enum):
 
 
 @dataclass(frozen=True)
-class State:
+class PathState:
     """A position on the way: displacements q, shape (U,); tangent dq/ds; sign of the determinant; its placement."""
 
     way: float
@@ -79,7 +79,7 @@ class Continuation:
         self.start = Placement(motion.z, motion.frame, {body: np.zeros(1) for body in motion.scene.bodies})
         origin = np.zeros(self.chain.unknowns)
         jacobian = self.chain.jacobian(origin[None])[0]
-        self.origin = State(0.0, origin, self._tangent(jacobian), float(np.linalg.slogdet(jacobian)[0]), self.start)
+        self.origin = PathState(0.0, origin, self._tangent(jacobian), float(np.linalg.slogdet(jacobian)[0]), self.start)
 
     def bound(self, sizes: float, turned: float) -> None:
         """Bound the displacement of the drivers (sizes of the mechanism) and the rotation of bodies (rad)."""
@@ -92,7 +92,7 @@ class Continuation:
         fastest = float(np.max(np.abs(self.origin.tangent[self.turns]), initial=0.0))
         return fastest / self.fastest if self.fastest > 0 else np.inf
 
-    def run(self, end: float) -> tuple[list[State], Stop | None]:
+    def run(self, end: float) -> tuple[list[PathState], StopReason | None]:
         """States from the instant to beyond the given way, or to where something stops it; and what does."""
         states = [self.origin]
         sense = float(np.sign(end))
@@ -102,7 +102,7 @@ class Continuation:
             last = states[-1]
             step = min(growth * step, _STEP / max(float(np.max(np.abs(last.tangent))), 1e-9))
             found = self._step(last, last.way + sense * step)
-            if isinstance(found, State):
+            if isinstance(found, PathState):
                 states.append(found)
                 # After a failure the same step is tried twice before a longer one: the end is found by bisection.
                 growth = min(2.0, growth / _SHORTER)
@@ -112,37 +112,37 @@ class Continuation:
                 growth = _SHORTER
         return states, None
 
-    def _cause(self, stop: Stop, last: State) -> Stop:
+    def _cause(self, stop: StopReason, last: PathState) -> StopReason:
         """What stops the way: near a dead point the tangent grows beyond all bounds."""
-        if stop is Stop.LENGTH:
+        if stop is StopReason.LENGTH:
             return stop
         grown = np.max(np.abs(last.tangent)) > _BLOWN_UP * np.max(np.abs(self.origin.tangent))
-        return Stop.DEAD_POINT if grown else Stop.JOINT
+        return StopReason.DEAD_POINT if grown else StopReason.JOINT
 
-    def _step(self, last: State, way: float) -> State | Stop:
+    def _step(self, last: PathState, way: float) -> PathState | StopReason:
         """The state at the given way, or what is in its way."""
         if abs(way) > self.longest:
-            return Stop.LENGTH
+            return StopReason.LENGTH
         predicted = last.q + (way - last.way) * last.tangent
         q = self._correct(predicted, last, way)
         if q is None:
-            return Stop.DEAD_POINT
+            return StopReason.DEAD_POINT
         placement = self._placement(q)
         if np.max(np.abs(q[self.turns]), initial=0.0) > self.most_turned:
-            return Stop.LENGTH
+            return StopReason.LENGTH
         if not self._possible(placement, last.placement):
-            return Stop.JOINT
+            return StopReason.JOINT
         jacobian = self.chain.jacobian(q[None], last.placement)[0]
         sign = float(np.linalg.slogdet(jacobian)[0])
         if sign == 0.0:
-            return Stop.DEAD_POINT
+            return StopReason.DEAD_POINT
         tangent = self._tangent(jacobian)
         bend = np.max(np.abs(tangent - last.tangent)) / max(float(np.max(np.abs(last.tangent))), 1e-300)
         if not bend <= (_BEND if sign == last.sign else _STRAIGHT):
-            return Stop.DEAD_POINT
-        return State(way, q, tangent, sign, placement)
+            return StopReason.DEAD_POINT
+        return PathState(way, q, tangent, sign, placement)
 
-    def _correct(self, predicted: Vector, last: State, way: float) -> Vector | None:
+    def _correct(self, predicted: Vector, last: PathState, way: float) -> Vector | None:
         """Newton's method from the prediction; None where it does not converge or leads too far from it."""
         still = np.zeros(1)
         q: Vector = predicted
@@ -175,7 +175,7 @@ class Continuation:
         return Placement({**at.z, **self.marked(at)}, at.frame, at.turned)
 
     def marked(self, at: Placement) -> dict[str, ComplexField]:
-        """Where the places are that joints mark (contacts of wheels)."""
+        """Places (m), shape (N,) each, that joints mark and no body carries along: contacts of wheels."""
         return {name: z for joint in self.scene.joints for name, z in joint.marked(at, self.start).items()}
 
     def _possible(self, now: Placement, before: Placement) -> bool:
@@ -185,14 +185,14 @@ class Continuation:
         if not all(np.all(joint.intact(since, before)) for joint in self.scene.joints):
             return False
         return all(
-            along(now.z[towards] - now.z[start], now.z[point] - now.z[start])[0] >= -_TOUCHING * self.size**2
+            dot(now.z[towards] - now.z[start], now.z[point] - now.z[start])[0] >= -_TOUCHING * self.size**2
             for point, start, towards in self.limits
         )
 
-    def between(self, states: Sequence[State], ways: Field) -> tuple[dict[str, Field], dict[str, ComplexField]]:
+    def between(self, states: Sequence[PathState], ways: Field) -> tuple[dict[str, Field], dict[str, ComplexField]]:
         """Rotations of bodies (rad) and places of points (m) at the given ways, all within the states; shape (K,) each.
 
-        Each is interpolated between two neighbours of the pursuit and corrected by Newton's method, all at once.
+        Each is interpolated between two neighbours on the path and corrected by Newton's method, all at once.
         """
         knots = np.array([state.way for state in states])
         index = np.asarray(np.clip(np.searchsorted(knots, ways, side="right") - 1, 0, max(len(states) - 2, 0)), np.intp)
@@ -213,7 +213,7 @@ class Continuation:
         flat = {name: z[:, 0] if z.ndim == 2 else np.broadcast_to(z, len(ways)) for name, z in places.items()}
         return {body: turn[:, 0] for body, turn in at.turned.items()}, flat
 
-    def _interpolated(self, states: Sequence[State], knots: Field, index: NDArray[np.intp], ways: Field) -> Vector:
+    def _interpolated(self, states: Sequence[PathState], knots: Field, index: NDArray[np.intp], ways: Field) -> Vector:
         """Cubic interpolation with the tangents."""
         table, slopes = np.array([s.q for s in states]), np.array([s.tangent for s in states])
         if len(states) == 1:
@@ -226,10 +226,10 @@ class Continuation:
         result: Vector = first + t * rise + t * (1 - t) * ((1 - t) * a + t * b)
         return result
 
-    def _gathered(self, states: Sequence[State], index: NDArray[np.intp]) -> Placement:
+    def _gathered(self, states: Sequence[PathState], index: NDArray[np.intp]) -> Placement:
         """The placements of the chosen states as one, shape (K, 1)."""
 
-        def gather(table: Callable[[State], Mapping[str, ComplexField]]) -> dict[str, ComplexField]:
+        def gather(table: Callable[[PathState], Mapping[str, ComplexField]]) -> dict[str, ComplexField]:
             names = table(states[0])
             return {name: np.array([np.ravel(table(s)[name])[0] for s in states])[index][:, None] for name in names}
 

@@ -26,7 +26,7 @@ _PATTERNS = ((1.0, -1.0), (1.0, 1.0, -1.0, -1.0))  # signs of the changes of suc
 
 
 def near_singular(motion: Motion) -> NDArray[np.int64]:
-    """Indices of the solved variants that are near a dead or a change point."""
+    """Indices of the solved variants that are near a dead or a change point, shape (K,)."""
     return np.flatnonzero(motion.solved & (motion.transmission < _NEAR))
 
 

@@ -12,66 +12,66 @@ from typing import TypeAlias
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Real
-from variantgen.mechanism.linear import Assembly
+from variantgen.mechanism.linear import ScaledEquation
 from variantgen.mechanism.rows import Row, ScalarRow, VectorRow
 from variantgen.mechanism.structure import Closure, Equation, FreePoint, GivenPoint, GuidedPoint, Plan, RigidPoint, Step
 
-Form: TypeAlias = dict[int, Complex]
+LinearForm: TypeAlias = dict[int, Complex]
 Rows: TypeAlias = list[tuple[Row, ...]]
-Side: TypeAlias = tuple[Real, Real]
+RightHandSide: TypeAlias = tuple[Real, Real]
 
 
 @dataclass(frozen=True)
-class _Reached:
+class _PoleStep:
     """What a step adds: ``form``, the velocity of its point less that of its pole by unknown; ``arm`` (m), from the
     pole to the point where both belong to a body.
     """
 
-    form: Form
+    form: LinearForm
     arm: Complex = 0.0
 
 
-def _reached(step: Step, rows: Rows, z: Mapping[str, Complex], plan: Plan) -> _Reached:
+def _pole_step(step: Step, rows: Rows, z: Mapping[str, Complex], plan: Plan) -> _PoleStep:
     match step:
         case RigidPoint(point, body, pole):
             arm = z[point] - z[pole]
-            return _Reached({plan.omega[body]: 1j * arm}, arm)
+            return _PoleStep({plan.omega[body]: 1j * arm}, arm)
         case GivenPoint(_, constraint, number, _):
             row = rows[constraint][number]
             assert isinstance(row, VectorRow)
-            return _Reached({plan.omega[body]: c for body, c in row.bodies.items()})
+            return _PoleStep({plan.omega[body]: c for body, c in row.bodies.items()})
         case GuidedPoint(point, constraint, number, unknown, _):
             row = rows[constraint][number]
             assert isinstance(row, ScalarRow)
-            return _Reached({unknown: -1j * row.points[point]})
+            return _PoleStep({unknown: -1j * row.points[point]})
         case FreePoint(_, x, y, _):
-            return _Reached({x: 1.0, y: 1.0j})
+            return _PoleStep({x: 1.0, y: 1.0j})
 
 
-class Velocities:
+class VelocityForms:
     """The velocities of the points of a placed scene as linear forms."""
 
     def __init__(self, plan: Plan, rows: Rows, z: Mapping[str, Complex]) -> None:
         self.plan, self._rows = plan, rows
         closures = [equation.step for equation in plan.equations if isinstance(equation, Closure)]
-        self._reached = {step: _reached(step, rows, z, plan) for step in dict.fromkeys((*plan.steps, *closures))}
-        self._forms: dict[str, Form] = {}
+        self._reached = {step: _pole_step(step, rows, z, plan) for step in dict.fromkeys((*plan.steps, *closures))}
+        self._forms: dict[str, LinearForm] = {}
         for step in plan.steps:
             self._forms[step.point] = self._form(step)
-        self._closed: dict[Step, tuple[Form, dict[int, Real]]] = {}
+        self._closed: dict[Step, tuple[LinearForm, dict[int, Real]]] = {}
 
     def arm(self, step: Step) -> Complex:
         """From the pole to the point of a step along a body (m)."""
         return self._reached[step].arm
 
-    def _form(self, step: Step) -> Form:
+    def _form(self, step: Step) -> LinearForm:
         """The velocity of the point of a step, through its pole."""
         form = dict(self._forms[step.pole]) if step.pole else {}
         for unknown, coefficient in self._reached[step].form.items():
             form[unknown] = form[unknown] + coefficient if unknown in form else coefficient
         return form
 
-    def _closing(self, step: GivenPoint | RigidPoint) -> tuple[Form, dict[int, Real]]:
+    def _closing(self, step: GivenPoint | RigidPoint) -> tuple[LinearForm, dict[int, Real]]:
         """The first expression for the velocity of a point less the second one; sizes before cancellation."""
         if step not in self._closed:
             form = dict(self._forms[step.point])
@@ -82,12 +82,12 @@ class Velocities:
             self._closed[step] = form, sizes
         return self._closed[step]
 
-    def equation(self, equation: Equation) -> Assembly:
+    def equation(self, equation: Equation) -> ScaledEquation:
         """Coefficients of one equation by unknown, and their size before cancellation."""
         if isinstance(equation, Closure):
             form, sizes = self._closing(equation.step)
             part = np.imag if equation.part else np.real
-            return Assembly({unknown: part(c) for unknown, c in form.items()}, sizes)
+            return ScaledEquation({unknown: part(c) for unknown, c in form.items()}, sizes)
         coefficients: dict[int, Real] = {}
         magnitudes: dict[int, Real] = {}
 
@@ -103,9 +103,9 @@ class Velocities:
                 add(unknown, np.real(product), np.abs(product))
         for body, k in row.bodies.items():
             add(self.plan.omega[body], k, np.abs(k))
-        return Assembly(coefficients, magnitudes)
+        return ScaledEquation(coefficients, magnitudes)
 
-    def points(self, values: Mapping[int, Real], drifts: Drifts | None = None) -> dict[str, Complex]:
+    def points(self, values: Mapping[int, Real], drifts: QuadraticTerms | None = None) -> dict[str, Complex]:
         """Velocities (or, with the quadratic terms, accelerations) of the points, pole by pole."""
         found: dict[str, Complex] = {}
         for step in self.plan.steps:
@@ -116,11 +116,11 @@ class Velocities:
         return found
 
 
-class Drifts:
+class QuadraticTerms:
     """The quadratic parts of the accelerations, for known velocities: ``extra`` are the terms of the constraints."""
 
     def __init__(
-        self, velocities: Velocities, rows: Rows, extra: list[tuple[Complex, ...]], omega: Mapping[str, Real]
+        self, velocities: VelocityForms, rows: Rows, extra: list[tuple[Complex, ...]], omega: Mapping[str, Real]
     ) -> None:
         self._velocities, self._rows, self._extra = velocities, rows, extra
         self._squares = {body: -(rate**2) for body, rate in omega.items()}
@@ -160,7 +160,7 @@ class Drifts:
             self._closed[step] = again - known, np.abs(again) + np.abs(known)
         return self._closed[step]
 
-    def side(self, equation: Equation, rate: Real) -> Side:
+    def side(self, equation: Equation, rate: Real) -> RightHandSide:
         """Right-hand side of an equation for accelerations with its prescribed ``rate``, and the size of its terms."""
         if isinstance(equation, Closure):
             gap, size = self._closing(equation.step)

@@ -15,7 +15,7 @@ SINGULAR = 1e-9
 
 
 @dataclass(frozen=True)
-class Assembly:
+class ScaledEquation:
     """One equation: coefficient by unknown, and the size of each before cancellation (for scaling)."""
 
     coefficients: dict[int, Real]
@@ -23,7 +23,7 @@ class Assembly:
 
 
 @dataclass(frozen=True)
-class Sine:
+class ScaledDeterminant:
     """Scaled determinant of a block in [0, 1], and whether it is far enough from zero to divide by."""
 
     value: Real
@@ -31,11 +31,11 @@ class Sine:
 
 
 def solve_block(
-    equations: Sequence[Assembly],
+    equations: Sequence[ScaledEquation],
     unknowns: Sequence[int],
     sides: Sequence[tuple[Real, Real]],
-    known: Sine | None = None,
-) -> tuple[dict[int, Real], Sine]:
+    known: ScaledDeterminant | None = None,
+) -> tuple[dict[int, Real], ScaledDeterminant]:
     """Solve a block of any size; ``sides`` are right-hand sides with the sizes of their terms.
 
     ``known`` is what an earlier solution with the same coefficients said of them.
@@ -47,34 +47,34 @@ def solve_block(
     return _solve_many(equations, unknowns, sides, known)
 
 
-def _sine(determinant: Real, scale: Real) -> Sine:
+def _scaled_determinant(determinant: Real, scale: Real) -> ScaledDeterminant:
     present = np.asarray(scale) > 0
     value = np.where(present, np.abs(determinant) / np.where(present, scale, 1.0), 0.0)
-    return Sine(np.minimum(value, 1.0), value > SINGULAR)
+    return ScaledDeterminant(np.minimum(value, 1.0), value > SINGULAR)
 
 
 def _solve_one(
-    equation: Assembly, unknown: int, side: tuple[Real, Real], known: Sine | None
-) -> tuple[dict[int, Real], Sine]:
+    equation: ScaledEquation, unknown: int, side: tuple[Real, Real], known: ScaledDeterminant | None
+) -> tuple[dict[int, Real], ScaledDeterminant]:
     a = equation.coefficients[unknown]
-    sine = known or _sine(a, equation.sizes[unknown])
+    sine = known or _scaled_determinant(a, equation.sizes[unknown])
     # Adding 0.0 turns a negative zero into zero.
     return {unknown: snap_to_zero(*side) / np.where(sine.regular, a, 1.0) + 0.0}, sine
 
 
 def _solve_two(
-    equations: Sequence[Assembly],
+    equations: Sequence[ScaledEquation],
     unknowns: Sequence[int],
     sides: Sequence[tuple[Real, Real]],
-    known: Sine | None,
-) -> tuple[dict[int, Real], Sine]:
+    known: ScaledDeterminant | None,
+) -> tuple[dict[int, Real], ScaledDeterminant]:
     """Cramer's rule; numerators that are nothing but rounding become exact zeros."""
     first, second = equations
     j, k = unknowns
     a, b = first.coefficients.get(j, 0.0), first.coefficients.get(k, 0.0)
     c, d = second.coefficients.get(j, 0.0), second.coefficients.get(k, 0.0)
     determinant = a * d - b * c
-    sine = known or _sine(determinant, _scale(equations, unknowns))
+    sine = known or _scaled_determinant(determinant, _scale(equations, unknowns))
     determinant = np.where(sine.regular, determinant, 1.0)
     (p, p_size), (q, q_size) = sides
     x = snap_to_zero(p * d - q * b, p_size * np.abs(d) + q_size * np.abs(b)) / determinant
@@ -82,7 +82,7 @@ def _solve_two(
     return {j: x + 0.0, k: y + 0.0}, sine
 
 
-def _scale(equations: Sequence[Assembly], unknowns: Sequence[int]) -> Real:
+def _scale(equations: Sequence[ScaledEquation], unknowns: Sequence[int]) -> Real:
     """Product of the column sizes and of the row sizes that remain after the columns are scaled to one."""
     columns = [_largest([e.sizes.get(u, 0.0) for e in equations]) for u in unknowns]
     result: Real = reduce(np.multiply, columns)
@@ -104,11 +104,11 @@ def _largest(values: Sequence[Real]) -> Real:
 
 
 def _solve_many(
-    equations: Sequence[Assembly],
+    equations: Sequence[ScaledEquation],
     unknowns: Sequence[int],
     sides: Sequence[tuple[Real, Real]],
-    known: Sine | None,
-) -> tuple[dict[int, Real], Sine]:
+    known: ScaledDeterminant | None,
+) -> tuple[dict[int, Real], ScaledDeterminant]:
     """LU of the scaled matrix, for groups of links that no dyad opens."""
     entries = [[np.asarray(e.coefficients.get(u, 0.0)) for u in unknowns] for e in equations]
     sizes = [[np.asarray(e.sizes.get(u, 0.0)) for u in unknowns] for e in equations]
@@ -124,7 +124,7 @@ def _solve_many(
     matrix = matrix / row
     if known is None:
         smallest = np.linalg.svd(matrix, compute_uv=False)[..., -1]
-        known = Sine(np.minimum(smallest, 1.0), smallest > SINGULAR)
+        known = ScaledDeterminant(np.minimum(smallest, 1.0), smallest > SINGULAR)
     safe = np.where(np.asarray(known.regular)[..., None, None], matrix, np.eye(len(unknowns)))
     b = np.stack([np.broadcast_to(x, shape) for x in right], axis=-1)[..., None] / row
     x = np.linalg.solve(safe, b)[..., 0] / column[..., 0, :]

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from variantgen.mechanism.rows import Placement, ScalarRow, Sliding
+from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
 from variantgen.mechanism.scene import Scene, fixed_points
 
 
@@ -61,8 +61,24 @@ class Linkage:
         found: dict[str, complex] = {}
         for joint in self.scene.joints:
             for shape, row in zip(joint.shapes(), joint.rows(at), strict=True):
-                alone = len(shape.points) == 1 and not shape.bodies and shape.lead is None
+                alone = len(shape.points) == 1 and not shape.bodies and shape.given_point is None
                 if alone and not joint.landmarks() and isinstance(row, ScalarRow):
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))
         return found
+
+
+def driven_body(driver: Constraint) -> str | None:
+    """The body whose own rotation a driver gives; None for any other driver."""
+    match driver.shapes():
+        case (Shape((), (body,)),):
+            return body
+    return None
+
+
+def driven_point(driver: Constraint) -> str | None:
+    """The point whose own motion a driver gives, as a vector (two rows) or along its path (one); None for any other."""
+    match tuple(set(driver.shapes())):
+        case (Shape((point,), ()),):
+            return point
+    return None

@@ -58,7 +58,7 @@ class Motion:
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:
-        """The variants chosen by an index or a mask."""
+        """The variants chosen by indices, shape (K,), or a mask, shape (N,)."""
 
         def cut(table: Mapping[str, Any]) -> dict[str, Any]:
             return {name: values[index] for name, values in table.items()}
@@ -84,7 +84,7 @@ def largest_change(
     length: Field,
     least: Field | float = 0.0,
 ) -> Field:
-    """Largest difference of two tables of velocities (or accelerations), relative to the largest of the first, (N,).
+    """Largest difference of two tables of velocities or accelerations by the largest of the first, shape (N,).
 
     Rates of bodies count times the ``length`` of the mechanism. The largest is taken to be ``least`` at least: where
     all are nothing but rounding there is nothing to compare with.

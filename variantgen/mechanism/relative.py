@@ -10,7 +10,7 @@ from variantgen.mechanism.scene import Scene
 
 
 @dataclass(frozen=True)
-class Relative:
+class RelativeMotion:
     """Motion of a point relative to a body, shape (N,) each: ``a = a_transport + relative + coriolis``.
 
     ``velocity`` ``v_rel = v - v_transport`` (m/s); ``acceleration`` ``a_rel`` (m/s^2); ``coriolis``
@@ -29,14 +29,14 @@ def sliding_points(scene: Scene) -> dict[str, str]:
     return {slide.point: slide.body for slide in Linkage(scene).slides}
 
 
-def relative_motion(motion: Motion, point: str, body: str) -> Relative:
+def relative_motion(motion: Motion, point: str, body: str) -> RelativeMotion:
     """Relative, transport and Coriolis parts of the motion of a point with respect to a body."""
     pole = motion.scene.bodies[body][0]
     d = motion.z[point] - motion.z[pole]
     omega = motion.omega[body]
     velocity = motion.v[point] - (motion.v[pole] + 1j * omega * d)
     if not motion.a:
-        return Relative(body, velocity, None, None)
+        return RelativeMotion(body, velocity, None, None)
     coriolis = 2j * omega * velocity
     transport = motion.a[pole] + (1j * motion.epsilon[body] - omega**2) * d
-    return Relative(body, velocity, motion.a[point] - transport - coriolis, coriolis)
+    return RelativeMotion(body, velocity, motion.a[point] - transport - coriolis, coriolis)

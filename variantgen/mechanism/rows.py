@@ -13,7 +13,7 @@ from typing import Protocol, TypeAlias
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, from_parts, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, from_parts, unit_vector
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Frame:
 
     def direction(self, angle: Real) -> Complex:
         """Unit vector on paper of a direction given in the scene's own frame (rad)."""
-        return self.place(unit(angle))
+        return self.place(unit_vector(angle))
 
 
 @dataclass(frozen=True)
@@ -71,12 +71,12 @@ class Speeds:
 class Shape:
     """Which points and bodies a row couples.
 
-    ``lead`` names the point whose velocity a vector row gives, ``pole`` the point whose velocity it starts from.
+    ``given_point`` names the point whose velocity a vector row gives, ``pole`` the point whose velocity it starts from.
     """
 
     points: tuple[str, ...] = ()
     bodies: tuple[str, ...] = ()
-    lead: str | None = None
+    given_point: str | None = None
     pole: str | None = None
 
 
@@ -158,7 +158,7 @@ class Sliding:
 
 
 @dataclass(frozen=True)
-class Contact:
+class BodyContact:
     """Two bodies touch at a place (m) without slip; each is given by its name and one of its points.
 
     ``other`` is None where the first touches something at rest.
@@ -170,7 +170,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class Circle:
+class JointCircle:
     """A circle that rolls, meshes or carries a rope: about a point, of a ``body`` ("" where it is at rest or free)."""
 
     centre: str
@@ -181,11 +181,11 @@ class Circle:
 class Pair(Constraint, Protocol):
     """What a joint tells besides its constraint."""
 
-    def contact_at(self, at: Placement) -> Contact | None:
+    def contact_at(self, at: Placement) -> BodyContact | None:
         """Where two bodies touch without slip, if they do."""
         ...
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """The circles of wheels, gears, pulleys that the joint takes for granted (m)."""
         ...
 
@@ -241,11 +241,11 @@ class Joint:
         """Which point slides on which moving body (a sleeve or a slot says)."""
         return None
 
-    def contact_at(self, at: Placement) -> Contact | None:
+    def contact_at(self, at: Placement) -> BodyContact | None:
         """Where two bodies touch without slip (rolling and gears say)."""
         return None
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """None (rolling, gears and ropes say)."""
         return ()
 

@@ -93,7 +93,7 @@ def references(component: Any, kind: str) -> tuple[str, ...]:
 def fixed_points(scene: Scene) -> set[str]:
     """Points that a joint holds in place by itself."""
     shapes = [shape for joint in scene.joints for shape in joint.shapes()]
-    return {shape.lead for shape in shapes if shape.lead and not shape.bodies and len(shape.points) == 1}
+    return {shape.given_point for shape in shapes if shape.given_point and not shape.bodies and len(shape.points) == 1}
 
 
 def label(component: Any) -> str:

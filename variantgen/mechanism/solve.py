@@ -14,8 +14,8 @@ from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.assembly import assemble
 from variantgen.mechanism.constructions.near import Near
 from variantgen.mechanism.digits import decided_by_rounding, near_singular
-from variantgen.mechanism.forms import Drifts, Velocities
-from variantgen.mechanism.linear import Assembly, Sine, solve_block
+from variantgen.mechanism.forms import QuadraticTerms, VelocityForms
+from variantgen.mechanism.linear import ScaledDeterminant, ScaledEquation, solve_block
 from variantgen.mechanism.memory import keep_freed_memory
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
@@ -31,15 +31,15 @@ def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
     """Solve a scene: ``order`` 0 gives positions, 1 also velocities, 2 also accelerations.
 
     ``plan`` is the scene's structure if it is known already. Raises InputError for a scene that is under- or
-    over-determined; what happens to single variants is told by ``Motion.outcome``.
+    over-determined; ``Motion.outcome`` says what happened to single variants.
     """
     plan = plan or analyse(scene)
     places, outcome = place(scene, plan)
     motion = _batch(scene, places, outcome)
-    return _without_the_blind(add_speeds(motion, plan, order), plan, order) if order else motion
+    return _mark_undecidable(add_speeds(motion, plan, order), plan, order) if order else motion
 
 
-def _without_the_blind(motion: Motion, plan: Plan, order: int) -> Motion:
+def _mark_undecidable(motion: Motion, plan: Plan, order: int) -> Motion:
     """The motion with the outcome of a dead point where the last bits of the data decide what it is."""
     near = near_singular(motion)
     if not near.size:
@@ -122,7 +122,7 @@ class Equations:
         scene, shape = motion.scene, motion.outcome.shape
         self._plan, self._at = plan, Placement(motion.z, scene.frame)
         self._rows = [constraint.rows(self._at) for constraint in scene.constraints]
-        self._velocities = Velocities(plan, self._rows, motion.z)
+        self._velocities = VelocityForms(plan, self._rows, motion.z)
         self._assembly = [self._velocities.equation(equation) for equation in plan.equations]
         rates = _rates(scene, plan, 1)
         values, self._sines = _solve_blocks(plan, self._assembly, [(rate, np.abs(rate)) for rate in rates])
@@ -147,7 +147,7 @@ class Equations:
             motion.outcome.shape, *(np.shape(x) for x in (*known.v.values(), *known.omega.values()))
         )
         extra = [constraint.quadratic(self._at, known) for constraint in motion.scene.constraints]
-        drifts = Drifts(self._velocities, self._rows, extra, known.omega)
+        drifts = QuadraticTerms(self._velocities, self._rows, extra, known.omega)
         right = [drifts.side(*item) for item in zip(plan.equations, _rates(motion.scene, plan, 2), strict=True)]
         values, _ = _solve_blocks(plan, self._assembly, right, self._sines)
         return replace(
@@ -172,11 +172,11 @@ def _rates(scene: Scene, plan: Plan, order: int) -> list[Real]:
 
 
 def _solve_blocks(
-    plan: Plan, assembly: list[Assembly], right: list[tuple[Real, Real]], known: Sequence[Sine] = ()
-) -> tuple[dict[int, Real], list[Sine]]:
+    plan: Plan, assembly: list[ScaledEquation], right: list[tuple[Real, Real]], known: Sequence[ScaledDeterminant] = ()
+) -> tuple[dict[int, Real], list[ScaledDeterminant]]:
     """Values of all unknowns, block by block, and how regular each block is (``known`` from an earlier solution)."""
     values: dict[int, Real] = {}
-    sines: list[Sine] = []
+    sines: list[ScaledDeterminant] = []
     for number, block in enumerate(plan.blocks):
         sides = []
         for e in block.equations:

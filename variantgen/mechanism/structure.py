@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.mechanism.blocks import indeterminate, triangular_blocks
-from variantgen.mechanism.placing import placing_order
+from variantgen.mechanism.placing_order import placing_order
 from variantgen.mechanism.rows import Shape
 from variantgen.mechanism.scene import Scene, label
 from variantgen.mechanism.scene_errors import check_scene
@@ -105,7 +105,7 @@ def _remedy(scene: Scene, equation: Equation) -> str:
 
 
 @dataclass(frozen=True)
-class Block:
+class EquationBlock:
     """Equations and unknowns (numbers) that are solved together."""
 
     equations: tuple[int, ...]
@@ -127,7 +127,7 @@ class Plan:
     unknowns: tuple[str, ...]
     omega: dict[str, int]
     equations: tuple[Equation, ...]
-    blocks: tuple[Block, ...]
+    blocks: tuple[EquationBlock, ...]
 
 
 def analyse(scene: Scene) -> Plan:
@@ -138,31 +138,31 @@ def analyse(scene: Scene) -> Plan:
     """
     check_scene(scene)
     placing, together, later = placing_order(scene)
-    reach = _Reach(scene)
-    reach.run()
-    depends = _dependencies(scene, reach)
-    blocks, free, surplus = triangular_blocks(depends, len(reach.unknowns))
+    search = _PoleSearch(scene)
+    search.run()
+    depends = _dependencies(scene, search)
+    blocks, free, surplus = triangular_blocks(depends, len(search.unknowns))
     if free or surplus:
         raise InputError(
             indeterminate(
-                [reach.unknowns[i] for i in sorted(free)],
-                [_equation_name(scene, reach.equations[i]) for i in sorted(surplus)],
-                [text for i in sorted(surplus) if (text := _remedy(scene, reach.equations[i]))],
+                [search.unknowns[i] for i in sorted(free)],
+                [_equation_name(scene, search.equations[i]) for i in sorted(surplus)],
+                [text for i in sorted(surplus) if (text := _remedy(scene, search.equations[i]))],
             )
         )
     return Plan(
         placing,
         together,
         later,
-        tuple(reach.steps),
-        tuple(reach.unknowns),
-        reach.omega,
-        tuple(reach.equations),
-        tuple(Block(*block) for block in blocks),
+        tuple(search.steps),
+        tuple(search.unknowns),
+        search.omega,
+        tuple(search.equations),
+        tuple(EquationBlock(*block) for block in blocks),
     )
 
 
-class _Reach:
+class _PoleSearch:
     """Works out through which poles each material point is reached; collects steps, unknowns and equations."""
 
     def __init__(self, scene: Scene) -> None:
@@ -178,26 +178,31 @@ class _Reach:
         self.omega = {body: i for i, body in enumerate(scene.bodies)}
         self.reached: dict[str, None] = {}
         self._open_bodies = list(scene.bodies)
-        self._open_leads = [(c, r, s) for c, r, s in self.shapes if s.lead is not None]
+        self._open_vector_rows = [(c, r, s) for c, r, s in self.shapes if s.given_point is not None]
         self._consumed: set[tuple[int, int]] = set()
 
     def run(self) -> None:
         """Reach every material point, nearest to the drivers first."""
-        self._lead(fixed=True)
+        self._add_given_points(fixed=True)
         for point in self._driven_points():
-            self._slide(point)
-        while self._carry(known=True) or self._lead(fixed=False) or self._carry(known=False) or self._seed():
+            self._add_guided_point(point)
+        while (
+            self._add_rigid_points(known=True)
+            or self._add_given_points(fixed=False)
+            or self._add_rigid_points(known=False)
+            or self._add_free_point()
+        ):
             pass
         self.equations += [
-            RowEquation(c, r) for c, r, s in self.shapes if s.lead is None and (c, r) not in self._consumed
+            RowEquation(c, r) for c, r, s in self.shapes if s.given_point is None and (c, r) not in self._consumed
         ]
 
-    def _single(self, point: str) -> list[tuple[int, int]]:
+    def _single_point_rows(self, point: str) -> list[tuple[int, int]]:
         """Scalar rows on this point alone."""
         return [
             (c, r)
             for c, r, s in self.shapes
-            if s.lead is None and s.points == (point,) and not s.bodies and (c, r) not in self._consumed
+            if s.given_point is None and s.points == (point,) and not s.bodies and (c, r) not in self._consumed
         ]
 
     def _driven_points(self) -> list[str]:
@@ -208,34 +213,34 @@ class _Reach:
             if c >= first_driver and len(s.points) == 1 and not s.bodies and s.points[0] not in self.reached
         ]
 
-    def _slide(self, point: str) -> bool:
+    def _add_guided_point(self, point: str) -> bool:
         """Let a point slide along its guide (not along a driver's row, which gives a magnitude)."""
-        guides = [(c, r) for c, r in self._single(point) if c < len(self.scene.joints)]
+        guides = [(c, r) for c, r in self._single_point_rows(point) if c < len(self.scene.joints)]
         if point in self.reached or not guides:
             return False
         self._consumed.add(guides[0])
         self.unknowns.append(f"slide of {point}")
-        self._take(GuidedPoint(point, *guides[0], len(self.unknowns) - 1))
+        self._add_step(GuidedPoint(point, *guides[0], len(self.unknowns) - 1))
         return True
 
-    def _take(self, step: Step) -> None:
+    def _add_step(self, step: Step) -> None:
         if step.point not in self.reached:
             self.reached[step.point] = None
             self.steps.append(step)
         elif isinstance(step, GivenPoint | RigidPoint):
             self.equations += [Closure(step, 0), Closure(step, 1)]
 
-    def _lead(self, fixed: bool) -> bool:
-        for item in self._open_leads:
+    def _add_given_points(self, fixed: bool) -> bool:
+        for item in self._open_vector_rows:
             c, r, shape = item
-            ready = all(p in self.reached for p in shape.points if p != shape.lead)
-            if ready and (not fixed or not shape.bodies) and shape.lead is not None:
-                self._open_leads.remove(item)
-                self._take(GivenPoint(shape.lead, c, r, shape.pole))
-                return self._lead(fixed) or True
+            ready = all(p in self.reached for p in shape.points if p != shape.given_point)
+            if ready and (not fixed or not shape.bodies) and shape.given_point is not None:
+                self._open_vector_rows.remove(item)
+                self._add_step(GivenPoint(shape.given_point, c, r, shape.pole))
+                return self._add_given_points(fixed) or True
         return False
 
-    def _carry(self, known: bool) -> bool:
+    def _add_rigid_points(self, known: bool) -> bool:
         for body in self._open_bodies:
             members = self.scene.bodies[body]
             pole = next((p for p in self.reached if p in members), None)
@@ -244,28 +249,28 @@ class _Reach:
             self._open_bodies.remove(body)
             for point in members:
                 if point != pole:
-                    self._take(RigidPoint(point, body, pole))
+                    self._add_step(RigidPoint(point, body, pole))
             return True
         return False
 
     def _rotation_known(self, body: str) -> bool:
-        return any(s.lead is None and not s.points and s.bodies == (body,) for _, _, s in self.shapes)
+        return any(s.given_point is None and not s.points and s.bodies == (body,) for _, _, s in self.shapes)
 
-    def _seed(self) -> bool:
+    def _add_free_point(self) -> bool:
         """Nothing can be reached any more: start from another point, one with a guide if there is one."""
         waiting = [p for body in self._open_bodies for p in self.scene.bodies[body]]
         waiting += [p for _, _, s in self.shapes for p in s.points]
         waiting = [p for p in dict.fromkeys(waiting) if p not in self.reached]
         if not waiting:
             return False
-        if not any(self._slide(point) for point in waiting):
+        if not any(self._add_guided_point(point) for point in waiting):
             point = waiting[0]
             self.unknowns += [f"velocity of {point} along x", f"velocity of {point} along y"]
-            self._take(FreePoint(point, len(self.unknowns) - 2, len(self.unknowns) - 1))
+            self._add_step(FreePoint(point, len(self.unknowns) - 2, len(self.unknowns) - 1))
         return True
 
 
-def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
+def _dependencies(scene: Scene, search: _PoleSearch) -> list[set[int]]:
     """Unknowns in each equation."""
     forms: dict[str, set[int]] = {}
 
@@ -274,22 +279,22 @@ def _dependencies(scene: Scene, reach: _Reach) -> list[set[int]]:
         match step:
             case GivenPoint(_, c, r, _):
                 shape = scene.constraints[c].shapes()[r]
-                own = {reach.omega[b] for b in shape.bodies}
-                return own.union(*(forms[p] for p in shape.points if p != shape.lead))
+                own = {search.omega[b] for b in shape.bodies}
+                return own.union(*(forms[p] for p in shape.points if p != shape.given_point))
             case GuidedPoint(_, _, _, unknown, _):
                 return {unknown}
             case FreePoint(_, x, y, _):
                 return {x, y}
             case RigidPoint(_, body, pole):
-                return forms[pole] | {reach.omega[body]}
+                return forms[pole] | {search.omega[body]}
 
-    for step in reach.steps:
+    for step in search.steps:
         forms[step.point] = through(step)
     found = []
-    for equation in reach.equations:
+    for equation in search.equations:
         if isinstance(equation, Closure):
             found.append(forms[equation.step.point] | through(equation.step))
         else:
             shape = scene.constraints[equation.constraint].shapes()[equation.row]
-            found.append({reach.omega[b] for b in shape.bodies}.union(*(forms[p] for p in shape.points)))
+            found.append({search.omega[b] for b in shape.bodies}.union(*(forms[p] for p in shape.points)))
     return found

@@ -14,7 +14,7 @@ from enum import Enum
 
 import numpy as np
 
-from variantgen.mechanism.continuation import Continuation, State, Stop
+from variantgen.mechanism.continuation import Continuation, PathState, StopReason
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint
@@ -32,7 +32,7 @@ _CLOSER = (0.5, 0.25, 0.1, 0.03, 0.01)
 _BLIND = 1e-6
 
 
-class End(Enum):
+class SweepEnd(Enum):
     """Why the way ends: a turn is complete, a dead point, a joint at its limit, or it is long enough."""
 
     TURN = "turn"
@@ -62,8 +62,8 @@ class Sweep:
     way: Field
     turned: Mapping[str, Field]
     instant: int
-    lead: LeadingDriver
-    ends: tuple[End, End]
+    leading_driver: LeadingDriver
+    ends: tuple[SweepEnd, SweepEnd]
 
     @property
     def clear(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
@@ -73,7 +73,7 @@ class Sweep:
     @property
     def closed(self) -> bool:
         """Whether all bodies are back where they were after a full turn."""
-        if End.TURN not in self.ends:
+        if SweepEnd.TURN not in self.ends:
             return False
         gaps = [abs(z[-1] - z[0]) for z in self.motion.z.values()]
         return bool(max(gaps) < 1e-7 * float(self.motion.length_scale()[0]))
@@ -94,23 +94,23 @@ def sweep(
     """
     if motion.size != 1 or not motion.solved[0]:
         raise ValueError("a sweep starts from one solved variant")
-    lead, rates = leading(motion.scene)
-    continuation = Continuation(motion, rates / lead.rate, limits)
-    whole = lead.angular
+    leading_driver, rates = find_leading_driver(motion.scene)
+    continuation = Continuation(motion, rates / leading_driver.rate, limits)
+    whole = leading_driver.angular
     if whole:
         continuation.bound(_LONG, np.inf)
     else:
         continuation.bound(_LONG if continuation.turning * _LONG > 0.5 * FULL_TURN else _FARTHEST, 0.5 * FULL_TURN)
-    low, high = _reach(continuation, before, whole)
+    low, high = _trace(continuation, before, whole)
     ways, instant = _ways(low, high, samples)
     states = [*reversed(low.states[1:]), *high.states]
     turned, places = continuation.between(states, ways)
     moved = _moved(motion, places, len(ways))
     ends = _end(low, whole), _end(high, whole)
-    return Sweep(add_speeds(moved, plan, 2), ways, turned, instant, lead, ends)
+    return Sweep(add_speeds(moved, plan, 2), ways, turned, instant, leading_driver, ends)
 
 
-def leading(scene: Scene) -> tuple[LeadingDriver, Field]:
+def find_leading_driver(scene: Scene) -> tuple[LeadingDriver, Field]:
     """The leading driver, and the rates of the rows of all drivers (per second, shape (D,)).
 
     Raises ValueError where no driver moves.
@@ -131,21 +131,21 @@ def _is_angular(driver: Constraint) -> bool:
 
 
 @dataclass(frozen=True)
-class _Reach:
+class _Traced:
     """States from the instant outwards, the way that they cover, and what stopped it (None: it was long enough)."""
 
-    states: list[State]
+    states: list[PathState]
     way: float
-    stop: Stop | None
+    stop: StopReason | None
 
 
-def _run(continuation: Continuation, wanted: float) -> _Reach:
+def _run(continuation: Continuation, wanted: float) -> _Traced:
     """The way to a wanted place, or as far as it goes."""
     states, stop = continuation.run(wanted)
-    return _Reach(states, wanted if stop is None else states[-1].way, stop)
+    return _Traced(states, wanted if stop is None else states[-1].way, stop)
 
 
-def _reach(continuation: Continuation, before: float, whole: bool) -> tuple[_Reach, _Reach]:
+def _trace(continuation: Continuation, before: float, whole: bool) -> tuple[_Traced, _Traced]:
     """The way below and above the instant; together at most a full turn."""
     if not whole:
         return _run(continuation, -continuation.longest), _run(continuation, continuation.longest)
@@ -157,13 +157,17 @@ def _reach(continuation: Continuation, before: float, whole: bool) -> tuple[_Rea
     return low, high
 
 
-def _end(reach: _Reach, whole: bool) -> End:
-    if reach.stop is None:
-        return End.TURN if whole else End.LENGTH
-    return {Stop.DEAD_POINT: End.DEAD_POINT, Stop.JOINT: End.JOINT, Stop.LENGTH: End.LENGTH}[reach.stop]
+def _end(traced: _Traced, whole: bool) -> SweepEnd:
+    if traced.stop is None:
+        return SweepEnd.TURN if whole else SweepEnd.LENGTH
+    return {
+        StopReason.DEAD_POINT: SweepEnd.DEAD_POINT,
+        StopReason.JOINT: SweepEnd.JOINT,
+        StopReason.LENGTH: SweepEnd.LENGTH,
+    }[traced.stop]
 
 
-def _ways(low: _Reach, high: _Reach, samples: int) -> tuple[Field, int]:
+def _ways(low: _Traced, high: _Traced, samples: int) -> tuple[Field, int]:
     """Places on the way, evenly on both sides of the instant and closer towards a dead point; index of the instant."""
     length = high.way - low.way
     share = int(np.clip(round((samples - 1) * high.way / length), 0, samples - 1)) if length else 0
@@ -172,15 +176,15 @@ def _ways(low: _Reach, high: _Reach, samples: int) -> tuple[Field, int]:
     return np.concatenate([below[:0:-1], above]), len(below) - 1
 
 
-def _side(reach: _Reach, count: int) -> Field:
+def _side(traced: _Traced, count: int) -> Field:
     """Places from the instant outwards: 0, ..., the end."""
     if not count:
         return np.zeros(1)
-    even = np.linspace(0.0, reach.way, count + 1)
-    if reach.stop is not Stop.DEAD_POINT:
+    even = np.linspace(0.0, traced.way, count + 1)
+    if traced.stop is not StopReason.DEAD_POINT:
         return even
-    step = reach.way / count
-    return np.concatenate([even[:-1], reach.way - step * np.array(_CLOSER), even[-1:]])
+    step = traced.way / count
+    return np.concatenate([even[:-1], traced.way - step * np.array(_CLOSER), even[-1:]])
 
 
 def _moved(motion: Motion, places: Mapping[str, ComplexField], count: int) -> Motion:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.closure_residuals import ClosureResiduals
 from variantgen.mechanism.motion import ComplexField, Field, Motion, largest_change
@@ -130,8 +130,8 @@ def invariants(motion: Motion) -> Field:
         centre = velocity_centre(motion, body)
         for point in members:
             ray = motion.z[point] - centre.z
-            cosine = along(ray, motion.v[point]) / np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
-            turned = across(ray, motion.v[point]) - motion.omega[body] * np.abs(ray) ** 2
+            cosine = dot(ray, motion.v[point]) / np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
+            turned = cross(ray, motion.v[point]) - motion.omega[body] * np.abs(ray) ** 2
             size = np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
             # A far centre is the difference of nearly equal numbers: its error grows with the distance.
             far = 1.0 + np.abs(ray) / motion.length_scale()
@@ -139,19 +139,21 @@ def invariants(motion: Motion) -> Field:
             for other in members[: members.index(point)]:
                 line = motion.z[point] - motion.z[other]
                 length = np.where(np.abs(line) > 0, np.abs(line), 1.0)  # two names of one place move alike anyway
-                defects.append(np.abs(along(line, motion.v[point] - motion.v[other])) / length)
+                defects.append(np.abs(dot(line, motion.v[point] - motion.v[other])) / length)
     for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
         relative = relative_motion(motion, slide.point, slide.body)
         ray = slide.tangent(motion.z)
-        defects.append(np.abs(across(ray, relative.velocity)))
+        defects.append(np.abs(cross(ray, relative.velocity)))
         if relative.acceleration is not None and relative.coriolis is not None:
             turn = relative.coriolis - 2j * motion.omega[slide.body] * relative.velocity
             acceleration = np.max([np.abs(a) for a in motion.a.values()], axis=0)
             scale = speed / np.where(acceleration > 0, acceleration, 1.0)
             normal = slide.curvature(motion.z) * np.abs(relative.velocity) ** 2
-            defects += [np.abs(turn) * scale, np.abs(across(ray, relative.acceleration - normal)) * scale]
-    for touch in [touch for joint in motion.scene.joints if (touch := joint.contact_at(at))]:
-        defects.append(np.abs(_material(motion, touch.body, touch.place) - _material(motion, touch.other, touch.place)))
+            defects += [np.abs(turn) * scale, np.abs(cross(ray, relative.acceleration - normal)) * scale]
+    for contact in [contact for joint in motion.scene.joints if (contact := joint.contact_at(at))]:
+        defects.append(
+            np.abs(_material(motion, contact.body, contact.place) - _material(motion, contact.other, contact.place))
+        )
     worst = np.max(defects, axis=0)
     result: Field = worst / np.where(speed > 0, speed, 1.0)
     return result

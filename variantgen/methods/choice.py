@@ -5,23 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import zip_longest
 
 from variantgen.errors import InputError, Problem
-from variantgen.methods.by_groups import three_rates, walk
+from variantgen.methods.by_groups import solve_groups, three_rates
+from variantgen.methods.by_groups.group_methods import GROUP_METHODS
 from variantgen.methods.coordinates import analytical, coordinates
 from variantgen.methods.graphical import graphical
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.method_style import MethodStyle
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence
-from variantgen.methods.steps.style import Accelerations, Style, Velocities
-
-_VELOCITIES: dict[str, Velocities] = {
-    "velocity_centre": "velocity_centre",
-    "projections": "projections",
-    "velocity_pole": "pole",
-}
-_ACCELERATIONS: dict[str, Accelerations] = {"acceleration_pole": "pole", "acceleration_centre": "acceleration_centre"}
 
 
 @dataclass(frozen=True)
@@ -48,7 +43,7 @@ WHOLE: dict[str, WholeMethod] = {
 class Choice:
     """The style of a solution by groups, or the name of a method for the whole problem."""
 
-    style: Style = Style()
+    style: MethodStyle = MethodStyle()
     whole: str = ""
 
 
@@ -60,15 +55,21 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
     return Choice(_style(names), next((name for name in names if name in WHOLE), ""))
 
 
-def natural(task: Task) -> Style:
+def natural(task: Task) -> MethodStyle:
     """The methods of a computation group by group: those that the family names, else the usual ones."""
     return _style(task.variant.family.solution)
 
 
-def _style(names: Sequence[str]) -> Style:
-    velocities = next((_VELOCITIES[name] for name in names if name in _VELOCITIES), Style().velocities)
-    accelerations = next((_ACCELERATIONS[name] for name in names if name in _ACCELERATIONS), Style().accelerations)
-    return Style(velocities, accelerations)
+def _style(names: Sequence[str]) -> MethodStyle:
+    """The first of the names for each order."""
+    chosen = {order: name for order in (1, 2) for name in reversed(names) if name in _of_groups(order)}
+    usual = MethodStyle()
+    return MethodStyle(chosen.get(1, usual.velocities), chosen.get(2, usual.accelerations))
+
+
+def _of_groups(order: int) -> list[str]:
+    """The methods that a solution by groups may prefer for velocities (1) or accelerations (2)."""
+    return [name for name, method in GROUP_METHODS.items() if order in method.orders and name not in WHOLE]
 
 
 @dataclass(frozen=True)
@@ -102,36 +103,29 @@ def applicable(task: Task) -> list[str]:
     A method for groups of links applies where a solution that prefers it has a step or a sentence of it.
     """
     found = {name for name, method in WHOLE.items() if _applies(method, task)}
-    for style in (Style(), Style("projections", "acceleration_centre"), Style("pole")):
+    usual = MethodStyle()
+    for velocities, accelerations in zip_longest(_of_groups(1), _of_groups(2)):
+        style = MethodStyle(velocities or usual.velocities, accelerations or usual.accelerations)
         try:
             keys = _keys(task, style)
-        except NO_WAY:
+        except NOT_APPLICABLE:
             continue
-        found |= {name for name, starts in _MARKS.items() if any(key.startswith(starts) for key in keys)}
+        found |= {
+            name for name, method in GROUP_METHODS.items() if any(key.startswith(method.sentences) for key in keys)
+        }
     return sorted(found)
 
 
 def _applies(method: WholeMethod, task: Task) -> bool:
     try:
         return method.applies(task)
-    except NO_WAY:
+    except NOT_APPLICABLE:
         return False
 
 
-def _keys(task: Task, style: Style) -> set[str]:
+def _keys(task: Task, style: MethodStyle) -> set[str]:
     """The keys of all sentences of a solution in a style."""
     book = Book(task, style=style)
-    walk.through(book)
+    solve_groups.solve_groups(book)
     found = {step.heading.key for step in book.steps}
     return found | {item.key for step in book.steps for item in step.items if isinstance(item, Sentence)}
-
-
-# How the keys of the sentences of each method begin.
-_MARKS = {
-    "velocity_centre": ("velocity_centre.", "contact.wheel", "known_centre."),
-    "projections": ("projections.",),
-    "velocity_pole": ("pole.choose_v", "pole.crossing_v", "points.sum_v"),
-    "acceleration_pole": ("pole.choose_a", "pole.crossing_a", "points.sum_a", "points.sum_wheel"),
-    "acceleration_centre": ("acceleration_centre.",),
-    "relative_motion": ("relative.",),
-}

@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 
+from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.by_groups import walk
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.check import all_constraints, by_links, equal_projections
 from variantgen.methods.choice import WHOLE, Choice, WholeMethod, choose
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.result_check import all_constraints, by_links, equal_projections
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
-from variantgen.methods.steps.step import Item, Listing, Solution, Step
+from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 from variantgen.variants.attempts import VerificationError
 
-_NOT_LED: tuple[type[Exception], ...] = (*NO_WAY, VerificationError)
+_NOT_LED: tuple[type[Exception], ...] = (*NOT_APPLICABLE, VerificationError)
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
 
 
@@ -93,7 +93,7 @@ def _by_one_method(book: Book, method: WholeMethod) -> Solution:
         found[quantity.name] = answer(book.at(quantity.order), quantity)
     confirm(book)
     # A program comes last, after what answers still needed.
-    ordered = sorted(book.steps, key=lambda step: any(isinstance(item, Listing) for item in step.items))
+    ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
     digits = (method.digits + 1,) if method.digits else DIGITS
@@ -115,9 +115,9 @@ def _checked_by_links(task: Task) -> list[Item]:
 def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
-    groups = walk.velocities(book)
-    found = {q.name: answer(walk.at_order(book, 1), q) for q in task.asked if q.order == 1}
+    groups = solve_groups.velocities(book)
+    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order == 1}
     if task.order == 2:
-        walk.accelerations(book, groups)
-        found |= {q.name: answer(walk.at_order(book, 2), q) for q in task.asked if q.order == 2}
+        solve_groups.accelerations(book, groups)
+        found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}
     return {q.name: found[q.name] for q in task.asked}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.solving import check_methods
+from variantgen.families.method_names import check_methods
 
 Depth = Literal["answers", "short", "full"]
 DEPTHS: tuple[Depth, ...] = get_args(Depth)

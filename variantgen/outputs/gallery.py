@@ -18,9 +18,10 @@ from variantgen.families.nice import no_nice_forms
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
-from variantgen.outputs.folder import check_free, whole_folder
-from variantgen.outputs.markup import markup
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.files.folder import check_free, whole_folder
+from variantgen.outputs.typst.markup import markup
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
 from variantgen.resources import templates_dir
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
@@ -39,11 +40,11 @@ class Example:
     name: str
     seed: str
     drawing: Drawing
-    said: Statement
+    statement: Statement
 
 
 @dataclass(frozen=True)
-class Row:
+class FormRow:
     """The variants of one form, and the command that shows one of them but for its seed."""
 
     form: str
@@ -51,11 +52,11 @@ class Row:
     command: str
 
 
-SolutionFigure = Sequence[tuple[Family, Sequence[Row]]]
+SolutionFigure = Sequence[tuple[Family, Sequence[FormRow]]]
 
 
 @dataclass(frozen=True)
-class Wanted:
+class GalleryRequest:
     """What a gallery shows: ``each`` variants of every form, of the seeds ``seed``, ``seed + 1``, and so on.
 
     ``folders`` are those of families besides the catalogue, ``options`` what the commands need to find them.
@@ -71,7 +72,7 @@ class Wanted:
     nice: bool = False
 
 
-def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
+def write_gallery(wanted: GalleryRequest, out: Path, force: bool = False) -> int:
     """Write the gallery into the folder ``out``, which is complete or not there; returns the number of figures.
 
     ``index.html`` stands alone; ``gallery.pdf`` has a bookmark for each family; ``figures`` holds the figures as SVG.
@@ -94,18 +95,18 @@ def write_gallery(wanted: Wanted, out: Path, force: bool = False) -> int:
     return len(every)
 
 
-def _rows(wanted: Wanted, family: Family, language: Language) -> list[Row]:
+def _rows(wanted: GalleryRequest, family: Family, language: Language) -> list[FormRow]:
     """The forms of a family with their variants."""
     rows = []
     for form in family.nice_forms if wanted.nice else family.forms:
         command = ["variantgen", "show", family.name, *(["--form", form] if form else [])]
         command += [*(["--lang", language.name] if language.name != "en" else []), *wanted.options]
         examples = tuple(_example(wanted, family, form, number, language) for number in range(1, wanted.each + 1))
-        rows.append(Row(form, examples, shlex.join(command)))
+        rows.append(FormRow(form, examples, shlex.join(command)))
     return rows
 
 
-def _example(wanted: Wanted, family: Family, form: str, number: int, language: Language) -> Example:
+def _example(wanted: GalleryRequest, family: Family, form: str, number: int, language: Language) -> Example:
     """One variant of a form; the same that the command shows."""
     seed = str(wanted.seed + number - 1)
     variant = one_variant(family.name, seed=seed, form=form, folders=wanted.folders, nice=wanted.nice)
@@ -151,14 +152,14 @@ def _page(shown: SolutionFigure, language: Language) -> str:
     )
 
 
-def _figure(family: Family, row: Row, example: Example, language: Language) -> dict[str, Any]:
+def _figure(family: Family, row: FormRow, example: Example, language: Language) -> dict[str, Any]:
     """A figure of the page: markup that the program has made itself is marked as such."""
     comma = Markup(", ")
     return {
         "svg": Markup(svg(example.drawing, f"{family.title(language.name)} ({example.name})")),  # noqa: S704
-        "text": _markup(example.said.text),
-        "given": comma.join(_markup([equation]) for equation in example.said.given),
-        "asked": comma.join(_markup([symbol]) for symbol in example.said.asked),
+        "text": _markup(example.statement.text),
+        "given": comma.join(_markup([equation]) for equation in example.statement.given),
+        "asked": comma.join(_markup([symbol]) for symbol in example.statement.asked),
         "command": f"{row.command} --seed {example.seed}",
     }
 
@@ -180,10 +181,10 @@ def _document(shown: SolutionFigure, language: Language) -> dict[str, Any]:
     }
 
 
-def _form_data(row: Row) -> dict[str, Any]:
+def _form_data(row: FormRow) -> dict[str, Any]:
     return {
         "name": row.form,
-        "asked": [markup(symbol) for symbol in row.examples[0].said.asked],
+        "asked": [markup(symbol) for symbol in row.examples[0].statement.asked],
         "command": row.command,
         "figures": [{"figure": figure_data(example.drawing), "seed": example.seed} for example in row.examples],
     }

@@ -9,8 +9,8 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.bookmarks import Bookmark, Named, read_bookmarks, renamed, write_bookmarks
-from variantgen.outputs.pdf.part import PageCopier
+from variantgen.outputs.pdf.bookmarks import Bookmark, BookmarkName, read_bookmarks, renamed, write_bookmarks
+from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.structure import Structure
 from variantgen.outputs.pdf.writer import PdfWriter
 
@@ -23,7 +23,7 @@ def join_pdfs(
     title: str,
     language: str,
     even: bool,
-    names: Sequence[Named] | None = None,
+    names: Sequence[BookmarkName] | None = None,
 ) -> None:
     """Write the pages of all parts to one PDF.
 
@@ -71,7 +71,7 @@ class _Whole:
         self._nodes.append(node)
         self._count += len(kids)
 
-    def finish(self, title: str, language: str, names: Sequence[Named] | None) -> None:
+    def finish(self, title: str, language: str, names: Sequence[BookmarkName] | None) -> None:
         """Write what there is once."""
         kids = b" ".join(b"%d 0 R" % node for node in self._nodes)
         self._writer.put(self._pages, b"<</Type/Pages/Count %d/Kids[%s]>>" % (self._count, kids))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from variantgen.errors import nearest
-from variantgen.outputs.file_names import NAMINGS
+from variantgen.outputs.files.file_names import NAMINGS
 from variantgen.tables import Table
 
 NONE = "none"
@@ -21,7 +21,7 @@ FILES = ("joined", "students", "both", "groups")
 
 
 @dataclass(frozen=True)
-class Options:
+class PdfOptions:
     """``standards`` to which every PDF conforms; ``files`` for the class, each student, both, or each group.
 
     ``names`` tells what the files of students are named by.
@@ -52,9 +52,9 @@ class Options:
         return self.files == "groups"
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> PdfOptions:
     """The table ``[pdf]``; mistakes are noted in it."""
-    found = Options(
+    found = PdfOptions(
         _standards(table), table.choice("files", FILES, FILES[0]), table.choice("names", NAMINGS, NAMINGS[0])
     )
     table.finish()

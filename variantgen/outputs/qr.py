@@ -10,12 +10,11 @@ import re
 from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.tables import shown
 
 VERSION = 1
-QUIET = 4  # modules around a code that stay white
 
 # Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
 _MASK = 3

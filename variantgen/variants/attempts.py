@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.family import Family, Form, Screens, frame
+from variantgen.families.draw_rules import Screens, frame
+from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
-from variantgen.variants.batch import Attempts, MakeScreening, Tally, starts
+from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
@@ -32,7 +33,7 @@ _AT_LEAST, _AHEAD = 96, 4  # attempts whose answers are looked at together, wher
 # Attempts of a batch, and points of them: they bound the memory where few are valid or scenes are large.
 _MOST_AT_ONCE, _POINTS_AT_ONCE = 60_000, 1_500_000
 # A batch of which nobody has a variant yet is given up after so many attempts, in those of one student, and so many
-# judged ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
+# examined ones, which cost most: with one valid attempt in a hundred, that happens once in 20 000 times.
 _HOPELESS, _HOPELESS_JUDGED = 2, 1000
 
 
@@ -46,7 +47,7 @@ _FIXED = (
 )
 
 
-class FormDrawing:
+class FormSampler:
     """Attempts of many students at one form."""
 
     def __init__(
@@ -54,7 +55,7 @@ class FormDrawing:
         family: Family,
         form: Form,
         asked: Sequence[Quantity],
-        tally: Tally,
+        tally: RejectionCounts,
         where: str,
         screening: MakeScreening | None = None,
     ) -> None:
@@ -66,7 +67,7 @@ class FormDrawing:
         self.order = max(q.order for q in self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
         self._at_once = max(1, min(_MOST_AT_ONCE, _POINTS_AT_ONCE // len(form.points)))
-        self._made = self._looked_at = 0  # attempts, and those of them that were judged
+        self._made = self._looked_at = 0  # attempts, and those of them that were examined
 
     def run(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
         """The first valid attempt of each stream after the attempts already used.
@@ -81,7 +82,10 @@ class FormDrawing:
         return found
 
     def first(self, streams: Sequence[Stream], done: Sequence[int]) -> list[Variant]:
-        """The first attempt of each stream that passes all screens, not yet verified."""
+        """The first attempt of each stream that passes all screens, not yet verified.
+
+        Raises InputError where so many attempts fail that more of them are hopeless.
+        """
         width = len(self.names) + 1
         for stream, skipped in zip(streams, done, strict=True):
             stream.words(skipped * width)
@@ -137,16 +141,16 @@ class FormDrawing:
             heads = promising.take(chosen)
             good = np.flatnonzero(self._conditioned(heads))
             accepted = self._screened(heads.take(good)) if self.screening else self._firsts(heads.take(good))
-            settled = []
+            accepted_owners = []
             for variant, owner in accepted:
-                settled.append(owner)
+                accepted_owners.append(owner)
                 yield variant, owner
-            left = ~np.isin(promising.owner, settled)
+            left = ~np.isin(promising.owner, accepted_owners)
             left[chosen] = False
             promising = promising.take(np.flatnonzero(left))
 
     def valid(self, attempts: Attempts) -> NDArray[np.int64]:
-        """Owners of the attempts that pass all screens."""
+        """Owners of the attempts that pass all screens, shape (K,)."""
         promising = self._promising(attempts)
         return promising.owner[self._conditioned(promising)] if promising.owner.size else promising.owner
 

@@ -1,4 +1,4 @@
-"""A batch of attempts at a form, what judges it, and the count of what was rejected."""
+"""A batch of attempts at a form, the screens that it passes, and the count of what they reject."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Mo
 
 
 @dataclass
-class Tally:
+class RejectionCounts:
     """How many attempts were made, and how many each screen was the first to reject."""
 
     attempts: int = 0
@@ -60,7 +60,7 @@ class Attempts:
     motion: Motion | None = None
 
     def take(self, chosen: NDArray[np.int64]) -> Attempts:
-        """Those at the given places."""
+        """The attempts at the given indices, an array of shape (K,) or a mask of shape (N,)."""
         return Attempts(
             {name: i[chosen] for name, i in self.index.items()},
             self.pose[chosen],
@@ -71,5 +71,5 @@ class Attempts:
 
 
 def starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Where the attempts of each owner begin; attempts are in the order of their owners."""
+    """Indices at which the attempts of each owner begin, shape (owners,); attempts are in the order of their owners."""
     return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))

@@ -9,8 +9,8 @@ import numpy as np
 
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
-from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.batch import Attempts, Tally
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import Attempts, RejectionCounts
 from variantgen.variants.seeding import Stream, index_below
 
 # Grids up to this size are screened point by point (a second or so).
@@ -46,7 +46,7 @@ def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int
         index |= {name: place[places[-1]] for name, place in form.ties.places(form.parameters).items()}
     silent = [name for name in sorted(form.parameters) if form.parameters[name].silent]
     valid = np.zeros(grid, dtype=bool)
-    drawing = FormDrawing(family, form, asked, Tally(), family.name)
+    drawing = FormSampler(family, form, asked, RejectionCounts(), family.name)
     # Silent parameters are no part of a variant, but some of their values may not go with it: several are tried.
     for trial in range(_SILENT_TRIALS if silent else 1):
         words = Stream("variety", family.name, form.name, trial)

@@ -2,7 +2,7 @@
 
 Everyone has a sequence of draws of their own and a priority. In the order of priority each takes the first of their own
 draws that nobody before has, and that is not nearly the same as one that somebody before in the same group has
-(:mod:`variantgen.variants.similarity`). Where the ranges leave no room for the second wish, only the first is kept.
+(:mod:`variantgen.variants.similarity`). Where the ranges leave no room for the second demand, only the first is met.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def assign_distinct(first: Traits, priority: Callable[[int], bytes], more: More,
         if idle > 100 + 20 * seen:
             raise pool.too_few(wanting[0])
         pool.add(wanting, more(wanting, [pool.used(owner) for owner in wanting]))
-    return pool.settled()
+    return pool.distinct()
 
 
 class _Pool:
@@ -94,7 +94,7 @@ class _Pool:
         """The error for an owner who finds nothing."""
         return TooFewError(owner, self._owner, self.traits.identity)
 
-    def settled(self) -> DistinctDraws:
+    def distinct(self) -> DistinctDraws:
         """What was chosen."""
         again = {owner: int(self.traits.attempt[taken]) for owner, taken in self._taken.items() if taken != owner}
         everyone = range(self._kept.start if self._crowds else 0)

@@ -30,7 +30,7 @@ from variantgen.mechanism.rows import Frame, Speeds
 from variantgen.mechanism.solve import Equations, solve
 from variantgen.variants.screening import repeated
 
-Table = NDArray[np.float64]
+Array = NDArray[np.float64]
 
 # Of the size of an answer: what a mistake changes by less it does not change, but for rounding.
 _UNCHANGED = 1e-6
@@ -38,7 +38,7 @@ _UNCHANGED = 1e-6
 
 def wrong_answers(
     form: Form, parameters: Mapping[str, Any], on_paper: Frame, asked: Sequence[Quantity], motion: Motion
-) -> dict[str, Table]:
+) -> dict[str, Array]:
     """The answers (SI) by each mistake, shape (answers, N); not a number where it leads to no mechanism."""
     order = max(quantity.order for quantity in asked)
     found = _by_accelerations(form, asked, motion) if order == 2 else {}
@@ -46,7 +46,7 @@ def wrong_answers(
         return found | _by_positions(form, parameters, on_paper, asked, motion.size)
 
 
-def distances(right: Table, wrong: Table, asked: Sequence[Quantity]) -> Table:
+def distances(right: Array, wrong: Array, asked: Sequence[Quantity]) -> Array:
     """How far wrong answers are from the right ones, relative (of an angle in radians), shape (..., answers, N).
 
     Infinite where the mistake does not touch an answer, or leads to no mechanism.
@@ -65,7 +65,7 @@ def distances(right: Table, wrong: Table, asked: Sequence[Quantity]) -> Table:
     return found
 
 
-def _by_accelerations(form: Form, asked: Sequence[Quantity], motion: Motion) -> dict[str, Table]:
+def _by_accelerations(form: Form, asked: Sequence[Quantity], motion: Motion) -> dict[str, Array]:
     """Forgotten and reversed terms of accelerations; these are linear in each such term.
 
     ``without`` has in its rows the accelerations without one term after the other, in the last those that the given
@@ -99,12 +99,12 @@ def _by_accelerations(form: Form, asked: Sequence[Quantity], motion: Motion) -> 
     names = [f"{term} {how}" for term in (*terms, "given accelerations") for how in ("forgotten", "reversed")]
     shape = (len(names), motion.size)
     answers = np.array([np.broadcast_to(quantity.value(wrong), shape) for quantity in asked], dtype=float)
-    return _told(names, answers, wrong.solved)
+    return _by_mistake(names, answers, wrong.solved)
 
 
 def _by_positions(
     form: Form, parameters: Mapping[str, Any], on_paper: Frame, asked: Sequence[Quantity], size: int
-) -> dict[str, Table]:
+) -> dict[str, Array]:
     """Degrees for radians, and the other branches, all of them solved as one batch."""
     degrees = [name for name, p in form.parameters.items() if p.given and p.unit is not None and p.unit.name == "deg"]
     branches = [name for name, template in form.points.items() if template.component in _BRANCHES]
@@ -130,14 +130,14 @@ def _by_positions(
         f"{name} on the other branch" for name in branches
     ]
     answers = np.array([quantity.value(wrong) for quantity in asked], dtype=float)
-    return _told(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
+    return _by_mistake(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
 
 
 # Constructions with two results, and which of their numbers chooses between them.
 _BRANCHES: dict[type, str] = {CircleCircle: "side", LineCircle: "branch"}
 
 
-def _told(names: Sequence[str], answers: Table, good: NDArray[np.bool_]) -> dict[str, Table]:
+def _by_mistake(names: Sequence[str], answers: Array, good: NDArray[np.bool_]) -> dict[str, Array]:
     """The answers, shape (answers, mistakes, N), by the names of the mistakes."""
-    judged = np.where(good, answers, np.nan)
-    return {name: judged[:, k] for k, name in enumerate(names)}
+    valid = np.where(good, answers, np.nan)
+    return {name: valid[:, k] for k, name in enumerate(names)}

@@ -13,11 +13,11 @@ from collections.abc import Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.family import Family
-from variantgen.variants.attempts import FormDrawing
-from variantgen.variants.batch import MakeScreening, Tally
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.distinct import TooFewError
 from variantgen.variants.examined import examined
-from variantgen.variants.needed import told_size
+from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
@@ -26,7 +26,7 @@ def draw(
     family: Family,
     ask: Ask,
     keys: Sequence[tuple[object, ...]],
-    tally: Tally | None = None,
+    tally: RejectionCounts | None = None,
     screening: MakeScreening | None = None,
 ) -> list[Variant]:
     """One variant per key, each depending on its key only (and on the family); keys may repeat variants.
@@ -35,29 +35,29 @@ def draw(
     and what no form asks by itself (:mod:`variantgen.variants.examined`). Raises InputError when the ranges leave
     nothing.
     """
-    return Drawing(family, ask, tally, screening=screening).after(keys, [0] * len(keys))
+    return FamilySampler(family, ask, tally, screening=screening).after(keys, [0] * len(keys))
 
 
-def check_room(drawings: Sequence[Drawing]) -> None:
-    """Raise InputError where there are fewer points of the grid than wishes for them, without drawing anything.
+def check_room(drawings: Sequence[FamilySampler]) -> None:
+    """Raise InputError where there are fewer points of the grid than requests for them, without drawing anything.
 
-    ``drawings`` has the drawing of every wish.
+    ``drawings`` has the sampler of every request.
     """
     wanted = Counter(map(id, drawings))
     for drawing in {id(drawing): drawing for drawing in drawings}.values():
-        room = sum(told_size(form, drawing.asked[form.name]) for form in drawing.forms)
+        room = sum(max_distinct_problems(form, drawing.asked[form.name]) for form in drawing.forms)
         if room < wanted[id(drawing)]:
             raise InputError(_too_few(drawing, wanted[id(drawing)], room))
 
 
-def too_few(error: TooFewError, drawings: Sequence[Drawing]) -> InputError:
-    """What to say where there are fewer variants than wishes; ``drawings`` has the drawing of every wish."""
+def too_few(error: TooFewError, drawings: Sequence[FamilySampler]) -> InputError:
+    """What to say where there are fewer variants than wishes; ``drawings`` has the sampler of every request."""
     drawing = drawings[error.owner]
     wanted = sum(other is drawing for other in drawings)
     return InputError(_too_few(drawing, wanted, error.found(lambda i: drawings[i] is drawing)))
 
 
-def _too_few(drawing: Drawing, wanted: int, found: int) -> Problem:
+def _too_few(drawing: FamilySampler, wanted: int, found: int) -> Problem:
     return Problem(
         f"the ranges leave too few distinct variants: {wanted} sheets need as many, at most {found} were found",
         key=drawing.where,
@@ -65,7 +65,9 @@ def _too_few(drawing: Drawing, wanted: int, found: int) -> Problem:
     )
 
 
-def drawn(drawings: Sequence[Drawing], keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
+def next_draws(
+    drawings: Sequence[FamilySampler], keys: Sequence[tuple[object, ...]], done: Sequence[int]
+) -> list[Variant]:
     """The next valid draw of each key from its drawing, after the attempts ``done`` that it has used.
 
     Those of one drawing are screened as one batch.
@@ -80,14 +82,14 @@ def drawn(drawings: Sequence[Drawing], keys: Sequence[tuple[object, ...]], done:
     return [found[i] for i in range(len(drawings))]
 
 
-class Drawing:
+class FamilySampler:
     """The drawing of one family for one list of asked quantities; ``screening`` adds screens to those of the family."""
 
     def __init__(
         self,
         family: Family,
         ask: Ask,
-        tally: Tally | None = None,
+        tally: RejectionCounts | None = None,
         where: str = "",
         screening: MakeScreening | None = None,
     ) -> None:
@@ -96,7 +98,7 @@ class Drawing:
         self.forms = list(family.forms.values())
         self.asked = {form.name: read_ask(form, ask) for form in self.forms}
         self.examined = {form.name: examined(form, self.asked[form.name]) for form in self.forms}
-        self.tally = tally or Tally()
+        self.tally = tally or RejectionCounts()
 
     def after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
         """The first valid draw of each key after the attempts ``done`` that it has used."""
@@ -106,7 +108,7 @@ class Drawing:
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
             if members:
-                batch = FormDrawing(self.family, form, self.examined[form.name], self.tally, self.where, self.screening)
+                batch = FormSampler(self.family, form, self.examined[form.name], self.tally, self.where, self.screening)
                 own = batch.run([streams[i] for i in members], [done[i] for i in members])
                 found.update(zip(members, own, strict=True))
         return [found[i] for i in range(len(keys))]

@@ -1,4 +1,4 @@
-"""The course of a variant: its motion along the way of the driver, and what the way is called on paper."""
+"""The motion of a variant over the range of its leading driver, and what that range is called on paper."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from variantgen.families.family import Form
 from variantgen.families.figure_hints import AngleMark
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.arithmetic import across, along
+from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import references
-from variantgen.mechanism.sweep import FULL_TURN, LeadingDriver, Sweep, leading, sweep
-from variantgen.variants.needed import given_names
+from variantgen.mechanism.sweep import FULL_TURN, LeadingDriver, Sweep, find_leading_driver, sweep
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 
 # How well an angle on paper must follow the driver to be taken for its angle, and a point lie on a line (of the size).
@@ -40,24 +40,27 @@ class DriverSweep:
 
 
 def driver_sweep(variant: Variant, asked: Sequence[Quantity], samples: int = 361) -> DriverSweep:
-    """The course of a variant. Raises InputError where the variant is not solved or nothing moves."""
+    """The sweep of a variant over the range of its leading driver.
+
+    Raises InputError where the variant is not solved or nothing moves.
+    """
     motion = solve_variants([variant], 2)
     if not motion.solved[0]:
         raise InputError(Problem(Outcome(int(motion.outcome[0])).text, key="motion", value=variant.family.name))
     try:
-        lead, _ = leading(motion.scene)
+        leading_driver, _ = find_leading_driver(motion.scene)
     except ValueError:
         raise InputError(
             Problem("nothing moves: all given velocities and accelerations are zero", key="motion", remedy="change one")
         ) from None
-    mark, sense = _mark_of_way(variant, asked, motion, lead)
+    mark, sense = _mark_of_way(variant, asked, motion, leading_driver)
     start = variant.si(mark.name) if mark else 0.0
     # A printed angle runs from 0 to a full turn; an angle turned since the instant has it in the middle.
     before = (start if sense > 0 else FULL_TURN - start) % FULL_TURN if mark else 0.5 * FULL_TURN
     found = sweep(motion, variant.form.plan, before, samples, limits(variant.form, motion))
-    values = np.degrees(start + sense * found.way) if lead.angular else found.way
-    driver = motion.scene.drivers[lead.number]
-    target = references(driver, "body")[:1] if lead.angular else _driven_points(driver)
+    values = np.degrees(start + sense * found.way) if leading_driver.angular else found.way
+    driver = motion.scene.drivers[leading_driver.number]
+    target = references(driver, "body")[:1] if leading_driver.angular else _driven_points(driver)
     return DriverSweep(found, values, mark.name if mark else "", target)
 
 
@@ -68,22 +71,22 @@ def _driven_points(driver: object) -> tuple[str, ...]:
 
 
 def _mark_of_way(
-    variant: Variant, asked: Sequence[Quantity], motion: Motion, lead: LeadingDriver
+    variant: Variant, asked: Sequence[Quantity], motion: Motion, leading_driver: LeadingDriver
 ) -> tuple[AngleMark | None, float]:
     """The printed angle of the leading body with a fixed direction, and whether it grows (+1) with the way."""
-    if lead.angular:
-        body = references(motion.scene.drivers[lead.number], "body")[0]
+    if leading_driver.angular:
+        body = references(motion.scene.drivers[leading_driver.number], "body")[0]
         given = given_names(variant, asked)
         for mark in variant.form.figure.angles:
             rates = [_turning(motion, mark.at, ray) for ray in (mark.start, mark.end)]
             rays = [_ray(motion, mark.at, ray) for ray in (mark.start, mark.end)]
             angle = float(np.angle(rays[1] / rays[0]))
-            growth = np.sign(angle) * (rates[1] - rates[0]) / lead.rate
+            growth = np.sign(angle) * (rates[1] - rates[0]) / leading_driver.rate
             carried = {ray for ray in (mark.at, mark.start, mark.end) if ray in motion.scene.bodies[body]}
             if (
                 mark.name in given
                 and len(carried) == 2
-                and min(abs(rate) for rate in rates) < _SAME * lead.rate
+                and min(abs(rate) for rate in rates) < _SAME * leading_driver.rate
                 and abs(abs(growth) - 1.0) < _SAME
                 and abs(abs(angle) - variant.si(mark.name)) < _SAME
             ):
@@ -104,7 +107,7 @@ def _turning(motion: Motion, at: str, name: str) -> float:
         return 0.0
     ray = _ray(motion, at, name)
     first, second = (complex(motion.v[point][0]) if point in motion.v else 0.0 for point in (at, name))
-    return float(across(ray, second - first)) / abs(ray) ** 2
+    return float(cross(ray, second - first)) / abs(ray) ** 2
 
 
 def limits(form: Form, motion: Motion) -> list[tuple[str, str, str]]:
@@ -137,11 +140,11 @@ def limits(form: Form, motion: Motion) -> list[tuple[str, str, str]]:
 
 def _is_ahead(motion: Motion, point: str, start: str, towards: str) -> bool:
     z = motion.z
-    return bool(along(z[towards] - z[start], z[point] - z[start])[0] > 0)
+    return bool(dot(z[towards] - z[start], z[point] - z[start])[0] > 0)
 
 
 def _is_on(motion: Motion, point: str, start: str, towards: str) -> bool:
     """Whether a point lies on a line, ahead of its start."""
     z = motion.z
-    aside = across(z[towards] - z[start], z[point] - z[start])[0]
+    aside = cross(z[towards] - z[start], z[point] - z[start])[0]
     return _is_ahead(motion, point, start, towards) and bool(abs(aside) < _SAME * abs(z[towards] - z[start])[0] ** 2)

@@ -15,7 +15,7 @@ _NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 
 
 def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
-    """The answers that must be neither trivial nor touchy, show mistakes, and bear the rounding of a hand calculation.
+    """The answers that are screened: not trivial, well conditioned, showing mistakes, fit for a hand calculation.
 
     They are those that the form asks by itself: all of them where accelerations are asked, its velocities where only
     velocities are (all, if it asks for no velocity). So two exams that ask for different ones of them draw the same

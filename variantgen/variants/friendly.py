@@ -16,7 +16,7 @@ _DIGITS = 3
 _MOST_RADICAND, _MOST_DENOMINATOR = 100, 13
 
 
-def friendly(values: NDArray[np.float64]) -> NDArray[np.bool_]:
+def are_hand_friendly(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether values are hand-friendly, shape (N,): zero, decimals of at most three digits, or simple roots.
 
     A simple root is ``d sqrt(n) / k``: d a decimal of at most three digits, n up to 100, k up to 13 (``0.35 sqrt(3)``,
@@ -39,7 +39,7 @@ def friendly_answers(motion: Motion, asked: Sequence[Quantity], length_unit: str
     alive = np.arange(motion.size)
     count = np.zeros(motion.size, dtype=np.int64)
     for quantity in sorted(asked, key=lambda quantity: quantity.order):
-        good = friendly(quantity.value(motion)[alive] * quantity.unit(length_unit).from_si(1.0))
+        good = are_hand_friendly(quantity.value(motion)[alive] * quantity.unit(length_unit).from_si(1.0))
         count[alive] += good
         if quantity.order == 1 and not quantity.is_angle:
             alive = alive[good]

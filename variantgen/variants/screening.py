@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.exposed import exposed
 from variantgen.families.family import Form
+from variantgen.families.literal_parameters import with_literal_parameters
 from variantgen.families.quantities import Quantity
 from variantgen.families.soundness import demands
-from variantgen.mechanism.arithmetic import along
+from variantgen.mechanism.arithmetic import dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Frame
@@ -76,7 +76,7 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
     for point, start, end in form.screens.inside:
         line = motion.z[end] - motion.z[start]
         square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
-        part = along(line, motion.z[point] - motion.z[start]) / square
+        part = dot(line, motion.z[point] - motion.z[start]) / square
         found[f"{point} inside {start}{end}"] = _at_least(part, _MARGIN) & _at_least(1 - part, _MARGIN)
     return found
 
@@ -100,8 +100,8 @@ def _box(
     """Lower left and upper right corner of everything that will be drawn."""
     corners = [z]
     for disc in (disc for disc in form.figure.discs if not disc.arc):
-        reach = np.asarray(disc.radius.value(values)) * (1 + 1j)
-        corners += [(motion.z[disc.centre] + reach)[None], (motion.z[disc.centre] - reach)[None]]
+        half_box = np.asarray(disc.radius.value(values)) * (1 + 1j)
+        corners += [(motion.z[disc.centre] + half_box)[None], (motion.z[disc.centre] - half_box)[None]]
     every = np.concatenate(corners)
     low = np.min(every.real, axis=0) + 1j * np.min(every.imag, axis=0)
     return low, np.max(every.real, axis=0) + 1j * np.max(every.imag, axis=0)
@@ -118,7 +118,7 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
             if point in form.bodies[body] or slides.get(point) == body:
                 continue
             step = motion.z[point] - motion.z[start]
-            part = np.clip(along(line, step) / square, 0.0, 1.0)
+            part = np.clip(dot(line, step) / square, 0.0, 1.0)
             need = _BASE_OFF_LINKS if point in fixed else _OFF_LINKS
             smallest = np.minimum(smallest, np.abs(step - part * line) / need)
     return smallest
@@ -164,7 +164,7 @@ def sensitivity(
     """
     moving = [name for name, parameter in form.parameters.items() if parameter.unit is not None]
     if not moving:
-        form = exposed(form)
+        form = with_literal_parameters(form)
         literal = {n: p for n, p in form.parameters.items() if n not in parameters}
         parameters = {**parameters, **{n: np.full(motion.size, p.si[0]) for n, p in literal.items()}}
         moving = list(literal)

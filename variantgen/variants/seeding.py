@@ -32,6 +32,6 @@ class Stream:
 
 
 def index_below(words: NDArray[np.uint64], size: int) -> NDArray[np.int64]:
-    """Integers uniform on 0 .. size-1 from random words (bias below size / 2^32)."""
+    """Integers uniform on 0 .. size-1 from random words, of the shape of the words (bias below size / 2^32)."""
     high = words >> np.uint64(32)
     return ((high * np.uint64(size)) >> np.uint64(32)).astype(np.int64)

@@ -1,4 +1,4 @@
-"""When two variants are the same problem on paper, and when they are nearly the same: what tells of it, as arrays.
+"""Equality and near-equality of variants, by printed data.
 
 Two variants are the same problem if their sheets print the same text and numbers and their keys the same answers. How
 the figure lies on paper (its mirror image, its turn, what is drawn but not printed) makes another problem only where it
@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.examined import examined
-from variantgen.variants.needed import given_names
+from variantgen.variants.printed_data import given_names
 from variantgen.variants.seeding import digest
-from variantgen.variants.variant import Variant, columns, solve_variants, speeding
+from variantgen.variants.variant import Variant, is_speeding_up, parameter_arrays, solve_variants
 
 CLOSE = 0.03
 CLOSE_ANGLE = 2.0  # degrees
@@ -55,7 +55,7 @@ class Traits:
         return int(self.identity.size)
 
     def take(self, chosen: NDArray[np.intp]) -> Traits:
-        """Those at the given places."""
+        """The traits at the given indices, shape (K,)."""
         return Traits(self.identity[chosen], self.room[chosen], self.place[chosen], self.attempt[chosen])
 
     @staticmethod
@@ -107,7 +107,10 @@ def _words(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[list[
     if all(quantity.order == 1 for quantity in asked):
         return [[] for _ in variants]
     form = variants[0].form
-    flags = [np.broadcast_to(flag, (len(variants),)) for flag in speeding(form, form.values(columns(variants)))]
+    flags = [
+        np.broadcast_to(flag, (len(variants),))
+        for flag in is_speeding_up(form, form.values(parameter_arrays(variants)))
+    ]
     return [[bool(flag[k]) for flag in flags] for k in range(len(variants))]
 
 

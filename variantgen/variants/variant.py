@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.family import Family, Form, frame
+from variantgen.families.draw_rules import frame
+from variantgen.families.family import Family, Form
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
@@ -50,13 +51,13 @@ class Variant:
         return measured.to_si(value) if measured else float(value)
 
 
-def columns(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
+def parameter_arrays(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:
     """SI values of the parameters of variants of one form, shape (N,) each."""
     parameters = variants[0].form.parameters
     return {name: p.in_si(v.printed[name] for v in variants) for name, p in parameters.items()}
 
 
-def speeding(form: Form, values: Mapping[str, Real]) -> list[Any]:
+def is_speeding_up(form: Form, values: Mapping[str, Real]) -> list[Any]:
     """By driver whether the motion that it gives gets faster: its velocity and acceleration have the same sense.
 
     ``values`` are those of a variant or, as arrays of the shape (N,), of several.
@@ -68,6 +69,6 @@ def speeding(form: Form, values: Mapping[str, Real]) -> list[Any]:
 def solve_variants(variants: Sequence[Variant], order: int) -> Motion:
     """The motion of variants that share one form, as one batch in their order."""
     form = variants[0].form
-    values = form.values(columns(variants))
+    values = form.values(parameter_arrays(variants))
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     return solve(form.scene(values, on_paper), order, form.plan)

@@ -16,7 +16,7 @@ _OF = " of {}"  # left out where the only link has no name
 def mistake_text(mistake: str, language: Language, symbols: Mapping[str, str]) -> str:
     """A mistake by its name (see :mod:`variantgen.variants.distractors`); ``symbols`` are those of the form.
 
-    A mistake that the language has no words for is told by its name. A link whose symbol is empty is the only one.
+    A mistake that the language has no words for is given by its name. A link whose symbol is empty is the only one.
     """
     words = language.words("mistakes")
     for pattern in words:

@@ -47,7 +47,7 @@ class _Html(Markup):
     def unit(self, unit: UnitText) -> str:
         return " ".join(self.power(escape(word), power) if power != 1 else escape(word) for word, power in unit.parts)
 
-    def about(self, what: str, symbol: str) -> str:
+    def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
 
     def fraction(self, numerator: str, denominator: str) -> str:

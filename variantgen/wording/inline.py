@@ -16,10 +16,10 @@ from variantgen.wording.formula import (
     GREEK,
     Formula,
     Fraction,
-    Group,
     Index,
     Measured,
     Number,
+    Parenthesised,
     Power,
     Product,
     Relation,
@@ -166,7 +166,7 @@ class _Reader:
             self._place = match.end()
             return self._measured(self._language.written(match["number"].replace(",", ".")))
         if match["sign"] == "(":
-            return Group(self._inside("(", ")"))
+            return Parenthesised(self._inside("(", ")"))
         if match["command"] == "sqrt":
             self._place = match.end()
             return Root(self._inside("{", "}"))

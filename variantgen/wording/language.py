@@ -1,31 +1,32 @@
-"""A language: its fixed words, decimal mark and unit names, read from ``templates/words/<language>.toml``."""
+"""A language: its fixed words, habits and unit names, read from ``templates/words/<language>.toml``.
+
+All that is peculiar to a language stands in that file: its decimal mark, the order of its letters, its name for LaTeX,
+its plural rules. A word that has several forms has a key for each, ``body`` and ``body.of``; the names of the forms are
+the language's own, a phrase asks for them as ``{body.of}``.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
 from math import isfinite
-from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
-from variantgen.resources import templates_dir
+from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import GREEK, About, Index, Number, Symbol, UnitText
+from variantgen.wording.formula import GREEK, Index, Number, Symbol, SymbolProperty, UnitText
 from variantgen.wording.notation import USUAL, Notation
+from variantgen.wording.plurals import plural_category
+from variantgen.wording.words import Words
 
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
-# Which of its plural forms a language takes for a number, by the names of the forms.
-_PLURALS: dict[str, Callable[[int], int]] = {
-    "one, many": lambda n: 0 if n == 1 else 1,
-    "one, few, many": lambda n: 2 if n % 100 in range(11, 15) else (2, 0, 1, 1, 1, 2, 2, 2, 2, 2)[n % 10],
-}
 _SURE = 12  # digits of a computed value that no order of operations changes
 
 
@@ -34,15 +35,18 @@ class Language:
     """Words by table and key; numbers and units in the habits of the language. There is one of each."""
 
     name: str
-    decimal_mark: str
     tables: Mapping[str, Mapping[str, str]]
     notation: Notation = USUAL
-    plural_forms: str = "one, many"
+
+    @property
+    def decimal_mark(self) -> str:
+        """What stands between whole number and decimals."""
+        return self.tables["language"]["decimal_mark"]
 
     def counted(self, number: int, what: str) -> str:
         """So many of something from the table ``plurals``: ``21 points``, ``21 балл``."""
-        forms = self.tables["plurals"][what].split(", ")
-        return f"{number}\N{NO-BREAK SPACE}{forms[_PLURALS[self.plural_forms](number)]}"
+        category = plural_category(self.tables["plural_rules"], number)
+        return f"{number}\N{NO-BREAK SPACE}{self.tables['plurals'][f'{what}.{category}']}"
 
     def words(self, table: str) -> Mapping[str, str]:
         """All words of one table (``sheet``, ``key``, ...)."""
@@ -101,13 +105,13 @@ class Language:
             index.append(Index(component))
         return Symbol(self.letter(kind), tuple(index))
 
-    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | About:
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty:
         """The symbol of an asked quantity."""
         if quantity.is_centre:
             body = bodies.get(quantity.target, quantity.target)
             return Symbol(quantity.component + quantity.kind, (Index(body),) if body else ())
         if quantity.component in _ABOUT:
-            return About(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
+            return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
 
 
@@ -132,16 +136,11 @@ def _unit_text(text: str) -> UnitText:
     return UnitText(tuple((word, int(power or 1)) for word, power in parts), text == "°")
 
 
-def languages() -> list[str]:
-    """Names of the available languages."""
-    return sorted(path.stem for path in (templates_dir() / "words").glob("*.toml"))
-
-
 @cache
 def load_language(name: str, notation: Notation = USUAL) -> Language:
     """A language by name (``ru``, ``en``) with the letters of a notation. Raises InputError for an unknown name."""
     if name not in languages():
         raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
-    data: dict[str, Any] = read_toml(templates_dir() / "words" / f"{name}.toml")
-    mark, plurals = str(data.pop("decimal_mark")), str(data.pop("plural_forms"))
-    return Language(name, mark, data, notation, plurals)
+    path = templates_dir() / "words" / f"{name}.toml"
+    tables = {table: Words(words, path, table) for table, words in read_toml(path).items()}
+    return Language(name, Words(tables, path), notation)

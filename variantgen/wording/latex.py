@@ -59,7 +59,7 @@ class _Latex(Markup):
     def unit(self, unit: UnitText) -> str:
         return "".join(_word(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in unit.parts)
 
-    def about(self, what: str, symbol: str) -> str:
+    def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
 
     def fraction(self, numerator: str, denominator: str) -> str:

@@ -67,7 +67,7 @@ class _Mathtext(Markup):
     def unit(self, unit: UnitText) -> str:
         return r"\,".join(_upright(word) + (f"^{{{power}}}" if power != 1 else "") for word, power in unit.parts)
 
-    def about(self, what: str, symbol: str) -> str:
+    def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
 
     def fraction(self, numerator: str, denominator: str) -> str:

@@ -21,18 +21,18 @@ def plain_problem(
 
     ``values`` are the answers in printed units, with their closed form where they have one.
     """
-    said = statement(variant, asked, language)
+    problem_text = statement(variant, asked, language)
     words, key = language.words("sheet"), language.words("key")
-    text = "".join(part if isinstance(part, str) else to_plain(part) for part in said.text)
+    text = "".join(part if isinstance(part, str) else to_plain(part) for part in problem_text.text)
     found = [
         to_plain(with_surd(Equation(symbol, Measured(language.answer(quantity, value), language.unit(unit))), exact))
-        for quantity, symbol, (value, unit, exact) in zip(asked, said.asked, values, strict=True)
+        for quantity, symbol, (value, unit, exact) in zip(asked, problem_text.asked, values, strict=True)
     ]
     paragraphs = [
         variant.family.title(language.name),
         text,
-        f"{words['given']} {', '.join(to_plain(equation) for equation in said.given)}.",
-        f"{words['find']} {', '.join(to_plain(symbol) for symbol in said.asked)}.",
+        f"{words['given']} {', '.join(to_plain(equation) for equation in problem_text.given)}.",
+        f"{words['find']} {', '.join(to_plain(symbol) for symbol in problem_text.asked)}.",
         f"{key['title']}: {'; '.join(found)}.",
         " ".join(sign_notes(asked, language)),
     ]

@@ -16,8 +16,8 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
-from variantgen.variants.needed import given_names, shown_points
-from variantgen.variants.variant import Variant, speeding
+from variantgen.variants.printed_data import given_names, shown_points
+from variantgen.variants.variant import Variant, is_speeding_up
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.language import Language
 from variantgen.wording.template import StatementTemplate, load_template
@@ -214,7 +214,7 @@ def _context(case: _Case) -> dict[str, Any]:
 def _speeds(variant: Variant) -> tuple[bool, ...]:
     """Whether the motion that each driver gives gets faster: its velocity and acceleration have the same sense."""
     values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
-    return tuple(bool(gets_faster) for gets_faster in speeding(variant.form, values))
+    return tuple(bool(gets_faster) for gets_faster in is_speeding_up(variant.form, values))
 
 
 def _letters_symbol(name: str, variant: Variant, path: Path) -> Symbol:

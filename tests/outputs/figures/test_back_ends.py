@@ -17,13 +17,14 @@ from matplotlib.patches import Rectangle
 from variantgen.errors import InputError, ToolMissingError
 from variantgen.figure.drawing import MEDIUM, THIN, Arc, Drawing, Label, Layer
 from variantgen.figure.drawing import Path as Polyline
+from variantgen.figure.label_requests import label_size
 from variantgen.figure.lettering import letters_of, typeset
-from variantgen.figure.requests import label_size
 from variantgen.outputs.figures import MILLIMETRES, back_ends, mpl, png, write_figure
 from variantgen.outputs.figures.svg import svg
 from variantgen.outputs.figures.tikz import tikz
-from variantgen.outputs.picture import Picture, picture
-from variantgen.outputs.typesetter import figure_data, typesetter
+from variantgen.outputs.single.picture import Picture, picture
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import figure_data
 from variantgen.single import one_variant
 from variantgen.wording.formula import Index, Symbol
 

@@ -119,9 +119,11 @@ def needs_nothing(source: str, tree: ET.Element) -> None:
     (style,) = [node.text or "" for node in tree.iter(f"{XHTML}style")]
     assert "url(" not in style
     assert "@import" not in style
-    told = {node.get("http-equiv") or node.get("name"): node.get("content") or "" for node in tree.iter(f"{XHTML}meta")}
+    output = {
+        node.get("http-equiv") or node.get("name"): node.get("content") or "" for node in tree.iter(f"{XHTML}meta")
+    }
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
     policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
-    assert told["Content-Security-Policy"] == policy
-    assert told["viewport"] == "width=device-width, initial-scale=1"
+    assert output["Content-Security-Policy"] == policy
+    assert output["viewport"] == "width=device-width, initial-scale=1"
     assert source.startswith("<!doctype html>\n")

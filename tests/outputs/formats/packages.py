@@ -14,13 +14,13 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
+from benchmarks.exams import drawn_sheets
 from variantgen.cli import main
-from variantgen.exam.assembly import assemble
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.outputs.formats import Chunk, read_exam
-from variantgen.outputs.typesetter import typesetter
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.typst.typesetter import typesetter
 
 # A title and a name that no markup, file name or document of XML may break on.
 TITLE = '<b>&amp; ]]> "Тест" ../../x {{7*7}} %s'
@@ -68,7 +68,7 @@ def direction(folder: Path) -> Iterator[tuple[Chunk, Callable[[float], Question]
         exam('family = "four_bar"\nask = ["v_B.angle"]', tables='[solutions]\ndepth = "none"'), "utf-8"
     )
     read = read_exam(folder / "exam.toml")
-    sheets = assemble(replace(read, seed="1"), numbered(1)).sheets
+    sheets = drawn_sheets(replace(read, seed="1"), numbered(1))
     with typesetter() as engine:
         part = Chunk(Content(read, sheets), True, engine)
         asked = next(questions(part))

@@ -31,9 +31,9 @@ from tests.outputs.formats.packages import (
     unpacked,
 )
 from variantgen.cli import main
-from variantgen.outputs.qti.canvas_item import Items
-from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.canvas_item import CanvasItems
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import package_figures
 
 QTI = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
 SEEN = re.sub(r"\s+", " ", TITLE)
@@ -221,7 +221,7 @@ def test_right_numbers_of_the_key_score_and_others_do_not(out: Path) -> None:
 
 def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(tmp_path: Path) -> None:
     with direction(tmp_path) as (part, answered):
-        make = Items(part.exam, Figures(part.engine, "svg"), Options(formulas="html"), once=False)
+        make = CanvasItems(part.exam, package_figures(part.engine, "svg"), PackageOptions(formulas="html"), once=False)
         for value, right, wrong in SEAM:
             (item,) = make.items(answered(value))
             assert [score(item, given) for given in right] == [100] * len(right)
@@ -262,19 +262,19 @@ def test_every_question_has_statement_figure_and_what_is_asked(russian: Path) ->
 
 def test_the_solution_follows_the_last_number_of_a_problem(russian: Path) -> None:
     for tree in quizzes(russian).values():
-        told = []
+        output = []
         for item in questions(tree):
             links = [one.get("linkrefid") for one in item.iter("displayfeedback")]
             own = [one.get("ident") for one in item.iter("itemfeedback")]
             assert links == own
-            told.append(bool(own))
+            output.append(bool(own))
             for one in item.iter("itemfeedback"):
                 html = one.findtext("flow_mat/material/mattext") or ""
                 html5lib.HTMLParser(strict=True).parseFragment(html)
                 assert "Ответ:" in html
                 assert "<math" not in html
                 assert all(re.findall(r'<img [^>]*alt="([^"]*)"', html))
-        assert told == [False, False, True, False, True]
+        assert output == [False, False, True, False, True]
 
 
 def test_the_statement_once_before_its_questions(english: Path) -> None:
@@ -324,7 +324,7 @@ def test_one_quiz_draws_a_question_for_each_problem(drawn: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("problem", "table", "told"),
+    ("problem", "table", "output"),
     [
         (
             'family = "four_bar"\nask = ["v_B", "omega_AB"]',
@@ -338,10 +338,10 @@ def test_one_quiz_draws_a_question_for_each_problem(drawn: Path) -> None:
     ],
 )
 def test_mistakes_in_options_are_told(
-    problem: str, table: str, told: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    problem: str, table: str, output: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "exam.toml"
     path.write_text(exam(problem, head='formats = ["canvas"]', tables=f"[canvas]\n{table}", title="T"), "utf-8")
     assert main(["build", str(path), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
-    assert all(part in said for part in told), said
+    assert all(part in said for part in output), said

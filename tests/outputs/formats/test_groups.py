@@ -12,7 +12,7 @@ import pytest
 
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.outputs.file_names import file_names
+from variantgen.outputs.files.file_names import file_names
 
 EXAM = (
     'title = "T"\nlanguage = "ru"\nsort = "{}"\nformats = ["pdf", "html", "latex", "xlsx"]\n{}'

@@ -28,7 +28,7 @@ from tests.outputs.formats.html_pages import (
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.figure.build import statement_figure
-from variantgen.outputs.web.articles import page_style
+from variantgen.outputs.html.articles import page_writing
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
@@ -107,8 +107,8 @@ def test_pages_of_students_are_sound(single: Path) -> None:
 def test_the_same_figure_twice_has_different_ids() -> None:
     variant = one_variant("spool")
     drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked_quantities(variant), load_language("en"))
-    style = page_style("7Q4-K2M")
-    first, again = (style.figure(drawing, 80.0) for _ in range(2))
+    writing = page_writing("7Q4-K2M")
+    first, again = (str(writing.figure(drawing)(0.8, 80.0)) for _ in range(2))
     ids = re.findall(r' id="([^"]*)"', first + again)
     assert len(ids) == len(set(ids)) == 2
     assert all(f'aria-labelledby="{name}"' in drawn for name, drawn in zip(ids, (first, again), strict=True))
@@ -208,10 +208,10 @@ def test_an_earlier_output_is_replaced(tmp_path: Path) -> None:
 def test_a_wrong_option_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam(tmp_path, "en", '[html]\nfiles = "student"\npaper = "a4"\n', '[[problem]]\nfamily = "spool"\n')
     assert main(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
-    told = capsys.readouterr().err
-    assert "html.files" in told
-    assert "students" in told
-    assert "html.paper" in told
+    output = capsys.readouterr().err
+    assert "html.files" in output
+    assert "students" in output
+    assert "html.paper" in output
 
 
 def luminance(colour: str) -> float:

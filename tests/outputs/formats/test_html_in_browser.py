@@ -101,10 +101,10 @@ def test_each_student_starts_on_a_new_page_of_paper(made: tuple[str, Path], tmp_
 def test_figures_are_printed_in_their_size(made: tuple[str, Path], browser: Browser) -> None:
     """Lengths of plans are told in millimetres."""
     page = made[1] / "html" / "solutions.html"
-    told = [float(width) for width in re.findall(r'<svg xmlns="[^"]*" width="([\d.]+)mm"', page.read_text("utf-8"))]
+    output = [float(width) for width in re.findall(r'<svg xmlns="[^"]*" width="([\d.]+)mm"', page.read_text("utf-8"))]
     script = "return [...document.querySelectorAll('svg')].map(node => node.getBoundingClientRect().width)"
     (seen,) = browser.measured([(page, round(181 / 25.4 * 96))], script, paper=True)
-    assert [width / 96 * 25.4 for width in seen] == pytest.approx(told, abs=0.1)
+    assert [width / 96 * 25.4 for width in seen] == pytest.approx(output, abs=0.1)
 
 
 HOSTILE = [

@@ -129,11 +129,11 @@ def test_every_student_begins_on_an_odd_page_with_number_one(samples: Callable[[
 @pytest.mark.parametrize("length", [104, 112])
 def test_a_long_course_leaves_the_group_alone(length: int, tmp_path: Path) -> None:
     """The words of the course end well before the word Group, in whatever line they are."""
-    driver_sweep = ("Theoretical mechanics of plane mechanisms, " * 5)[:length].strip(", ")
-    text = exam_text().replace("[latex]", f"course = {json.dumps(driver_sweep)}\n[latex]")
+    course = ("Theoretical mechanics of plane mechanisms, " * 5)[:length].strip(", ")
+    text = exam_text().replace("[latex]", f"course = {json.dumps(course)}\n[latex]")
     folder = built(tmp_path, text, "id,name,group\na7,Ann Bell,ME-21\n")
     for name in ("sheets", "solutions"):
-        assert squeezed(driver_sweep) in printed(folder / f"{name}.pdf")
+        assert squeezed(course) in printed(folder / f"{name}.pdf")
         assert gap_before(folder / f"{name}.pdf", "Group ME-21") > 8
 
 
@@ -243,7 +243,7 @@ def test_text_appears_as_it_stands(tmp_path: Path, language: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "engine", "told"),
+    ("name", "engine", "output"),
     [
         ("学生 Ann", "pdflatex", ["student 7", "学 (U+5B66), 生 (U+751F)", 'engine = "lualatex"', "font"]),
         ("שלום", "pdflatex", ["student 7", "U+05E9", "latex out of the formats"]),
@@ -253,13 +253,13 @@ def test_text_appears_as_it_stands(tmp_path: Path, language: str) -> None:
     ],
 )
 def test_letters_that_no_font_has_are_told(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, engine: str, told: list[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, engine: str, output: list[str]
 ) -> None:
     options = f'compile = false\nengine = "{engine}"'
     roster = f"id,name\n1,Bob\n7,{name}\n"
     built(tmp_path, exam_text(options=options), roster, "--no-solutions", "--jobs", "2", code=2)
     message = capsys.readouterr().err
-    for part in told:
+    for part in output:
         assert part in message
     assert "student 1" not in message
     assert sorted(path.name for path in tmp_path.iterdir()) == ["class.csv", "exam.toml"]
@@ -271,7 +271,7 @@ def test_a_title_is_checked_before_anything_is_made(tmp_path: Path, capsys: pyte
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "output"),
     [
         ('engine = "xelatex"', "latex.engine: unknown engine"),
         ('compile = "yes"', "latex.compile: expected true or false"),
@@ -280,11 +280,11 @@ def test_a_title_is_checked_before_anything_is_made(tmp_path: Path, capsys: pyte
         ("compil = true", "did you mean compile?"),
     ],
 )
-def test_mistakes_in_the_options_are_told(tmp_path: Path, options: str, told: str) -> None:
+def test_mistakes_in_the_options_are_told(tmp_path: Path, options: str, output: str) -> None:
     (tmp_path / "exam.toml").write_text(exam_text(options=options), "utf-8")
     with pytest.raises(InputError) as error:
         read_exam(tmp_path / "exam.toml")
-    assert told in str(error.value)
+    assert output in str(error.value)
 
 
 @pytest.fixture

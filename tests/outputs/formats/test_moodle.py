@@ -17,8 +17,8 @@ from variantgen.cli import main
 from variantgen.errors import VariantgenError
 from variantgen.exam.roster import Student
 from variantgen.outputs.formats.moodle import check_xml
-from variantgen.outputs.web.cloze import weights
-from variantgen.outputs.web.numbers import plain
+from variantgen.outputs.platforms.cloze import weights
+from variantgen.outputs.platforms.numbers import number
 
 TWO = '[[problem]]\nfamily = "four_bar"\npoints = 10\n[[problem]]\nfamilies = ["spool", "rolling_wheel"]\n'
 MOODLE = 'formats = ["moodle"]\n'
@@ -44,7 +44,7 @@ def by_category(root: ET.Element) -> dict[tuple[str, ...], list[ET.Element]]:
     for question in root:
         assert question.tag == "question"
         if question.get("type") == "category":
-            path = split_category(told(question, "category"))
+            path = split_category(output(question, "category"))
             assert path[:2] == ["$course$", "top"]
             here = found.setdefault(tuple(path[2:]), [])
         else:
@@ -53,7 +53,7 @@ def by_category(root: ET.Element) -> dict[tuple[str, ...], list[ET.Element]]:
     return found
 
 
-def told(question: ET.Element, name: str) -> str:
+def output(question: ET.Element, name: str) -> str:
     return question.findtext(f"{name}/text") or ""
 
 
@@ -75,7 +75,7 @@ def test_answers_tolerances_and_marks_are_those_of_the_key(language: str, tmp_pa
     assert sorted(map(place, questions)) == sorted(key)
     for question in questions:
         rows = key[place(question)]
-        parts = read_cloze(told(question, "questiontext"))
+        parts = read_cloze(output(question, "questiontext"))
         assert [part.right for part in parts] == [((float(r["value"]), float(r["tolerance"])),) for r in rows]
         shares = [part.weight for part in parts]
         assert sum(shares) == (10 if place(question)[1] == "1" else len(rows))
@@ -122,7 +122,7 @@ def test_moodle_would_lose_blanks_between_entities() -> None:
 )
 def test_students_are_asked_for_a_decimal_point(language: str, note: str, tmp_path: Path) -> None:
     questions = clozes(quiz(built(tmp_path, MOODLE + NO_SOLUTIONS + TWO, 2, language=language)))
-    assert all(note in told(question, "questiontext") for question in questions)
+    assert all(note in output(question, "questiontext") for question in questions)
 
 
 def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:
@@ -130,7 +130,7 @@ def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:
     out = built(tmp_path, MOODLE + NO_SOLUTIONS + body, 12)
     key, both = key_rows(out), 0
     for question in clozes(quiz(out)):
-        (part,) = read_cloze(told(question, "questiontext"))
+        (part,) = read_cloze(output(question, "questiontext"))
         (row,) = key[place(question)]
         assert part.right[0] == (float(row["value"]), float(row["tolerance"]))
         if abs(part.right[0][0]) == 180:
@@ -159,7 +159,7 @@ def test_every_text_has_its_figures_with_words(form: str, tmp_path: Path) -> Non
     for name, least in (("questiontext", 1), ("generalfeedback", 3)):
         element = question.find(name)
         assert element is not None
-        page = html5lib.parseFragment(told(question, name), namespaceHTMLElements=False)
+        page = html5lib.parseFragment(output(question, name), namespaceHTMLElements=False)
         shown = page.findall(".//img")
         assert len(shown) >= least
         assert len(shown[0].get("alt", "")) > 30
@@ -179,7 +179,7 @@ def test_feedback_has_the_solution_as_mathjax_knows_it(tmp_path: Path) -> None:
     body = "".join(f'[[problem]]\nfamily = "{name}"\n' for name in ("four_bar", "planetary_train", "scotch_yoke"))
     out = built(tmp_path, MOODLE + body, 2, language="ru")
     for question in clozes(quiz(out)):
-        page = html5lib.parseFragment(told(question, "generalfeedback"), namespaceHTMLElements=False)
+        page = html5lib.parseFragment(output(question, "generalfeedback"), namespaceHTMLElements=False)
         text = "".join(page.itertext())
         assert "План решения" in text and "Ответ" in text
         formulas = re.findall(r"\\\((.*?)\\\)", text)
@@ -192,7 +192,7 @@ def test_feedback_has_the_solution_as_mathjax_knows_it(tmp_path: Path) -> None:
 
 def test_without_solutions_there_is_no_feedback(tmp_path: Path) -> None:
     for question in clozes(quiz(built(tmp_path, MOODLE + NO_SOLUTIONS + TWO))):
-        assert told(question, "generalfeedback") == ""
+        assert output(question, "generalfeedback") == ""
         assert question.findall("generalfeedback/file") == []
 
 
@@ -234,15 +234,15 @@ def test_text_from_outside_is_text(categories: str, tmp_path: Path) -> None:
     if categories == "students":
         assert [names[1] for names in found] == [shown, "/"]
     for question in (question for own in found.values() for question in own):
-        text = told(question, "questiontext")
+        text = output(question, "questiontext")
         parts = read_cloze(text)
         assert [part.right[0][0] for part in parts] == [float(row["value"]) for row in key[place(question)]]
         assert sum(part.weight for part in parts) == 7
         page = html5lib.parseFragment(text, namespaceHTMLElements=False)
         assert page.find(".//script") is None
         assert HOSTILE in "".join(page.itertext())
-        assert told(question, "name").startswith(f"1. {shown} · ")
-        for name in (told(question, "name"), *(name for names in found for name in names)):
+        assert output(question, "name").startswith(f"1. {shown} · ")
+        for name in (output(question, "name"), *(name for names in found for name in names)):
             assert len(name) <= 255 and "<" not in name
 
 
@@ -281,11 +281,11 @@ def test_a_file_that_is_no_xml_is_refused(tmp_path: Path) -> None:
 
 
 def test_weights_keep_the_points() -> None:
-    assert weights(10, 4) == [3, 3, 2, 2]
-    assert weights(6, 3) == [2, 2, 2]
-    assert weights(3, 3) == weights(2, 3) == weights(None, 3) == [1, 1, 1]
+    assert weights(10, 4) == (3, 3, 2, 2)
+    assert weights(6, 3) == (2, 2, 2)
+    assert weights(3, 3) == weights(2, 3) == weights(None, 3) == (1, 1, 1)
 
 
 def test_numbers_are_plain() -> None:
     numbers = ["1E+2", "1e-7", "-0.0", "12.500", "-3", "100"]
-    assert [plain(Decimal(text)) for text in numbers] == ["100", "0.0000001", "0", "12.5", "-3", "100"]
+    assert [number(Decimal(text)) for text in numbers] == ["100", "0.0000001", "0", "12.5", "-3", "100"]

@@ -16,8 +16,8 @@ import pytest
 from tests.pdf_text import page_texts
 from tests.verapdf import failures
 from variantgen.cli import main
-from variantgen.outputs.pdf_options import STANDARDS, Options, read_options
-from variantgen.outputs.typesetter import TypesettingError, typesetter
+from variantgen.outputs.pdf_options import STANDARDS, PdfOptions, read_options
+from variantgen.outputs.typst.typesetter import TypesettingError, typesetter
 from variantgen.tables import Table
 
 ROSTER = "id;name;group\n17;Иванов Иван;М-21\n4;Öztürk Ann;М-21\n99;De la Cruz, Ana;\n"
@@ -247,7 +247,7 @@ def test_options(table: dict[str, Any], wanted: Any) -> None:
     found = read_options(Table(table, "pdf", mistakes))
     if isinstance(wanted, str):
         assert [problem.key for problem in mistakes] == [f"pdf.{wanted}"]
-        assert found == Options()
+        assert found == PdfOptions()
     else:
         assert (found.standards, mistakes) == (wanted, [])
 

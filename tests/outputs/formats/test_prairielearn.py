@@ -212,8 +212,8 @@ def test_text_from_outside_is_text(tmp_path: Path) -> None:
     for seed in (0, 1):
         page = question.page(question.generated(seed))
         assert page.find(".//script") is None
-        told = "".join(page.itertext())
-        assert HOSTILE in told
+        output = "".join(page.itertext())
+        assert HOSTILE in output
         assert len(list(page.iter("pl-number-input"))) == 6
     info = json.loads((question.folder / "info.json").read_text("utf-8"))
     assert (info["title"], info["topic"]) == (HOSTILE, f"T {HOSTILE}")
@@ -249,9 +249,9 @@ def test_mistakes_in_options_are_told(tmp_path: Path, capsys: pytest.CaptureFixt
         f'title = "T"\nlanguage = "en"\n{FORMAT}[prairielearn]\nfigures = "pdf"\ncolour = 1\n{TWO}', "utf-8"
     )
     assert main(["build", str(exam), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
-    told = capsys.readouterr().err
-    assert 'prairielearn.figures: expected one of "svg", "png" (got pdf)' in told
-    assert "prairielearn.colour: unknown key" in told
+    output = capsys.readouterr().err
+    assert 'prairielearn.figures: expected one of "svg", "png" (got pdf)' in output
+    assert "prairielearn.colour: unknown key" in output
 
 
 def test_force_replaces_an_earlier_output(tmp_path: Path) -> None:

@@ -31,14 +31,14 @@ from tests.outputs.formats.packages import (
 )
 from tests.outputs.formats.qti_reading import MATHML, Attempt, check
 from variantgen.cli import main
+from variantgen.outputs.platforms.point_shares import shares
 from variantgen.outputs.qti.dialect import QTI21, QTI30, Dialect
-from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.item import Items
-from variantgen.outputs.qti.options import Options
+from variantgen.outputs.qti.item import QtiItems
+from variantgen.outputs.qti.options import PackageOptions
 from variantgen.outputs.qti.package import contents, indexes, names, pack
 from variantgen.outputs.qti.package import package as zip_package
-from variantgen.outputs.qti.tree import document
-from variantgen.outputs.web.points import shares
+from variantgen.outputs.qti.package_images import package_figures
+from variantgen.outputs.qti.xml_tree import document
 
 NAMESPACES = {
     "qti21": ("http://www.imsglobal.org/xsd/imsqti_v2p1", "http://www.imsglobal.org/xsd/imscp_v1p1"),
@@ -187,12 +187,12 @@ def test_both_versions_say_the_same(russian: Path) -> None:
     for where in old:
         first, second = plain(old[where]), plain(new[where])
         for name in ("responseDeclaration", "outcomeDeclaration", "responseProcessing"):
-            told = [
+            output = [
                 [(one.tag, one.attrib, one.text) for top in tree.iter(name) for one in top.iter()]
                 for tree in (first, second)
             ]
-            assert told[0] == told[1]
-            assert told[0]
+            assert output[0] == output[1]
+            assert output[0]
         texts = ["".join(tree.find("itemBody").itertext()) for tree in (first, second)]  # type: ignore[union-attr]
         assert texts[0] == texts[1]
 
@@ -291,7 +291,7 @@ def test_same_bytes_for_any_number_of_processes(tmp_path: Path) -> None:
 @pytest.mark.parametrize("dialect", [QTI21, QTI30])
 def test_a_direction_near_the_seam_may_be_given_with_a_turn_more(dialect: Dialect, tmp_path: Path) -> None:
     with direction(tmp_path) as (part, answered):
-        items_of = Items(dialect, part.exam, Figures(part.engine, "svg"), Options())
+        items_of = QtiItems(dialect, part.exam, package_figures(part.engine, "svg"), PackageOptions())
         for value, right, wrong in SEAM:
             item = plain(parsed(document(items_of.item(answered(value)))))
             check(item, dialect is QTI30)
@@ -330,7 +330,7 @@ def test_shares_are_equal_and_sum_up(points: int | None, parts: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("table", "told"),
+    ("table", "output"),
     [
         ('[qti21]\nfigures = "jpg"', ['qti21.figures: expected one of "png", "svg"', "jpg"]),
         ('[qti30]\ntests = "student"', ["qti30.tests", "did you mean students?"]),
@@ -340,10 +340,10 @@ def test_shares_are_equal_and_sum_up(points: int | None, parts: int) -> None:
     ],
 )
 def test_mistakes_in_options_are_told(
-    table: str, told: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    table: str, output: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "exam.toml"
     path.write_text(exam('family = "spool"', tables=table, title="T"), "utf-8")
     assert main(["build", str(path), "--variants", "1", "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
-    assert all(part in said for part in told), said
+    assert all(part in said for part in output), said

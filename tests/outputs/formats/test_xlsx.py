@@ -21,7 +21,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from tests.outputs.formats.workbooks import Grading
 from variantgen.cli import main
 from variantgen.outputs.formats import options, read_exam, xlsx
-from variantgen.outputs.spreadsheet import book, key_book
+from variantgen.outputs.spreadsheet import key_book, workbook_writer
 from variantgen.resources import catalog_dir
 
 ROSTER = "id;name;group\n007;Иванов Иван;М-21\n1E5;Öztürk Ann;М-22\n99;De la Cruz, Ana;М-21\n3;Ng;\n"
@@ -188,16 +188,16 @@ def test_what_an_answer_does_not_show_is_marked_and_told(tmp_path: Path) -> None
         exam = f'title = "T"\nlanguage = "{language}"\nformats = ["xlsx"]\n[[problem]]\nfamily = "slider_crank"\n'
         out = build(folder, exam, "id,name\n" + "".join(f"{i},N{i}\n" for i in range(20)))
         sheet, *others = openpyxl.load_workbook(out / KEY).worksheets
-        told = ""
+        output = ""
         for row, right in zip(sheet.iter_rows(min_row=2), answers(out), strict=True):
             assert row[7].number_format.endswith('"*"') == bool(right.unnoticed)
             said = row[-1].value or ""
             assert len(said.split("; ")) == len(right.unnoticed.split("; "))
             assert bool(said) == bool(right.unnoticed)
-            told += said
-        assert word in told
+            output += said
+        assert word in output
         if language == "ru":
-            assert not re.search(r"[a-z]{4}", told), told
+            assert not re.search(r"[a-z]{4}", output), output
         stars = [c for other in others for row in other.iter_rows() for c in row if c.number_format.endswith('"*"')]
         assert len(stars) == sum(bool(right.unnoticed) for right in answers(out))
 
@@ -398,7 +398,7 @@ HOSTILE = [
 
 @pytest.mark.parametrize("students", [1000, 2])
 def test_text_is_text(students: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(book, "_MANY_STUDENTS", students)
+    monkeypatch.setattr(workbook_writer, "_MANY_STUDENTS", students)
     rows = [[f"{text}", text, text] for text in HOSTILE]
     with (tmp_path / "roster.csv").open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([["id", "name", "group"], *rows])
@@ -469,7 +469,7 @@ def test_titles_of_sheets(tmp_path: Path) -> None:
     ],
 )
 def test_title_of_a_sheet(text: str, taken: tuple[str, ...], title: str) -> None:
-    found = book.sheet_title(text, taken)
+    found = workbook_writer.sheet_title(text, taken)
     assert found == title
     assert len(found.encode("utf-16-le")) <= 62
 
@@ -485,7 +485,7 @@ def cells(path: Path) -> list[list[list[tuple[Any, str]]]]:
 def test_large_classes_have_the_same_cells(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     outs = []
     for name, many in (("small", 4), ("large", 3)):
-        monkeypatch.setattr(book, "_MANY_STUDENTS", many)
+        monkeypatch.setattr(workbook_writer, "_MANY_STUDENTS", many)
         (tmp_path / name).mkdir()
         outs.append(build(tmp_path / name, EXAM.format(language="ru")))
         for path in (KEY, FORM):
@@ -547,7 +547,7 @@ def test_without_the_package(
 ) -> None:
     monkeypatch.setattr(xlsx, "find_spec", lambda name: None)
     (tmp_path / "exam.toml").write_text(EXAM.format(language="en"), "utf-8")
-    assert options(read_exam(tmp_path / "exam.toml"), "xlsx") == xlsx.Options(protect=True)
+    assert options(read_exam(tmp_path / "exam.toml"), "xlsx") == xlsx.XlsxOptions(protect=True)
     assert main(["build", str(tmp_path / "exam.toml"), "--variants", "1", "--out", str(tmp_path / "out")]) == 3
     assert 'pip install ".[xlsx]"' in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -10,7 +10,7 @@ import pytest
 
 from tests.pdf_text import page_texts
 from variantgen.outputs.join import join_pdfs
-from variantgen.outputs.pdf.bookmarks import Named
+from variantgen.outputs.pdf.bookmarks import BookmarkName
 
 # What looks like references and keys of a PDF inside strings must not change.
 STRANGE = ["(1 0 R) /StructParents 7", "\\) 12 0 R", "Ж 3 0 R", "<41> 5 0 R", "a\r\nb\x80", ""]
@@ -66,7 +66,7 @@ def test_pages_links_and_strings_are_kept(tmp_path: Path) -> None:
 
 def test_bookmarks_are_named_one_by_one(tmp_path: Path) -> None:
     parts = [part(tmp_path / f"p{i}.pdf", 1, "x") for i in range(3)]
-    names = [Named("a"), Named("b", "G"), Named("c", "G")]
+    names = [BookmarkName("a"), BookmarkName("b", "G"), BookmarkName("c", "G")]
     join_pdfs(parts, tmp_path / "whole.pdf", "T", "en", False, names)
     with pikepdf.open(tmp_path / "whole.pdf") as pdf, pdf.open_outline() as outline:
         assert [(item.title, [child.title for child in item.children]) for item in outline.root] == [

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.figure.reading import variants_of
-from variantgen.outputs.explanation import explain
+from variantgen.outputs.single.explanation import explain
 from variantgen.single import asked_quantities, one_variant
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import statement
@@ -114,6 +114,6 @@ def test_that_the_contact_is_the_velocity_centre_is_said_once() -> None:
 @pytest.mark.parametrize(("name", "form"), [("winch_with_pulley", "single"), ("movable_pulley", "anchored")])
 def test_statements_and_solutions_call_a_thread_the_same(name: str, form: str, language: str, thread: str) -> None:
     variant = variants_of(name, form, 1)[0][0]
-    told = statement(variant, asked_quantities(variant), load_language(language)).text
-    assert thread in "".join(part for part in told if isinstance(part, str)).lower()
+    output = statement(variant, asked_quantities(variant), load_language(language)).text
+    assert thread in "".join(part for part in output if isinstance(part, str)).lower()
     assert thread in str(explain(variant, language=language)).lower()

@@ -5,14 +5,14 @@ from __future__ import annotations
 from variantgen.wording.formula import Fraction, Index, Measured, Number, Product, Symbol, UnitText, Vector
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import (
-    Line,
-    Lines,
+    FormulaLine,
+    FormulaLines,
     Paragraph,
     Program,
     Section,
     SolutionText,
-    VectorRow,
     VectorTable,
+    VectorTableRow,
 )
 from variantgen.wording.solution.plain import plain_solution
 
@@ -43,12 +43,12 @@ def test_order_and_headings() -> None:
 
 
 def test_fractions_in_one_line() -> None:
-    lines = solution(Lines((Line((("", V_B), ("=", Fraction(V_A, Number("2"))), ("=", SPEED))),)))
+    lines = solution(FormulaLines((FormulaLine((("", V_B), ("=", Fraction(V_A, Number("2"))), ("=", SPEED))),)))
     assert "    v_B = v_A / 2 = 12.5 cm/s" in lines
 
 
 def test_a_long_formula_is_broken_before_a_sign() -> None:
-    lines = solution(Lines((Line((("", V_B), ("=", LONG), ("=", LONG), ("=", SPEED))),)))
+    lines = solution(FormulaLines((FormulaLine((("", V_B), ("=", LONG), ("=", LONG), ("=", SPEED))),)))
     rows = [line for line in lines if "ABCDEFGH" in line]
     assert len(rows) == 2
     assert rows[0].startswith("    v_B = ω")
@@ -63,7 +63,7 @@ def test_text_is_wrapped_at_blanks() -> None:
 
 
 def test_tables_are_aligned() -> None:
-    rows = (VectorRow(Vector(V_B), ("along ", Symbol("AB")), None), VectorRow(Vector(V_A), ("given",), SPEED))
+    rows = (VectorTableRow(Vector(V_B), ("along ", Symbol("AB")), None), VectorTableRow(Vector(V_A), ("given",), SPEED))
     lines = solution(VectorTable(("vector", "direction", "magnitude"), "unknown", rows))
     start = lines.index("    vector  direction  magnitude")
     # The arrow above v is a mark that takes no column.

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.mechanism.solve import solve
 
 TITLE = "cancelling accelerations"
@@ -16,7 +16,7 @@ ABOUT = "Epsilon is such that the slider's acceleration, or the rocker's angular
 PLACE = 8
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per remainder and mechanism."""
     remainders = (1e-2, 1e-5, 1e-8, 1e-11, 1e-14)
     each = max(1, count // len(remainders))

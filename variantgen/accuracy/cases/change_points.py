@@ -6,7 +6,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import grouped, rates, sides
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.accuracy.textbook.four_bar import FourBar
 
 TITLE = "near change points"
@@ -14,7 +14,7 @@ ABOUT = "Parallelograms and antiparallelograms (a = c, b = d) and kites (a = d, 
 PLACE = 2
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per angle."""
     angles = [10.0**-k for k in range(1, 9)]
     each = max(1, count // len(angles))

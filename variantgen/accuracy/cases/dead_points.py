@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import chosen, grouped, rates, sides
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
 
@@ -19,7 +19,7 @@ PLACE = 1
 _ANGLES = tuple(10.0**-k for k in range(1, 9))
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per angle and mechanism."""
     each = max(1, count // len(_ANGLES))
     found = []

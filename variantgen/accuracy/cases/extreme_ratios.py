@@ -10,13 +10,13 @@ from __future__ import annotations
 from numpy.random import Generator
 
 from variantgen.accuracy.cases.length_ratios import spanned
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 
 TITLE = "extreme length ratios"
 ABOUT = "Lengths drawn evenly by their logarithm over a range of 1e8 to 1e12 (1e-6 to 1e6 m)."
 PLACE = 9
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per range and mechanism."""
     return spanned(count, rng, (4.0, 5.0, 6.0))

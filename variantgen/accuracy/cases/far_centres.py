@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import chosen, grouped, rates
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
 
@@ -17,7 +17,7 @@ ABOUT = "Crank and rocker 1e-1 to 1e-14 rad from parallel (crank and normal of t
 PLACE = 3
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per angle and mechanism."""
     angles = [10.0**-k for k in (1, 2, 4, 6, 8, 10, 12, 14)]
     each = max(1, count // len(angles))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import chosen, grouped, rates, sides
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.accuracy.textbook.slider_crank import SliderCrank
 
@@ -24,12 +24,12 @@ ABOUT = "Lengths drawn evenly by their logarithm over a range of 1e2 to 1e6, sin
 PLACE = 5
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per range and mechanism."""
     return spanned(count, rng, (1.0, 1.5, 2.0, 2.5, 3.0))
 
 
-def spanned(count: int, rng: Generator, spans: Sequence[float]) -> list[Group]:
+def spanned(count: int, rng: Generator, spans: Sequence[float]) -> list[CaseGroup]:
     """A group per mechanism and ``span``: lengths of ``10**-span`` to ``10**span`` m."""
     each = max(1, count // len(spans))
     found = []

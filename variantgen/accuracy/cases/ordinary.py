@@ -7,7 +7,7 @@ from dataclasses import replace
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.families.load import family_names, load_family
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
@@ -17,7 +17,7 @@ ABOUT = "Every family and form of the catalogue, and four-bars and slider-cranks
 PLACE = 0
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """At least one variant of every form."""
     found = []
     for name in family_names():
@@ -27,7 +27,7 @@ def groups(count: int, rng: Generator) -> list[Group]:
             number = max(1, count // 48)
             keys = [(str(seed), "accuracy") for seed in rng.integers(10**6, size=number)]
             motion = solve_variants(draw(single, None, keys), 0)
-            found.append(Group(f"{name}/{label}" if label else name, motion.scene, number))
+            found.append(CaseGroup(f"{name}/{label}" if label else name, motion.scene, number))
     found.append(grouped("four-bar", four_bars(rng, count), count))
     found.append(grouped("slider-crank", slider_cranks(rng, count), count))
     return found

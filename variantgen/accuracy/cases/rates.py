@@ -8,14 +8,14 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 
 TITLE = "slow and fast drives"
 ABOUT = "Angular velocities of 1e-6 to 1e6 rad/s; epsilon is against omega, of 1e-6 to 1e6 rad/s^2."
 PLACE = 7
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per power of omega and mechanism."""
     powers = (-6, -4, -2, 2, 4, 6)
     each = max(1, count // len(powers))

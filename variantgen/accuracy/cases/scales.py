@@ -7,14 +7,14 @@ from dataclasses import replace
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 
 TITLE = "whole mechanism scaled"
 ABOUT = "Ordinary proportions, all lengths times 1e-9 to 1e9."
 PLACE = 6
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per factor and mechanism."""
     powers = (-9, -6, -3, 3, 6, 9)
     each = max(1, count // len(powers))

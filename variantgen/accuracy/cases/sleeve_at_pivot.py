@@ -6,7 +6,7 @@ import numpy as np
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import rates
-from variantgen.accuracy.computed import Group
+from variantgen.accuracy.computed import CaseGroup
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -19,11 +19,11 @@ ABOUT = "A crank's pin slides in a slotted rocker and passes the rocker's pivot 
 PLACE = 4
 
 
-def groups(count: int, rng: Generator) -> list[Group]:
+def groups(count: int, rng: Generator) -> list[CaseGroup]:
     """A group per distance."""
     gaps = [10.0**-k for k in range(1, 9)]
     each = max(1, count // len(gaps))
-    return [Group(f"{gap:.0e} of the crank", _scene(rng, gap, each), each, notes={"gap": gap}) for gap in gaps]
+    return [CaseGroup(f"{gap:.0e} of the crank", _scene(rng, gap, each), each, notes={"gap": gap}) for gap in gaps]
 
 
 def _scene(rng: Generator, gap: float, count: int) -> Scene:

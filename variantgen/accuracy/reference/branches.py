@@ -16,7 +16,7 @@ _FAR = 0.05
 def on_branch(scene: Scene, places: Mapping[str, Any], exact: Mapping[str, Any], size: Any) -> bool:
     """Whether places (in the scene's frame, m) lie on the branch that the exact scene asks for.
 
-    A point is judged by the points it is constructed from, as they were found. ``exact`` are the right places.
+    A point is compared with the points it is constructed from, as they were found. ``exact`` are the right places.
     """
     for name, item in scene.points.items():
         if name not in places:

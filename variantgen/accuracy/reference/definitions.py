@@ -90,8 +90,8 @@ def tangent(item: Any, z: Any, at: Places) -> tuple[Any, ...]:
     if item.radius.value == 0:
         return radius.real, radius.imag
     outward = item.side.value * radius / abs(radius)
-    reach = (outward.conjugate() * (at[item.to] - z)).real
-    return abs(radius) - item.radius.value, reach + item.to_side.value * item.to_radius.value
+    projection = (outward.conjugate() * (at[item.to] - z)).real
+    return abs(radius) - item.radius.value, projection + item.to_side.value * item.to_radius.value
 
 
 def distance(item: Any, at: Places) -> tuple[Any, ...]:

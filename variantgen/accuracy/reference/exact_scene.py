@@ -16,7 +16,7 @@ from variantgen.mechanism.scene import Scene, with_numbers
 
 
 @dataclass(frozen=True)
-class Datum:
+class SceneNumber:
     """A number that a scene is given by: which of its components (in the order of :func:`data`) and which field."""
 
     number: int
@@ -44,17 +44,17 @@ def wide_scene(scene: Scene) -> Scene:
     return replace(with_numbers(scene, lambda _, value, __: np.asarray(value, np.longdouble)), frame=frame)
 
 
-def data(scene: Scene) -> Iterator[Datum]:
+def data(scene: Scene) -> Iterator[SceneNumber]:
     """The numbers of an exact scene that may be perturbed: lengths, angles, ratios, rates; not sides and senses."""
     for number, component in enumerate(_components(scene)):
         for spec in _fields(component):
             if spec.dimension and not spec.words:
                 value = getattr(component, spec.name).value
                 if value != 0:
-                    yield Datum(number, spec.name, value)
+                    yield SceneNumber(number, spec.name, value)
 
 
-def perturbed(scene: Scene, datum: Datum, factor: Any) -> Scene:
+def perturbed(scene: Scene, datum: SceneNumber, factor: Any) -> Scene:
     """An exact scene with one of its numbers multiplied by a factor."""
 
     def change(number: int, value: Series, name: str) -> Series:

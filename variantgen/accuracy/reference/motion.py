@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from variantgen.accuracy.precise import mpmath
-from variantgen.accuracy.reference.closing import Closing
+from variantgen.accuracy.reference.checked_positions import check_substituted, on_paper, positions
+from variantgen.accuracy.reference.closure_equations import ClosureEquations
 from variantgen.accuracy.reference.linear import Factors
-from variantgen.accuracy.reference.placed import check_substituted, on_paper, positions
 from variantgen.accuracy.reference.series import Series, series
 from variantgen.mechanism.scene import Scene
 
@@ -23,7 +23,7 @@ _ROUNDS = 12
 
 
 @dataclass(frozen=True)
-class Exact:
+class ExactMotion:
     """The motion of one variant in numbers of mpmath; units and signs as in :class:`~..mechanism.motion.Motion`.
 
     ``size`` is the largest distance of a point from the middle of all points (m); ``places`` are in the scene's frame.
@@ -39,39 +39,41 @@ class Exact:
 
 
 @dataclass(frozen=True)
-class Solution:
+class ExactSolution:
     """The exact motion with what it takes to find that of a neighbouring scene: unknowns and factors."""
 
-    exact: Exact
+    exact: ExactMotion
     terms: tuple[list[Any], list[Any]]
     factors: Factors
 
 
-def solve_exactly(scene: Scene, near: Solution | None = None, guess: Mapping[str, Any] | None = None) -> Solution:
+def solve_exactly(
+    scene: Scene, near: ExactSolution | None = None, guess: Mapping[str, Any] | None = None
+) -> ExactSolution:
     """The motion of an exact scene (see :func:`~.exact_scene.exact_scene`).
 
     ``near``: the solution of a scene that differs very little, from which this one is found by corrections. Raises
     NoSuchPointError where it does not assemble, ZeroDivisionError at a dead point, ArithmeticError where the residuals
     do not vanish.
     """
-    at = positions(scene, near.exact.places if near else guess)
+    at = positions(scene, near.exact.places if near else None)
     z = on_paper(scene, at)
     if near is None:
         check_substituted(scene, at)
-        closing = Closing(scene, z, _size(z))
+        closing = ClosureEquations(scene, z, _size(z))
         factors = Factors(_jacobian(closing))
         zero = [mpmath().mpf(0)] * closing.unknowns
         first, second = zero, zero
     else:
         factors, (first, second) = near.factors, near.terms
-        closing = Closing(scene, z, near.exact.size)
+        closing = ClosureEquations(scene, z, near.exact.size)
     rounds = 1 if near else _ROUNDS
     q1 = _corrected(closing, factors, [first], rounds)
     q2 = _corrected(closing, factors, [q1, second], rounds)
-    return Solution(_exact(closing, at, z, q1, q2), (q1, q2), factors)
+    return ExactSolution(_exact(closing, at, z, q1, q2), (q1, q2), factors)
 
 
-def _corrected(closing: Closing, factors: Factors, terms: Sequence[list[Any]], rounds: int) -> list[Any]:
+def _corrected(closing: ClosureEquations, factors: Factors, terms: Sequence[list[Any]], rounds: int) -> list[Any]:
     """The last of the terms such that the residual of its order vanishes; with one round only corrected."""
     order = len(terms)
     time = Series((mpmath().mpf(0), mpmath().mpf(1), *[mpmath().mpf(0)] * (order - 1)))
@@ -89,7 +91,7 @@ def _corrected(closing: Closing, factors: Factors, terms: Sequence[list[Any]], r
     return q
 
 
-def _jacobian(closing: Closing) -> list[list[Any]]:
+def _jacobian(closing: ClosureEquations) -> list[list[Any]]:
     """Derivatives of the residuals by the displacements, by differences."""
     mp = mpmath()
     step = mp.mpf(10) ** -_STEP
@@ -104,12 +106,12 @@ def _jacobian(closing: Closing) -> list[list[Any]]:
 
 
 def _exact(
-    closing: Closing, at: Mapping[str, Any], z: Mapping[str, Any], q1: Sequence[Any], q2: Sequence[Any]
-) -> Exact:
+    closing: ClosureEquations, at: Mapping[str, Any], z: Mapping[str, Any], q1: Sequence[Any], q2: Sequence[Any]
+) -> ExactMotion:
     zero = mpmath().mpf(0)
     moved = closing.placement([Series((zero, x, y)) for x, y in zip(q1, q2, strict=True)])
     material = [*closing.home, *closing.single]
-    return Exact(
+    return ExactMotion(
         at,
         z,
         {name: moved.z[name].term(1) for name in material},

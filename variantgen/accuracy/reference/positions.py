@@ -31,7 +31,7 @@ def coordinates(item: Any, at: Places) -> Any:
 
 
 def near(item: Any, at: Places) -> Any:
-    """The picture, from which :mod:`variantgen.accuracy.reference.together` goes on."""
+    """The picture, from which :mod:`variantgen.accuracy.reference.simultaneous_positions` goes on."""
     return coordinates(item, at)
 
 

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.accuracy.integration.compare import DIRECT, PassageErrors
+from variantgen.accuracy.integration.integrate import METHODS
 from variantgen.accuracy.measure import Errors, discovered
-from variantgen.accuracy.overtime.compare import DIRECT, Followed
-from variantgen.accuracy.overtime.integrate import METHODS
-from variantgen.accuracy.report.lines import Line, by_class
-from variantgen.accuracy.report.style import STABILISED, Look, looks
-from variantgen.accuracy.run import Measured, Trip
+from variantgen.accuracy.report.plot_style import STABILISED, PlotStyle, plot_styles
+from variantgen.accuracy.report.result_rows import ResultRow, by_class
+from variantgen.accuracy.run import Measurement, PassageResult
 from variantgen.errors import missing_package
 from variantgen.mechanism.arithmetic import EPS
 
@@ -42,7 +42,7 @@ def need_matplotlib() -> None:
         raise missing_package("the diagrams need", "matplotlib", "accuracy") from None
 
 
-def draw(measured: Measured, folder: Path) -> list[str]:
+def draw(measured: Measurement, folder: Path) -> list[str]:
     """Draw all diagrams into a folder, as PDF and PNG; returns the names of the files."""
     need_matplotlib()
     import matplotlib
@@ -77,14 +77,14 @@ def _panels(count: int, columns: int, inches: tuple[float, float]) -> tuple[Any,
     return figure, flat[:count]
 
 
-def _mark(axis: Any, x: float, y: float, look: Look, label: str = "") -> None:
+def _mark(axis: Any, x: float, y: float, look: PlotStyle, label: str = "") -> None:
     axis.plot(
-        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour, label=label,
+        [x], [y], marker=look.marker, linestyle="none", markersize=5.5, color=look.colour,
         markerfacecolor=look.colour if look.filled else "white", markeredgewidth=1.0, zorder=3 + look.filled,
     )  # fmt: skip
 
 
-def _handles(styles: dict[str, Look], names: dict[str, str]) -> list[Any]:
+def _handles(styles: dict[str, PlotStyle], names: dict[str, str]) -> list[Any]:
     from matplotlib.lines import Line2D
 
     return [
@@ -100,10 +100,10 @@ def _titles() -> dict[str, str]:
     return {name: str(way.SHORT) for name, way in discovered().items()}
 
 
-def _work_precision(measured: Measured) -> Any:
+def _work_precision(measured: Measurement) -> Any:
     """Error against time per variant, a panel for each class: median, and a line up to the largest error."""
     figure, axes = _panels(len(measured.classes), 3, _INCHES)
-    styles = looks(list(discovered()))
+    styles = plot_styles(list(discovered()))
     for axis, case in zip(axes, measured.classes, strict=True):
         axis.set_title(case.title, loc="left")
         for line in by_class(case):
@@ -123,7 +123,7 @@ def _work_precision(measured: Measured) -> Any:
     return figure
 
 
-def _way(axis: Any, line: Line, look: Look) -> None:
+def _way(axis: Any, line: ResultRow, look: PlotStyle) -> None:
     """One way in one class, with the share of the variants for which it fails."""
     if not (math.isfinite(line.acceleration) and math.isfinite(line.microseconds)):
         return
@@ -141,11 +141,11 @@ def _way(axis: Any, line: Line, look: Look) -> None:
         )  # fmt: skip
 
 
-def _conditioning(measured: Measured) -> Any:
+def _conditioning(measured: Measurement) -> Any:
     """Error against condition number, a panel for each way: all variants of all classes."""
     names = list(discovered())
     figure, axes = _panels(len(names), 2, (_INCHES[0], 9.4))
-    markers = looks([case.title for case in measured.classes])
+    markers = plot_styles([case.title for case in measured.classes])
     span = np.array([1.0, 1e25])
     for axis, name in zip(axes, names, strict=True):
         axis.set_title(discovered()[name].SHORT, loc="left")
@@ -163,7 +163,7 @@ def _conditioning(measured: Measured) -> Any:
     return figure
 
 
-def _cloud(axis: Any, errors: Iterable[Errors], look: Look) -> None:
+def _cloud(axis: Any, errors: Iterable[Errors], look: PlotStyle) -> None:
     points = [(kappa[1], row[2]) for e in errors for kappa, row in zip(e.kappas, e.rows, strict=True)]
     if points:
         x, y = np.array(points).T
@@ -173,17 +173,17 @@ def _cloud(axis: Any, errors: Iterable[Errors], look: Look) -> None:
         )  # fmt: skip
 
 
-def _motion(measured: Measured) -> Any:
+def _motion(measured: Measurement) -> Any:
     """Error against time of a whole passage, a panel for each: a line over the tolerances for each method."""
     columns = 2
     rows = math.ceil(len(measured.trips) / columns)
     figure, axes = _panels(len(measured.trips), columns, (_INCHES[0], 1.2 + 2.5 * rows))
-    styles = looks([DIRECT, *METHODS])
+    styles = plot_styles([DIRECT, *METHODS])
     for axis, trip in zip(axes, measured.trips, strict=True):
         axis.set_title(f"{trip.title} (stiffness ratio {_power(trip.stiffness)})", loc="left")
         for method, look in styles.items():
             for stabilisation in STABILISED:
-                _track(axis, trip, method, stabilisation, look)
+                _trajectory(axis, trip, method, stabilisation, look)
     axes[0].set_ylim(1e-17, 1e2)
     figure.supxlabel("time for the whole passage, seconds", fontsize=8.5)
     figure.supylabel("largest relative error of the velocities at the instants", fontsize=8.5)
@@ -200,7 +200,7 @@ def _line_handles(words: dict[str, str]) -> list[Any]:
     return [Line2D([], [], color="black", linestyle=line, label=label) for line, label in words.items()]
 
 
-def _track(axis: Any, trip: Trip, method: str, stabilisation: str, look: Look) -> None:
+def _trajectory(axis: Any, trip: PassageResult, method: str, stabilisation: str, look: PlotStyle) -> None:
     """The results of a method over the tolerances, where there are any."""
     found = [r for r in trip.results if r.method == method and r.stabilisation == stabilisation and _drawn(r)]
     if not found:
@@ -212,7 +212,7 @@ def _track(axis: Any, trip: Trip, method: str, stabilisation: str, look: Look) -
     )  # fmt: skip
 
 
-def _drawn(result: Followed) -> bool:
+def _drawn(result: PassageErrors) -> bool:
     return not result.failed and math.isfinite(result.velocity)
 
 

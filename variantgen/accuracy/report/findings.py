@@ -5,23 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from variantgen.accuracy.integration.compare import DIRECT, PassageErrors
+from variantgen.accuracy.integration.integrate import IMPLICIT
 from variantgen.accuracy.measure import discovered
-from variantgen.accuracy.overtime.compare import DIRECT, Followed
-from variantgen.accuracy.overtime.integrate import IMPLICIT
-from variantgen.accuracy.report.lines import Line, by_class
-from variantgen.accuracy.run import CaseClass, Measured, Trip
+from variantgen.accuracy.report.result_rows import ResultRow, by_class
+from variantgen.accuracy.run import CaseClass, Measurement, PassageResult
 from variantgen.mechanism.arithmetic import EPS
 
 _PROJECTED = "with every step projected on the closed chain, that is with positions solved again, the best"
 BOUND = 32.0  # of (condition number x machine epsilon): what is promised of the production
 
 
-def findings(measured: Measured) -> list[str]:
+def findings(measured: Measurement) -> list[str]:
     """The findings, each a sentence or two."""
     return [*_production(measured), *_others(measured), *_over_time(measured)]
 
 
-def _production(measured: Measured) -> Iterator[str]:
+def _production(measured: Measurement) -> Iterator[str]:
     lines = [(case, _of(case, "production")) for case in measured.classes]
     first = lines[0][1]
     yield (
@@ -57,7 +57,7 @@ def _production(measured: Measured) -> Iterator[str]:
         )
 
 
-def _others(measured: Measured) -> Iterator[str]:
+def _others(measured: Measurement) -> Iterator[str]:
     better: list[str] = []
     for case in measured.classes:
         mine = _of(case, "production")
@@ -92,7 +92,7 @@ def _others(measured: Measured) -> Iterator[str]:
     yield "Time per variant on ordinary variants, in units of production's: " + ", ".join(times) + "."
 
 
-def _over_time(measured: Measured) -> Iterator[str]:
+def _over_time(measured: Measurement) -> Iterator[str]:
     for trip in measured.trips:
         direct = next(r for r in trip.results if r.method == DIRECT)
         plain = _best(trip, "none")
@@ -119,12 +119,12 @@ def _over_time(measured: Measured) -> Iterator[str]:
         )
 
 
-def _best(trip: Trip, stabilisation: str) -> Followed | None:
+def _best(trip: PassageResult, stabilisation: str) -> PassageErrors | None:
     found = [r for r in trip.results if r.stabilisation == stabilisation and r.method != DIRECT and not r.failed]
     return min(found, key=lambda r: r.velocity, default=None)
 
 
-def _explicit_implicit(trip: Trip) -> tuple[Followed | None, Followed | None]:
+def _explicit_implicit(trip: PassageResult) -> tuple[PassageErrors | None, PassageErrors | None]:
     found = [r for r in trip.results if r.stabilisation == "none" and r.evaluations and not r.failed]
     implicit = [r for r in found if r.method in IMPLICIT]
     explicit = [r for r in found if r.method in {"RK45", "DOP853"}]
@@ -135,5 +135,5 @@ def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def _of(case: CaseClass, way: str) -> Line:
+def _of(case: CaseClass, way: str) -> ResultRow:
     return next(line for line in by_class(case) if line.way == way)

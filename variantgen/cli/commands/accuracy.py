@@ -25,10 +25,10 @@ def run(arguments: argparse.Namespace) -> int:
     """Measure and write the folder."""
     from variantgen.accuracy.report.diagrams import need_matplotlib
     from variantgen.accuracy.report.findings import findings
-    from variantgen.accuracy.report.written import FILES, write
+    from variantgen.accuracy.report.report_files import FILES, write
     from variantgen.accuracy.run import FULL, QUICK
     from variantgen.accuracy.run import run as measure
-    from variantgen.outputs.folder import check_free, whole_folder
+    from variantgen.outputs.files.folder import check_free, whole_folder
 
     need_matplotlib()
     check_free(arguments.out, arguments.force, FILES)

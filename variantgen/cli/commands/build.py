@@ -76,7 +76,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Build the folder."""
+    """Build the folder. Raises InputError for options, files or names that cannot be used."""
     from variantgen.builder import build, scheduled_workers
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
@@ -120,7 +120,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _students(arguments: argparse.Namespace) -> Sequence[Student]:
-    """The class; how the list was read is told."""
+    """The class; reports how the list was read."""
     from variantgen.exam.roster import numbered, read_class
 
     if not arguments.roster:
@@ -151,7 +151,7 @@ def _what_is_kept(out: Path) -> Iterator[None]:
 
 def _report(made: Built, seconds: float) -> None:
     """What an instructor should know of a build."""
-    from variantgen.exam.order import natural
+    from variantgen.exam.student_order import natural
 
     if made.redrawn:
         redrawn = some_of(natural(made.redrawn), listed=f"listed as redrawn in {made.folder / 'manifest.json'}")

@@ -13,7 +13,7 @@ from variantgen.errors import InputError, Problem
 _MOST_SEEDS = 100_000
 HELP = "check families"
 DESCRIPTION = """\
-Check families, those of the catalogue or your own: schema, worked cases, both languages, many seeds,
+Check families, those of the catalogue or your own: schema, worked cases, every language, many seeds,
 agreement with the independent computation, invariants, variety, spread of the answers, figures;
 lengths, radii, angles, rates and words for senses on the sheets agree with what is solved.
 With --figures the figure of every form is drawn, so that you see what the scene is.
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print a report per family."""
+    """Print a report per family. Raises InputError for a wrong option and for files that cannot be read."""
     from variantgen.check.family import check_family
     from variantgen.check.figures import FigureFolder
     from variantgen.check.report import Report

@@ -6,7 +6,7 @@ import argparse
 import json
 
 from variantgen.cli.messages import say
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_families, add_language
 
 HELP = "list the problem families"
 DESCRIPTION = "List the problem families of the catalogue and of your own folders."
@@ -14,7 +14,7 @@ DESCRIPTION = "List the problem families of the catalogue and of your own folder
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("--lang", default="en", help="language of the titles (default: en)")
+    add_language(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     add_families(parser)
 

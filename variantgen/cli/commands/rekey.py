@@ -41,13 +41,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the new key."""
-    from variantgen.exam.record import read_record
+    from variantgen.exam.manifest import read_manifest
     from variantgen.families.folders import family_folders
     from variantgen.finished.rekey import marking, rekey
     from variantgen.finished.restore import restore
-    from variantgen.outputs.typesetter import typesetter
+    from variantgen.outputs.typst.typesetter import typesetter
 
-    finished = restore(read_record(arguments.folder), family_folders(arguments.families))
+    finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     chosen = marking(finished.exam, dict(map(_floor, arguments.floors)), arguments.ceiling)
     with typesetter() as engine:
         made = rekey(finished, arguments.folder, chosen, engine)

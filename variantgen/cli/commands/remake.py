@@ -32,15 +32,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Make the sheet."""
-    from variantgen.exam.record import read_record
+    from variantgen.exam.manifest import read_manifest
     from variantgen.families.folders import family_folders
     from variantgen.finished.find import find
     from variantgen.finished.remake import SHEETS, SOLUTIONS, remake
     from variantgen.finished.restore import restore
     from variantgen.outputs.figures import write_whole
-    from variantgen.outputs.typesetter import typesetter
+    from variantgen.outputs.typst.typesetter import typesetter
 
-    record = read_record(arguments.folder)
+    record = read_manifest(arguments.folder)
     place = find(record, arguments.student)
     finished = restore(record, family_folders(arguments.families))
     target = SOLUTIONS if arguments.solutions else SHEETS

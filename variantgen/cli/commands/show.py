@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_choice, add_explaining, explained, settings
+from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
 from variantgen.errors import InputError, Problem
 
 HELP = "show one problem of a family"
@@ -18,7 +18,7 @@ DESCRIPTION = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
-    parser.add_argument("--lang", default="en", help="language: en or ru (default: en)")
+    add_language(parser)
     add_explaining(parser)
     parser.add_argument(
         "--motion",
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print the problem or write its page."""
+    """Print the problem or write its page. Raises InputError where it cannot be read or solved."""
     from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, asked_quantities, one_variant, solution_document
@@ -50,14 +50,14 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
     if arguments.figure:
-        from variantgen.outputs.picture import picture
+        from variantgen.outputs.single.picture import picture
 
         picture(variant, arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
         tell(f"written: {arguments.figure}")
     solution = explained(arguments, variant)
     remark = f"{variant.family.name}  ·  seed {arguments.seed}"
     if arguments.motion:
-        from variantgen.outputs.motion_plot import write_motion
+        from variantgen.outputs.single.motion_plot import write_motion
 
         write_motion(variant, asked, arguments.lang, arguments.motion, remark)
         tell(f"written: {arguments.motion}")
@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
         solution.save(arguments.out, remark)
         tell(f"written: {arguments.out}")
     elif arguments.out:
-        from variantgen.outputs.single_page import write_single
+        from variantgen.outputs.single.problem_page import write_single
 
         write_single(variant, asked, found, arguments.lang, arguments.out, remark)
         tell(f"written: {arguments.out}")

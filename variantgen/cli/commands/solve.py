@@ -8,7 +8,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import say
-from variantgen.cli.options import add_choice, add_explaining, explained, settings
+from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -22,18 +22,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
-    parser.add_argument("--lang", default="en", help="language of the solution: en or ru (default: en)")
+    add_language(parser)
     add_explaining(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print parameters and answers, the solution in words, or all numbers as JSON."""
+    """Print parameters and answers, the solution in words, or all numbers as JSON.
+
+    Raises InputError where the problem cannot be read or solved, and for options that contradict each other.
+    """
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
     from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, one_variant, solution_document
+    from variantgen.wording.language import load_language
 
+    load_language(arguments.lang)
     folders = family_folders(arguments.families)
     variant = one_variant(
         arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice

@@ -28,12 +28,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Verify the folder."""
-    from variantgen.exam.record import read_record
+    from variantgen.exam.manifest import read_manifest
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.finished.verify import verify
 
-    finished = restore(read_record(arguments.folder), family_folders(arguments.families))
+    finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     found = verify(finished, arguments.folder)
     if arguments.json:
         say(json.dumps({**asdict(found), "differences": finished.differences}, ensure_ascii=False, indent=1))

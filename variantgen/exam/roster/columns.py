@@ -8,7 +8,8 @@ from functools import cache
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.limits import TITLE_ROWS
-from variantgen.wording.language import languages, load_language
+from variantgen.resources import languages
+from variantgen.wording.language import load_language
 
 NAME_PARTS = ("surname", "first", "middle")
 _SHOWN = 60
@@ -63,7 +64,7 @@ def find_columns(rows: Sequence[Sequence[str]], id_column: str = "") -> Columns:
     best = max(range(len(first)), key=lambda i: (_has_name(first[i]), known_in(first[i]), -i))
     heads, wanted = first[best], _word(id_column)
     if not _has_name(heads):
-        remedy = f"the columns are name and, if there are any, id and group; {_told(heads)}"
+        remedy = f"the columns are name and, if there are any, id and group; {_heads_in_words(heads)}"
         raise InputError(Problem("no column for the name", key="header", value=_shown(", ".join(heads)), remedy=remedy))
     if wanted and wanted not in map(_word, heads):
         remedy = "its columns are " + ", ".join(filter(None, heads))
@@ -88,12 +89,12 @@ def find_columns(rows: Sequence[Sequence[str]], id_column: str = "") -> Columns:
     return Columns(places, best, heads, tuple(unused))
 
 
-def told_unused(columns: Columns) -> str:
+def unused_columns_note(columns: Columns) -> str:
     """The columns that are not used, with the known words that are close to theirs."""
     return ", ".join(_shown(head) + (f" ({close})" if (close := _close(head)) else "") for head in columns.unused)
 
 
-def _told(heads: Sequence[str]) -> str:
+def _heads_in_words(heads: Sequence[str]) -> str:
     unknown = [head for head in heads if head and _word(head) not in _kinds()]
     return "; ".join(
         f"unknown column {_shown(head)}" + (f": {close}" if (close := _close(head)) else "") for head in unknown

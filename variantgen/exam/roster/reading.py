@@ -9,10 +9,10 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
-from variantgen.exam.roster.columns import Columns, cell_of, find_columns, told_unused
-from variantgen.exam.roster.sheet import Sheet
+from variantgen.exam.roster.columns import Columns, cell_of, find_columns, unused_columns_note
 from variantgen.exam.roster.student import Student
-from variantgen.exam.roster.tables import read_sheets
+from variantgen.exam.roster.table_files import read_worksheets
+from variantgen.exam.roster.worksheet import Worksheet
 
 
 @dataclass(frozen=True)
@@ -45,13 +45,13 @@ def read_class(path: Path, id_column: str = "") -> Roster:
     the name and the group are one. Raises InputError with every problem found (row numbers as in the file).
     """
     try:
-        return _Reader(read_sheets(path), id_column).read()
+        return _Reader(read_worksheets(path), id_column).read()
     except InputError as error:
         raise error.located(str(path)) from None
 
 
 class _Reader:
-    def __init__(self, sheets: Sequence[Sheet], id_column: str) -> None:
+    def __init__(self, sheets: Sequence[Worksheet], id_column: str) -> None:
         self._sheets = [sheet for sheet in sheets if sheet.rows]
         self._id_column = id_column
         self._notes: list[str] = []
@@ -72,9 +72,9 @@ class _Reader:
             raise InputError(self._problems)
         return Roster(tuple(students), tuple(dict.fromkeys(self._notes)))
 
-    def _tables(self) -> list[tuple[Sheet, Columns]]:
+    def _tables(self) -> list[tuple[Worksheet, Columns]]:
         """The worksheets that list students (of a file with one table this one), with their columns."""
-        found: list[tuple[Sheet, Columns]] = []
+        found: list[tuple[Worksheet, Columns]] = []
         wrong: list[InputError] = []
         for sheet in self._sheets:
             try:
@@ -86,14 +86,14 @@ class _Reader:
             raise wrong[0]
         return found
 
-    def _entries(self, sheet: Sheet, columns: Columns, several: bool) -> Iterator[_Entry]:
+    def _entries(self, sheet: Worksheet, columns: Columns, several: bool) -> Iterator[_Entry]:
         """The students of a table; what is wrong with their rows is noted."""
         before = f"worksheet {sheet.title}, " if several else ""
         if columns.row:
             rows = ", ".join(str(number) for number, _ in sheet.rows[: columns.row])
             self._notes.append(f"{before}above the header, left out: row {rows}")
         if columns.unused:
-            self._notes.append(f"{before}columns that are not used: {told_unused(columns)}")
+            self._notes.append(f"{before}columns that are not used: {unused_columns_note(columns)}")
         for number, cells in sheet.rows[columns.row + 1 :]:
             where = f"{before}row {number}"
             if not sheet.title and any(cells[len(columns.heads) :]):
@@ -149,7 +149,7 @@ class _Reader:
         return [replace(entry.student, id=own) for entry, own in entries]
 
     def _by_name(self, entries: Sequence[_Entry]) -> list[Student]:
-        """The students with ids made of name and group; namesakes in a group are told apart by their order."""
+        """The students with ids made of name and group; namesakes in a group are distinguished by their order."""
         plain = [_name_and_group(entry.student) for entry in entries]
         taken, owners, found = set(plain), dict[str, list[str]](), []
         for entry, own in zip(entries, plain, strict=True):

@@ -8,7 +8,7 @@ import zlib
 from typing import Any
 
 from variantgen.errors import InputError, Problem, missing_package
-from variantgen.exam.roster.sheet import Row, Sheet
+from variantgen.exam.roster.worksheet import Row, Worksheet
 from variantgen.limits import (
     ROSTER_COLUMNS,
     ROSTER_ROWS,
@@ -28,7 +28,7 @@ _PIECE = 1_000_000  # bytes
 _SIMPLER = "copy the list into a new workbook (values only), or save it as CSV"
 
 
-def workbook_sheets(content: bytes) -> list[Sheet]:
+def workbook_worksheets(content: bytes) -> list[Worksheet]:
     """The visible worksheets. Raises InputError for a damaged file or one beyond all bounds."""
     try:
         import openpyxl
@@ -38,7 +38,7 @@ def workbook_sheets(content: bytes) -> list[Sheet]:
         _check_size(content)
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
         visible = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
-        return [Sheet(tuple(_rows(sheet)), str(sheet.title)) for sheet in visible]
+        return [Worksheet(tuple(_rows(sheet)), str(sheet.title)) for sheet in visible]
     except _BROKEN as error:
         raise InputError(
             Problem(f"is not a readable XLSX workbook ({type(error).__name__})", remedy="save it again, or as CSV")
@@ -46,7 +46,7 @@ def workbook_sheets(content: bytes) -> list[Sheet]:
 
 
 def _check_size(content: bytes) -> None:
-    """Raise InputError for a workbook that would not fit into the memory. What is unpacked is never more than told."""
+    """Raise InputError for a workbook that would not fit into the memory. No more is unpacked than the bounds allow."""
     with zipfile.ZipFile(io.BytesIO(content)) as parts:
         infos = parts.infolist()
         sheets = [part for part in infos if "/worksheets/" in part.filename]

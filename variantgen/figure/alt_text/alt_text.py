@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -23,11 +23,24 @@ class Arrow:
     way: complex = 0j
 
 
+@dataclass(frozen=True)
+class Noun:
+    """Words that inflect: ``{body}`` in a phrase is the plain form, ``{body.of}`` the one that a language calls so."""
+
+    look_up: Callable[[str], str]  # from "" or the point and the name of a form, ``.of``
+
+    def __str__(self) -> str:
+        return self.look_up("")
+
+    def __getattr__(self, form: str) -> str:
+        return self.look_up(f".{form}")
+
+
 @dataclass
 class AltText(DrawnMechanism):
     """What a phrase may need of a figure that has been drawn on ``board``.
 
-    What has been told is noted for what is told later: ``hinged`` are the points whose hinge a joint has told of,
+    What has been said is noted for what is said later: ``hinged`` are the points whose hinge a joint has mentioned,
     ``guided`` the directions of guides by point, ``arrows`` those of the drivers.
     """
 
@@ -35,9 +48,13 @@ class AltText(DrawnMechanism):
     guided: dict[str, complex] = field(default_factory=dict)
     arrows: list[Arrow] = field(default_factory=list)
 
-    def say(self, key: str, **words: str) -> str:
+    def say(self, key: str, **words: str | Noun) -> str:
         """A phrase of the table ``[figure]``, filled."""
         return self._phrases[key].format(**words)
+
+    def noun(self, key: str, **words: str | Noun) -> Noun:
+        """A phrase of the table ``[figure]`` that the phrase around it asks for in one of its forms."""
+        return Noun(lambda form: self.say(key + form, **words))
 
     @cached_property
     def _phrases(self) -> Mapping[str, str]:
@@ -48,6 +65,11 @@ class AltText(DrawnMechanism):
         if len(items) < 2:
             return "".join(items)
         return self.say("and", first=", ".join(items[:-1]), last=items[-1])
+
+    def parts(self, bodies: Sequence[str]) -> Noun:
+        """Bodies in a sentence: ``disc 1, OA and AB``, each in the form that is asked for."""
+        nouns = [self.part(body) for body in bodies]
+        return Noun(lambda form: self.listed([noun.look_up(form) for noun in nouns]))
 
     # Directions.
 
@@ -73,9 +95,9 @@ class AltText(DrawnMechanism):
         """How a line runs: ``horizontally``, ``upwards to the right``."""
         return self.board.language.words("figure_line")[directions.line(vector)]
 
-    def inclined(self, vector: complex) -> str:
+    def inclined(self, vector: complex) -> Noun:
         """The same as an attribute of what lies along the line: ``horizontal``."""
-        return self.board.language.words("figure_line_attribute")[directions.line(vector)]
+        return Noun(lambda form: self.board.language.words("figure_line_attribute")[directions.line(vector) + form])
 
     def sense(self, rate: float) -> str:
         """``clockwise`` for a negative rate on paper, else ``counter-clockwise``."""
@@ -110,32 +132,30 @@ class AltText(DrawnMechanism):
         """What follows a word like gear: its number, or ``with centre O``."""
         return self.number(centre, body) or self.say("with_centre", centre=self.name(centre))
 
-    def disc(self, centre: str, body: str, case: str = "") -> str:
-        """``disc 1`` or ``the disc with centre O``; the ``case`` is that of the noun: "", ``_of`` or ``_with``."""
+    def disc(self, centre: str, body: str) -> Noun:
+        """``disc 1`` or ``the disc with centre O``."""
         number = self.number(centre, body)
-        if number:
-            return self.say("disc" + case, number=number)
-        return self.say("disc_about" + case, centre=self.name(centre))
+        return self.noun("disc", number=number) if number else self.noun("disc_about", centre=self.name(centre))
 
     def rim(self, body: str, radius: float) -> str:
         """Which rim of a stepped disc has a radius (u): `` (its larger rim)``; nothing for a disc with one rim."""
         larger = self.is_larger(body, radius)
         return "" if larger is None else self.say("larger_rim" if larger else "smaller_rim")
 
-    def part(self, body: str, case: str = "") -> str:
-        """A body in a sentence, ``disc 1`` or ``OA``; the ``case`` is that of the noun: "", ``_of`` or ``_with``."""
+    def part(self, body: str) -> Noun:
+        """A body in a sentence, ``disc 1`` or ``OA``."""
         circles = self.circles_of(body)
         if circles and not self.is_spelled(body):
-            return self.disc(circles[0].mark.centre, body, case)
-        return self.say("body" + case, body=self.body(body))
+            return self.disc(circles[0].mark.centre, body)
+        return self.noun("body", body=self.body(body))
 
-    def hinge(self, point: str, gender: str = "") -> str:
-        """``, hinged to OA and AB`` for a block or a sleeve (``gender`` "" or "_she" in languages that have it).
+    def hinge(self, point: str) -> Noun:
+        """``, hinged to OA and AB`` for a block or a sleeve.
 
         Nothing for a block of no body; a block on a fixed hinge turns about it.
         """
         owners = self.owners(point)
         self.hinged.add(point)
         if owners:
-            return self.say("hinged" + gender, bodies=self.listed([self.part(body, "_with") for body in owners]))
-        return self.say("on_fixed_hinge" + gender) if point in self.fixed else ""
+            return self.noun("hinged", bodies=self.parts(owners))
+        return self.noun("on_fixed_hinge") if point in self.fixed else Noun(lambda form: "")

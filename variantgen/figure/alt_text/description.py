@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from functools import cache
 from types import ModuleType
 
-from variantgen.figure.alt_text.alt_text import AltText
+from variantgen.figure.alt_text.alt_text import AltText, Noun
 from variantgen.figure.alt_text.marks import marks
 from variantgen.figure.alt_text.parts import hinges, parts
 from variantgen.figure.alt_text.positions import positions
@@ -67,14 +67,14 @@ def _clauses(alt_text: AltText, items: Sequence[Constraint]) -> list[str]:
     return [clause for clause in clauses if clause]
 
 
-def _fields(alt_text: AltText, item: Constraint) -> dict[str, str]:
+def _fields(alt_text: AltText, item: Constraint) -> dict[str, str | Noun]:
     """Names of the points and bodies that a joint or driver acts on, by field, as the figure shows them."""
-    found = {}
+    found: dict[str, str | Noun] = {}
     for spec in field_specs(type(item)):
         value = getattr(item, spec.name)
         if spec.ref and value is not None:
             tell = alt_text.name if spec.ref == "point" else alt_text.part
-            found[spec.name] = "".join(map(tell, value)) if spec.many else tell(value)
+            found[spec.name] = "".join(str(tell(name)) for name in value) if spec.many else tell(value)
     return found
 
 

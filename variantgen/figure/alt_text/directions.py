@@ -41,6 +41,6 @@ def line(vector: complex) -> str:
     return "rising" if vector.real * vector.imag > 0 else "falling"
 
 
-def is_parallel(first: complex, second: complex, tolerance: float = 1e-6) -> bool:
-    """Whether two vectors lie along one line, either way; ``tolerance`` is the sine of the angle between them."""
-    return abs((first * second.conjugate()).imag) <= tolerance * abs(first) * abs(second)
+def is_parallel(first: complex, second: complex) -> bool:
+    """Whether two vectors lie along one line, either way."""
+    return abs((first * second.conjugate()).imag) <= 1e-6 * abs(first) * abs(second)

@@ -24,7 +24,7 @@ def _is_spelled(body: str, points: tuple[str, ...]) -> bool:
 
 
 @dataclass(frozen=True)
-class Circle:
+class DrawnCircle:
     """A circle of the figure: its mark, its radius on paper (u)."""
 
     mark: DiscMark
@@ -103,12 +103,12 @@ class DrawnMechanism:
         return found
 
     @cached_property
-    def circles(self) -> list[Circle]:
+    def circles(self) -> list[DrawnCircle]:
         """The circles that are drawn as discs, with their radii."""
         rest = {body: iter(radii) for body, radii in self.board.discs.items()}
-        return [Circle(mark, next(rest[mark.body])) for mark in self.board.form.figure.discs if not mark.arc]
+        return [DrawnCircle(mark, next(rest[mark.body])) for mark in self.board.form.figure.discs if not mark.arc]
 
-    def circles_of(self, body: str) -> list[Circle]:
+    def circles_of(self, body: str) -> list[DrawnCircle]:
         """The circles of one body."""
         return [circle for circle in self.circles if circle.mark.body == body]
 

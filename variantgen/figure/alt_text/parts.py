@@ -26,14 +26,14 @@ def parts(alt_text: AltText) -> list[str]:
 
 
 def hinges(alt_text: AltText) -> list[str]:
-    """The hinges between bodies that no joint has told of."""
+    """The hinges between bodies that no joint has mentioned."""
     found = []
     for point in alt_text.board.shown:
         owners = alt_text.owners(point)
         if len(owners) < 2 or point in alt_text.hinged:
             continue
         key = "shared_axis" if point in alt_text.fixed else "hinge"
-        names = alt_text.listed([alt_text.part(body) for body in owners])
+        names = alt_text.parts(owners)
         found.append(alt_text.say(key, point=alt_text.name(point), bodies=names))
     return found
 
@@ -89,7 +89,7 @@ def _plates(alt_text: AltText) -> list[str]:
 
 
 def _discs(alt_text: AltText) -> list[str]:
-    """Discs that are bodies; a fixed circle is told by the joint that needs it."""
+    """Discs that are bodies; a fixed circle is described by the joint that needs it."""
     found = []
     bodies = dict.fromkeys(circle.mark.body for circle in alt_text.circles if circle.mark.body)
     for body in bodies:
@@ -127,9 +127,9 @@ def _members(alt_text: AltText, body: str) -> tuple[list[str], list[str]]:
     for point in alt_text.shown(alt_text.board.form.bodies[body]):
         if point == centre or any(point in pair for pair in bars) or point in alt_text.between[body]:
             continue
-        reach = abs(alt_text.at(point) - alt_text.at(centre))
-        if abs(reach - rim) < _ON_RIM * rim:
+        distance = abs(alt_text.at(point) - alt_text.at(centre))
+        if abs(distance - rim) < _ON_RIM * rim:
             on_rim.append(alt_text.name(point))
-        elif reach < rim:
+        elif distance < rim:
             inside.append(alt_text.name(point))
     return on_rim, inside

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Arc, Layer
+from variantgen.figure.label_requests import along_arc, label_size
 from variantgen.figure.labels import GAP
-from variantgen.figure.requests import along_arc, label_size
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
@@ -110,7 +110,7 @@ def _roomiest_directions(
 ) -> Iterable[tuple[float, float, float]]:
     """Radius, cost and direction of the best arc of each radius.
 
-    All radii are judged together: that takes no longer than two of them, one after the other.
+    All radii are compared at once: that takes no longer than two of them, one after the other.
     """
     sketch = board.sketch
     centre = sketch.at[pivot]
@@ -141,8 +141,8 @@ def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArr
     along, ring = board.sketch.corners_near_circles(centre, radii, _MARGIN)
     direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
     gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    reach = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
-    angle, met = (gaps < reach[owner]).nonzero()
+    half_angle = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
+    angle, met = (gaps < half_angle[owner]).nonzero()
     count = np.bincount(owner[met] * _ANGLES.size + angle, minlength=len(radii) * _ANGLES.size)
     return np.minimum(count, 5).astype(float).reshape(len(radii), -1)
 

@@ -12,9 +12,9 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.motion_data import MotionData, motion_data
 from variantgen.figure.plans import VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.solution_plan import solution_plan
-from variantgen.figure.solved import Solved, solved
 from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -34,13 +34,13 @@ def draw(
     vectors: Sequence[PointVectors] = (),
 ) -> Drawing:
     """The plan of one variant. Raises InputError where accelerations are not asked or there are none."""
-    found = solved(variant, motion, index, asked, ORDER)
+    found = motion_data(variant, motion, index, asked, ORDER)
     named = vectors_of(variant, motion, index, asked, ORDER, language, vectors, ("graphical",))
     return draw_plan(
         acceleration_plan(found, named), scale_of_plan(found.chain, found.now, ORDER, found.unit), language
     )
 
 
-def acceleration_plan(found: Solved, named: Vectors) -> VectorPlan:
+def acceleration_plan(found: MotionData, named: Vectors) -> VectorPlan:
     """What the plan shows, in m/s^2."""
     return solution_plan(named, "a", Symbol("pi"), found.chain.points)

@@ -15,7 +15,7 @@ from variantgen.figure.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.contact_letters import draw_dot
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.solved import Solved, solved
+from variantgen.figure.motion_data import MotionData, motion_data
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.figure.vectors import Named, Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
@@ -41,13 +41,13 @@ def draw(
     """
     # A point that is asked only for its velocity is no matter of this figure.
     sought = [quantity for quantity in asked if quantity.order == ORDER]
-    found = solved(variant, motion, index, sought, ORDER)
+    found = motion_data(variant, motion, index, sought, ORDER)
     named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
     annotate = partial(_annotate, found, named)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(found: Solved, named: Vectors, board: MotionBoard, stretch: float) -> None:
+def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:
     """Accelerations with their components, an asked centre, then arcs where there is room left."""
     now = found.now
     parts = components(found, named)
@@ -67,7 +67,7 @@ def _annotate(found: Solved, named: Vectors, board: MotionBoard, stretch: float)
             draw_arcs(board, body, [(named.rate(body), rate)])
 
 
-def components(found: Solved, named: Vectors) -> dict[str, Named]:
+def components(found: MotionData, named: Vectors) -> dict[str, Named]:
     """The acceleration of each point of the chain, first, and what it is put together from (m/s^2)."""
     points = named.telling(found.chain.points)
     parts = {point: [named.own(point), *named.terms(point)] for point in points}

@@ -14,7 +14,7 @@ from variantgen.figure.centre_rays import draw_centres
 from variantgen.figure.contact_letters import contacts, draw_contacts
 from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.solved import Solved, solved
+from variantgen.figure.motion_data import MotionData, motion_data
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
@@ -35,13 +35,13 @@ def draw(
     vectors: Sequence[PointVectors] = (),
 ) -> Drawing:
     """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
-    found = solved(variant, motion, index, asked, ORDER)
+    found = motion_data(variant, motion, index, asked, ORDER)
     named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
     annotate = partial(_annotate, found, named)
     return draw_on_mechanism(variant, motion, index, asked, language, annotate)
 
 
-def _annotate(found: Solved, named: Vectors, board: MotionBoard, stretch: float) -> None:
+def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
     # What another method than the vector equation needs of a velocity is the velocity itself.

@@ -8,12 +8,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, across, unit
+from variantgen.mechanism.arithmetic import Complex, Real, cross, unit_vector
 from variantgen.mechanism.component import Angle, PointName
 
 
 @dataclass(frozen=True)
-class Line:
+class PointOnLine:
     """``u x (z_point - z_through) = 0`` with u the direction ``angle`` (rad) or through -> ``towards``."""
 
     point: PointName
@@ -24,7 +24,7 @@ class Line:
 
     def _way(self, at: Mapping[str, Complex]) -> tuple[Complex, Real]:
         if self.towards is None:
-            return unit(self.angle), 1.0
+            return unit_vector(self.angle), 1.0
         way = np.asarray(at[self.towards] - at[self.through])
         length = np.abs(way)
         return np.where(length > 0, way, 1.0), np.where(length > 0, length, 1.0)
@@ -32,7 +32,7 @@ class Line:
     def value(self, at: Mapping[str, Complex]) -> Real:
         """Distance from the line, positive on its left (m)."""
         way, length = self._way(at)
-        return across(way, at[self.point] - at[self.through]) / length
+        return cross(way, at[self.point] - at[self.through]) / length
 
     def gradient(self, at: Mapping[str, Complex]) -> dict[str, Complex]:
         """The normal of the line for the point; for the ends of the line by the product rule.

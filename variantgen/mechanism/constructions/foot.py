@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.mechanism.arithmetic import Complex, Flags, along, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Flags, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.outcome import Outcome
 
@@ -27,7 +27,7 @@ class Foot:
         start = at[self.through]
         apart: Flags = True
         if self.towards is None:
-            ray = unit(self.angle)
+            ray = unit_vector(self.angle)
         else:
             ray, apart = unit_towards(start, at[self.towards])
-        return start + along(ray, at[self.of] - start) * ray, apart
+        return start + dot(ray, at[self.of] - start) * ray, apart

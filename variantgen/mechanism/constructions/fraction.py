@@ -12,7 +12,7 @@ from variantgen.mechanism.outcome import Outcome
 
 
 @dataclass(frozen=True)
-class Fraction:
+class SegmentFraction:
     """``z = z_start + part * (z_end - z_start)``; part 0.5 is the middle."""
 
     start: PointName

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, across, along, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Flags, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, PointName, Sense, Size
 from variantgen.mechanism.outcome import Outcome
 
@@ -37,12 +37,12 @@ class LineCircle:
         start = at[self.through]
         apart: Flags = True
         if self.towards is None:
-            ray = unit(self.angle)
+            ray = unit_vector(self.angle)
         else:
             ray, apart = unit_towards(start, at[self.towards])
         offset = at[self.centre] - start
-        height = np.abs(across(ray, offset))
+        height = np.abs(cross(ray, offset))
         room = (self.distance - height) * (self.distance + height)
         meets = apart & (room >= 0)
-        reach = along(ray, offset) + self.branch * np.sqrt(np.where(meets, room, 0.0))
-        return start + reach * ray, meets
+        along_line = dot(ray, offset) + self.branch * np.sqrt(np.where(meets, room, 0.0))
+        return start + along_line * ray, meets

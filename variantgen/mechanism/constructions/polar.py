@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.mechanism.arithmetic import Complex, Flags, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Flags, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, Length, PointName
 from variantgen.mechanism.outcome import Outcome
 
@@ -29,6 +29,6 @@ class Polar:
         """Position (m) and whether the reference ray exists."""
         start = at[self.origin]
         if self.towards is None:
-            return start + self.distance * unit(self.angle), True
+            return start + self.distance * unit_vector(self.angle), True
         ray, apart = unit_towards(start, at[self.towards])
-        return start + self.distance * ray * unit(self.angle), apart
+        return start + self.distance * ray * unit_vector(self.angle), apart

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, across, along, unit
+from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_vector
 from variantgen.mechanism.component import Acceleration, BodyName, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
@@ -53,7 +53,7 @@ class Circling:
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Arc covered on the body less ``v t + a t^2 / 2`` (m)."""
         before = start.z[self.point] - start.z[self.centre]
-        after = (moved.z[self.point] - moved.z[self.centre]) * np.conj(unit(moved.turned[self.body]))
-        angle = np.arctan2(across(before, after), along(before, after))
+        after = (moved.z[self.point] - moved.z[self.centre]) * np.conj(unit_vector(moved.turned[self.body]))
+        angle = np.arctan2(cross(before, after), dot(before, after))
         arc = start.frame.sense * np.abs(before) * angle
         return (arc - (self.v + 0.5 * self.a * time) * time,)

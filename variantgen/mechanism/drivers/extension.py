@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, along
+from variantgen.mechanism.arithmetic import Complex, Real, dot
 from variantgen.mechanism.component import Acceleration, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
@@ -46,7 +46,7 @@ class Extension:
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
         """``(n.(v_end - v_start))^2 / d``."""
         ray, length = self._ray(at)
-        swing = along(1j * ray, speeds.v[self.end] - speeds.v[self.start])
+        swing = dot(1j * ray, speeds.v[self.end] - speeds.v[self.start])
         return (swing * swing / length,)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.mechanism.arithmetic import Complex, Real, across, along, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Acceleration, BodyName, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 @dataclass(frozen=True)
 class RelativeTravel:
-    """The coordinate s of ``point`` along the line of ``body`` through the points ``along`` changes at given rates.
+    """The coordinate s of ``point`` along the line of ``body`` through the points ``dot`` changes at given rates.
 
     With u the unit vector of the line (towards its second point), A its first point, n = i u, d = z - z_A, h = n.d::
 
@@ -39,7 +39,7 @@ class RelativeTravel:
     def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
         """``u.(v - v_A) + omega h = v``."""
         u = self.direction(at)
-        aside = across(u, at.z[self.point] - at.z[self.along[0]])
+        aside = cross(u, at.z[self.point] - at.z[self.along[0]])
         return (ScalarRow({self.point: u, self.along[0]: -u}, {self.body: aside}),)
 
     def rates(self, order: int) -> tuple[Real, ...]:
@@ -50,13 +50,13 @@ class RelativeTravel:
         """``2 omega n.(v - v_A) - omega^2 u.d``."""
         u, omega = self.direction(at), speeds.omega[self.body]
         shift = speeds.v[self.point] - speeds.v[self.along[0]]
-        reach = along(u, at.z[self.point] - at.z[self.along[0]])
-        return (omega * (2.0 * across(u, shift) - omega * reach),)
+        along_line = dot(u, at.z[self.point] - at.z[self.along[0]])
+        return (omega * (2.0 * cross(u, shift) - omega * along_line),)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Way along the line less ``v t + a t^2 / 2`` (m)."""
         u = self.direction(start)
-        turned = u * unit(moved.turned[self.body])
-        before = along(u, start.z[self.point] - start.z[self.along[0]])
-        after = along(turned, moved.z[self.point] - moved.z[self.along[0]])
+        turned = u * unit_vector(moved.turned[self.body])
+        before = dot(u, start.z[self.point] - start.z[self.along[0]])
+        after = dot(turned, moved.z[self.point] - moved.z[self.along[0]])
         return (after - before - (self.v + 0.5 * self.a * time) * time,)

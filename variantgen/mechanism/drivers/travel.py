@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.mechanism.arithmetic import Complex, Real, along
+from variantgen.mechanism.arithmetic import Complex, Real, dot
 from variantgen.mechanism.component import Acceleration, Angle, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
@@ -36,5 +36,5 @@ class Travel:
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Way along u less ``v t + a t^2 / 2`` (m)."""
-        way = along(start.frame.direction(self.angle), moved.z[self.point] - start.z[self.point])
+        way = dot(start.frame.direction(self.angle), moved.z[self.point] - start.z[self.point])
         return (way - (self.v + 0.5 * self.a * time) * time,)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Real, along, unit
+from variantgen.mechanism.arithmetic import Complex, Real, dot, unit_vector
 from variantgen.mechanism.component import Acceleration, Angle, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
@@ -33,7 +33,7 @@ class VectorMotion:
         return ScalarRow({self.point: at.frame.place(1.0)}), ScalarRow({self.point: at.frame.place(1.0j)})
 
     def _vector(self, order: int) -> Complex:
-        return self.v * unit(self.angle) if order == 1 else self.a * unit(self.a_angle)
+        return self.v * unit_vector(self.angle) if order == 1 else self.a * unit_vector(self.a_angle)
 
     def rates(self, order: int) -> tuple[Real, ...]:
         """Components of the velocity (m/s) or acceleration (m/s^2)."""
@@ -49,4 +49,4 @@ class VectorMotion:
         way = moved.z[self.point] - start.z[self.point]
         wanted = (self._vector(1) + 0.5 * self._vector(2) * time) * time
         x, y = start.frame.place(1.0), start.frame.place(1.0j)
-        return along(x, way) - np.real(wanted), along(y, way) - np.imag(wanted)
+        return dot(x, way) - np.real(wanted), dot(y, way) - np.imag(wanted)

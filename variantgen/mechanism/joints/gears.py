@@ -8,10 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, across
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross
 from variantgen.mechanism.component import BodyName, PointName, Size
 from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
-from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
 
 
 @dataclass(frozen=True)
@@ -77,17 +77,20 @@ class Gears(Joint):
             turn = turn + (1.0 - k) * moved.turned[self.other]
             centre = moved.z[self.other_centre]
         now = moved.z[self.centre] - centre
-        swung = np.arctan2(across(d, now), np.real(d) * np.real(now) + np.imag(d) * np.imag(now))
+        swung = np.arctan2(cross(d, now), np.real(d) * np.real(now) + np.imag(d) * np.imag(now))
         return (np.abs(d) * (swung - turn),)
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """Both pitch circles."""
         distance = np.abs(at.z[self.centre] - at.z[self.other_centre])
         second = other_radius(distance, self.radius, self.inside)
-        return (Circle(self.centre, self.radius, self.body), Circle(self.other_centre, second, self.other or ""))
+        return (
+            JointCircle(self.centre, self.radius, self.body),
+            JointCircle(self.other_centre, second, self.other or ""),
+        )
 
-    def contact_at(self, at: Placement) -> Contact:
+    def contact_at(self, at: Placement) -> BodyContact:
         """The pitch point."""
         d, k = self.ratio(at)
         other = None if self.other is None else (self.other, self.other_centre)
-        return Contact(at.z[self.centre] - k * d, (self.body, self.centre), other)
+        return BodyContact(at.z[self.centre] - k * d, (self.body, self.centre), other)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.mechanism.arithmetic import Complex, Real, across
+from variantgen.mechanism.arithmetic import Complex, Real, cross
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
 
@@ -34,4 +34,4 @@ class Guide(Joint):
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Distance from the line (m)."""
         shift = moved.z[self.point] - start.z[self.point]
-        return (across(start.frame.direction(self.angle), shift),)
+        return (cross(start.frame.direction(self.angle), shift),)

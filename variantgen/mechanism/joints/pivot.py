@@ -19,7 +19,7 @@ class Pivot(Joint):
 
     def shapes(self) -> tuple[Shape, ...]:
         """One vector row for the point, without bodies."""
-        return (Shape(points=(self.point,), lead=self.point),)
+        return (Shape(points=(self.point,), given_point=self.point),)
 
     def rows(self, at: Placement) -> tuple[VectorRow, ...]:
         """``v_P = 0``."""

@@ -8,9 +8,19 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, along, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, dot, unit_vector
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, Row, ScalarRow, Shape, Speeds, VectorRow
+from variantgen.mechanism.rows import (
+    BodyContact,
+    Joint,
+    JointCircle,
+    Placement,
+    Row,
+    ScalarRow,
+    Shape,
+    Speeds,
+    VectorRow,
+)
 
 
 @dataclass(frozen=True)
@@ -86,7 +96,7 @@ class Rolling(Joint):
         points = {self.centre: u}
         if self.on_point is not None:
             points[self.on_point] = -u
-        return (ScalarRow(points, {body: -along(u, c) for body, c in turning.items()}),)
+        return (ScalarRow(points, {body: -dot(u, c) for body, c in turning.items()}),)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
         """``i Omega (v_centre - v_Q) + Omega (Omega - omega) w``: nothing if the line does not turn."""
@@ -95,7 +105,7 @@ class Rolling(Joint):
         turn, w = speeds.omega[self.on], at.z[self.centre] - at.z[self.contact]
         shift = speeds.v[self.centre] - speeds.v[self.on_point]
         extra = 1j * turn * shift + turn * (turn - speeds.omega[self.body]) * w
-        return (-along(self._line(at), extra) if self.axle_held else extra,)
+        return (-dot(self._line(at), extra) if self.axle_held else extra,)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Slip along the line and distance from it (m), seen from the line."""
@@ -105,23 +115,23 @@ class Rolling(Joint):
         else:
             turn = moved.turned[self.on]
             before = start.z[self.centre] - start.z[self.on_point]
-            after = (moved.z[self.centre] - moved.z[self.on_point]) * np.conj(unit(turn))
+            after = (moved.z[self.centre] - moved.z[self.on_point]) * np.conj(unit_vector(turn))
             slip = after - before - 1j * w * (moved.turned[self.body] - turn)
         if self.axle_held:
-            return (along(self._line(start), slip),)
+            return (dot(self._line(start), slip),)
         return np.real(slip), np.imag(slip)
 
     def marked(self, moved: Placement, start: Placement) -> Mapping[str, Complex]:
         """The contact: the radius to it turns with the line."""
         radius = start.z[self.contact] - start.z[self.centre]
-        turn = unit(moved.turned[self.on]) if self.on is not None else 1.0
+        turn = unit_vector(moved.turned[self.on]) if self.on is not None else 1.0
         return {self.contact: moved.z[self.centre] + radius * turn}
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """The wheel."""
-        return (Circle(self.centre, np.abs(at.z[self.centre] - at.z[self.contact]), self.body),)
+        return (JointCircle(self.centre, np.abs(at.z[self.centre] - at.z[self.contact]), self.body),)
 
-    def contact_at(self, at: Placement) -> Contact:
+    def contact_at(self, at: Placement) -> BodyContact:
         """The contact of wheel and line."""
         other = None if self.on is None or self.on_point is None else (self.on, self.on_point)
-        return Contact(at.z[self.contact], (self.body, self.centre), other)
+        return BodyContact(at.z[self.contact], (self.body, self.centre), other)

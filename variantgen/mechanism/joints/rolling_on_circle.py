@@ -8,10 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit_vector
 from variantgen.mechanism.component import BodyName, PointName, Size
 from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
-from variantgen.mechanism.rows import Circle, Contact, Joint, Placement, Shape, Speeds, VectorRow
+from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, Shape, Speeds, VectorRow
 
 
 @dataclass(frozen=True)
@@ -39,8 +39,8 @@ class RollingOnCircle(Joint):
     def shapes(self) -> tuple[Shape, ...]:
         """One vector row: the centre by that of the circle and the angular velocities."""
         if self.on is None:
-            return (Shape((self.centre,), (self.body,), lead=self.centre),)
-        return (Shape((self.centre, self.around), (self.body, self.on), lead=self.centre, pole=self.around),)
+            return (Shape((self.centre,), (self.body,), given_point=self.centre),)
+        return (Shape((self.centre, self.around), (self.body, self.on), given_point=self.centre, pole=self.around),)
 
     def when_surplus(self) -> str:
         """A joint that leaves the centre to what leads it."""
@@ -86,16 +86,16 @@ class RollingOnCircle(Joint):
         if self.on is not None:
             turn = turn + (1.0 - k) * moved.turned[self.on]
             pole = moved.z[self.around]
-        gap = moved.z[self.centre] - pole - d * unit(turn)
+        gap = moved.z[self.centre] - pole - d * unit_vector(turn)
         return np.real(gap), np.imag(gap)
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """The wheel and the circle that it rolls on."""
         second = other_radius(np.abs(at.z[self.centre] - at.z[self.around]), self.radius, self.inside)
-        return (Circle(self.centre, self.radius, self.body), Circle(self.around, second, self.on or ""))
+        return (JointCircle(self.centre, self.radius, self.body), JointCircle(self.around, second, self.on or ""))
 
-    def contact_at(self, at: Placement) -> Contact:
+    def contact_at(self, at: Placement) -> BodyContact:
         """The contact of wheel and circle."""
         d, k = self.ratio(at)
         other = None if self.on is None else (self.on, self.around)
-        return Contact(at.z[self.centre] - k * d, (self.body, self.centre), other)
+        return BodyContact(at.z[self.centre] - k * d, (self.body, self.centre), other)

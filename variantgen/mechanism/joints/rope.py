@@ -9,14 +9,14 @@ from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along
-from variantgen.mechanism.component import BodyName, Means, PointName, Radius, Side
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot
+from variantgen.mechanism.component import BodyName, PointName, Radius, Side, WordMeaning
 from variantgen.mechanism.constructions.tangent import thread_direction
-from variantgen.mechanism.rows import Circle, Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
 
 RopeSide: TypeAlias = Annotated[
     Side,
-    Means(
+    WordMeaning(
         "of the circle, looking along the rope from its first bend to its last: on the left side of the circle the"
         " rope has the centre on its right, as where it goes up, over a pulley to the right, and down again"
     ),
@@ -69,9 +69,9 @@ class Rope(Joint):
         bodies = tuple(dict.fromkeys(bend.body for bend, _ in self._drums if bend.body is not None))
         return (Shape(points, bodies),)
 
-    def circles(self, at: Placement) -> tuple[Circle, ...]:
+    def circles(self, at: Placement) -> tuple[JointCircle, ...]:
         """The pulleys and drums (ends of the rope have the radius 0)."""
-        return tuple(Circle(bend.point, bend.radius, bend.body or "") for bend in self.path)
+        return tuple(JointCircle(bend.point, bend.radius, bend.body or "") for bend in self.path)
 
     def hanging(self) -> tuple[str, ...]:
         """Free ends: loads, or points of bodies that the rope is tied to."""
@@ -83,8 +83,8 @@ class Rope(Joint):
         good: Flags = True
         for first, second in pairwise(self.path):
             gap = np.abs(at.z[second.point] - at.z[first.point])
-            reach = np.abs(first.side * first.radius - second.side * second.radius)
-            good = good & (gap > reach) & (gap > 0)
+            lever = np.abs(first.side * first.radius - second.side * second.radius)
+            good = good & (gap > lever) & (gap > 0)
         return good
 
     def intact(self, moved: Placement, start: Placement) -> Flags:
@@ -93,7 +93,7 @@ class Rope(Joint):
         pieces = zip(pairwise(self.path), self.pieces(start), self.pieces(moved), strict=True)
         for (first, second), (before, then), (after, now) in pieces:
             near = _NEAR * (first.radius + second.radius)
-            good = good & (along(before, after) > 0) & ((now > near) | (now >= then))
+            good = good & (dot(before, after) > 0) & ((now > near) | (now >= then))
         return good
 
     def resting(self) -> tuple[str, ...]:
@@ -136,8 +136,8 @@ class Rope(Joint):
                     points[bend.point] = points.get(bend.point, 0.0) + sign * ray
         for bend, sign in self._drums:
             assert bend.body is not None
-            reach = sign * at.frame.sense * bend.side * bend.radius
-            turning[bend.body] = turning.get(bend.body, 0.0) + reach
+            lever = sign * at.frame.sense * bend.side * bend.radius
+            turning[bend.body] = turning.get(bend.body, 0.0) + lever
         return (ScalarRow(points, turning),)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
@@ -145,7 +145,7 @@ class Rope(Joint):
         total: Real = 0.0
         for (first, second), (ray, length) in zip(pairwise(self.path), self.pieces(at), strict=True):
             ends = [0.0 if bend.fixed else speeds.v[bend.point] for bend in (first, second)]
-            swing = along(1j * ray, ends[1] - ends[0])
+            swing = dot(1j * ray, ends[1] - ends[0])
             total = total + swing * swing / length
         return (total,)
 
@@ -157,7 +157,7 @@ class Rope(Joint):
         """
         before, after = self.pieces(start), self.pieces(moved)
         swung = [
-            np.arctan2(across(then, now), along(then, now)) for (then, _), (now, _) in zip(before, after, strict=True)
+            np.arctan2(cross(then, now), dot(then, now)) for (then, _), (now, _) in zip(before, after, strict=True)
         ]
         change: Real = sum(now - then for (_, then), (_, now) in zip(before, after, strict=True))
         sense = start.frame.sense

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from variantgen.mechanism.arithmetic import Complex, Flags, Real, across, along, unit, unit_towards
+from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
 
 @dataclass(frozen=True)
 class Slot(Joint):
-    """``point`` slides along the line of ``body`` through the two body points ``along``.
+    """``point`` slides along the line of ``body`` through the two body points ``dot``.
 
     With u the unit vector along the line (it turns with the body), n = i u, A the first point of the line and
     d = z - z_A::
@@ -52,8 +52,8 @@ class Slot(Joint):
     def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
         """The velocity rows of the class docstring."""
         u = self.direction(at)
-        reach = along(u, at.z[self.point] - at.z[self.along[0]])
-        line = ScalarRow({self.point: 1j * u, self.along[0]: -1j * u}, {self.body: -reach})
+        along_line = dot(u, at.z[self.point] - at.z[self.along[0]])
+        line = ScalarRow({self.point: 1j * u, self.along[0]: -1j * u}, {self.body: -along_line})
         if self.sleeve is None:
             return (line,)
         return line, ScalarRow({}, {self.body: 1.0, self.sleeve: -1.0})
@@ -63,16 +63,16 @@ class Slot(Joint):
         u = self.direction(at)
         d = at.z[self.point] - at.z[self.along[0]]
         omega = speeds.omega[self.body]
-        relative = along(u, speeds.v[self.point] - speeds.v[self.along[0]])
-        term = omega * (omega * across(u, d) - 2.0 * relative)
+        relative = dot(u, speeds.v[self.point] - speeds.v[self.along[0]])
+        term = omega * (omega * cross(u, d) - 2.0 * relative)
         return (term,) if self.sleeve is None else (term, 0.0)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
         """Distance from the line (m); where the sleeve does not swivel, also the relative rotation (rad)."""
         u = self.direction(start)
-        before = across(u, start.z[self.point] - start.z[self.along[0]])
-        turned = u * unit(moved.turned[self.body])
-        after = across(turned, moved.z[self.point] - moved.z[self.along[0]])
+        before = cross(u, start.z[self.point] - start.z[self.along[0]])
+        turned = u * unit_vector(moved.turned[self.body])
+        after = cross(turned, moved.z[self.point] - moved.z[self.along[0]])
         if self.sleeve is None:
             return (after - before,)
         return after - before, moved.turned[self.body] - moved.turned[self.sleeve]

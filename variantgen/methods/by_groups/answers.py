@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from variantgen.algebra.expression import Applied, Constant, Ratio, Total, Value
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
-from variantgen.methods.algebra.expression import Applied, Constant, Ratio, Total, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.centres import acceleration_centre, velocity_centre
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.groups.carriers import is_translating

@@ -15,14 +15,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.algebra import Maybe, added, linear, product
-from variantgen.methods.algebra.expression import Constant, Expression, Raised, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Raised, Value
+from variantgen.algebra.linear import linear
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.shown_system import ZERO, enter_solution, system_of
-from variantgen.methods.steps.step import Body, ChainGraph, Derived, Fact, Leg, Point, Statement
+from variantgen.methods.steps.step import Body, ChainGraph, ChainLink, Derived, EquationLine, Fact, Point
 
 _KIND = {1: "omega", 2: "epsilon"}
 
@@ -43,14 +44,14 @@ def applies(book: Book, group: Dyad) -> bool:
 def loop_of(book: Book, group: Dyad) -> Loop | None:
     """The chain that a dyad closes, from the link with known rates: O-A of the pole, A-B the dyad, B-C of the path."""
     fixed, bodies = book.task.fixed, book.task.scene.bodies
-    if group.track.straight or not group.track.body or group.track.centre not in fixed:
+    if group.point_path.straight or not group.point_path.body or group.point_path.centre not in fixed:
         return None
     for first, members in bodies.items():
-        if group.pole in members and first in book.omega and first not in (group.body, group.track.body):
+        if group.pole in members and first in book.omega and first not in (group.body, group.point_path.body):
             pivot = book.task.linkage.pivot(first)
             if pivot is not None:
-                points = (pivot, group.pole, group.track.point, group.track.centre)
-                return Loop((first, group.body, group.track.body), points)
+                points = (pivot, group.pole, group.point_path.point, group.point_path.centre)
+                return Loop((first, group.body, group.point_path.body), points)
     return None
 
 
@@ -79,7 +80,7 @@ def _graph(book: Book, loop: Loop) -> ChainGraph:
     for number, (start, end) in enumerate(zip(loop.points, loop.points[1:], strict=False), 1):
         exact = degrees(book.geometry.vector(start, end))
         angle = Value(None, "angle", exact, Constant(exact, "angle"))
-        legs.append(Leg(number, angle, end))
+        legs.append(ChainLink(number, angle, end))
     return ChainGraph(loop.points[0], tuple(legs))
 
 
@@ -126,7 +127,7 @@ def _shift(book: Book, start: str, end: str) -> tuple[Maybe, Maybe]:
 
 def _solve(book: Book, unknowns: list[Value], sides: list[Expression]) -> None:
     """Show the equations in symbols and in numbers, and solve them."""
-    book.items.extend(Statement(side, ZERO) for side in sides)
+    book.items.extend(EquationLine(side, ZERO) for side in sides)
     book.say("three_rates.numbers", True)
     system = system_of(unknowns, [linear(side, unknowns) for side in sides])
     book.items.append(system)

@@ -8,22 +8,22 @@ it apply to a parallelogram, whose coupler is known to translate.
 
 from __future__ import annotations
 
-from variantgen.methods.by_groups import closed_chain, walk
+from variantgen.methods.by_groups import closed_chain, solve_groups
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
-from variantgen.methods.steps.style import Style
+from variantgen.methods.steps.method_style import MethodStyle
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 
-STYLE = Style("three_rates", "three_rates")
+STYLE = MethodStyle("three_rates", "three_rates")
 
 
 def applies(task: Task) -> bool:
     """Whether a chain of three links between fixed pivots leads to what is asked."""
     book = Book(task, style=STYLE)
     try:
-        groups = walk.velocities(book)
-    except NO_WAY:  # the rest of the mechanism cannot be solved group by group
+        groups = solve_groups.velocities(book)
+    except NOT_APPLICABLE:  # the rest of the mechanism cannot be solved group by group
         return False
     return any(isinstance(group, Dyad) and closed_chain.applies(book, group) for group in groups)
 
@@ -31,6 +31,6 @@ def applies(task: Task) -> bool:
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
     book.style = STYLE
-    groups = walk.velocities(book)
+    groups = solve_groups.velocities(book)
     if book.task.order == 2:
-        walk.accelerations(book, groups)
+        solve_groups.accelerations(book, groups)

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio, Value, root
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.centres.centre import named_place, reach, turned_by
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.centres.centre import named_place, ray_to_centre, turned_by
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.solution.book import Book
-from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.vectors.points import known_point, renamed, vector
 from variantgen.methods.vectors.whole_vector import whole
@@ -32,7 +32,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             book.say("acceleration_centre.same", False, first=VectorOf(name), second=second, body=Body(body))
             book.acceleration[point] = renamed(book, vector(book, pole), point)
             return
-        ray = reach(book, centre, point, _is_direction_asked(book, point))
+        ray = ray_to_centre(book, centre, point, _is_direction_asked(book, point))
         if ray is None:
             book.say("acceleration_centre.in_centre", False, **facts)
             book.acceleration[point] = ()
@@ -45,7 +45,7 @@ def _is_direction_asked(book: Book, point: str) -> bool:
     return any(q.point == point and q.kind == "a" and q.component for q in book.task.asked)
 
 
-def _term(book: Book, centre: Centre, point: str, ray: Ray, size: Value) -> Term:
+def _term(book: Book, centre: Centre, point: str, ray: CentreRay, size: Value) -> Term:
     """The acceleration, at the angle mu to the ray: the ray is the acceleration turned in the sense of epsilon."""
     sense = book.epsilon[centre.body].sense
     name = Name("a", point)
@@ -94,7 +94,7 @@ def _found(book: Book, body: str, pole: str) -> Centre:
         ahead = term.angle
     assert term.size is not None
     arm = book.derive(centre.length(pole), "length", term.size / _intensity(book, body))
-    centre.rays[pole] = Ray(arm, ahead)
+    centre.rays[pole] = CentreRay(arm, ahead)
     centre.at = named_place(book, centre.place(book.task))
     if centre.at:
         book.say("acceleration_centre.named", True, at=Point(centre.at), **facts)
@@ -122,7 +122,7 @@ def _intensity(book: Book, body: str) -> Expression:
     omega, epsilon = book.omega[body], book.epsilon[body]
     if not epsilon.sense:
         return omega.size**2
-    return root(epsilon.size**2 + omega.size**4) if omega.sense else epsilon.size
+    return SquareRoot(epsilon.size**2 + omega.size**4) if omega.sense else epsilon.size
 
 
 def distance(book: Book, body: str, point: str) -> Value:
@@ -132,7 +132,7 @@ def distance(book: Book, body: str, point: str) -> Value:
         centre = centre_of(book, body, pole)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)
-        ray = reach(book, centre, point, False)
+        ray = ray_to_centre(book, centre, point, False)
         return Value(centre.length(point), "length", 0.0) if ray is None else ray.arm
 
 

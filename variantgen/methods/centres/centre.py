@@ -12,21 +12,11 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.expression import (
-    Applied,
-    Constant,
-    Expression,
-    Ratio,
-    Total,
-    Value,
-    cos,
-    root,
-    sin,
-)
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value, cos, sin
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
-from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Derived, Fact, NumberOf, Point, Segment
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
@@ -40,15 +30,18 @@ def is_near(book: Book, first: complex, second: complex) -> bool:
     return abs(first - second) <= NEAR * (book.task.size + abs(first - middle))
 
 
-def named_place(book: Book, place: complex, but: str = "") -> str:
-    """The point of the figure at a place, other than ``but``, or nothing."""
+def named_place(book: Book, place: complex) -> str:
+    """The point of the figure at a place, or nothing."""
     hidden = book.task.form.figure.hidden
-    names = (name for name in book.task.now.z if name not in hidden and name != but)
+    names = (name for name in book.task.now.z if name not in hidden)
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 
 def difference(name: Name | None, first: Value, second: Value) -> Value:
-    """The angle between two directions, 0 to 180 degrees, as their difference."""
+    """The angle between two directions, 0 to 180 degrees, as their difference.
+
+    Raises ArithmeticError where it is no difference of the two: a defect of the caller.
+    """
     exact = between(first.exact, second.exact)
     for sign in (1, -1):
         turn = exact - sign * (first.exact - second.exact)
@@ -89,7 +82,7 @@ class _Triangle:
 
     base: str
     point: str
-    ray: Ray
+    ray: CentreRay
     side: float
     spread: float
 
@@ -110,7 +103,7 @@ _ON_LINE, _EQUILATERAL, _RIGHT, _ISOSCELES, _GENERAL = range(5)
 _SHAPES = ("on_line", "equilateral", "right", "isosceles", "general")
 
 
-def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray | None:
+def ray_to_centre(book: Book, centre: Centre, point: str, with_direction: bool) -> CentreRay | None:
     """The ray from a point of the body to the centre, with the lines that find its length; None at the centre.
 
     The lines for its direction are written where it is asked for (``with_direction``).
@@ -123,7 +116,7 @@ def reach(book: Book, centre: Centre, point: str, with_direction: bool) -> Ray |
     triangle = _simplest(book, centre, point)
     if triangle is None:
         at = centre.at
-        found = Ray(book.geometry.length(point, at), book.geometry.direction(point, at))
+        found = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
     else:
         found = _found(book, centre, triangle, with_direction)
     centre.rays[point] = found
@@ -141,7 +134,7 @@ def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:
     return min(found, key=lambda triangle: triangle.shape, default=None)
 
 
-def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> Ray:
+def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> CentreRay:
     """The third side of the triangle, and its direction from the point C."""
     base, point, ray = triangle.base, triangle.point, triangle.ray
     side = book.geometry.length(base, point)
@@ -162,7 +155,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     arm = book.derive(centre.length(point), "length", _ARMS[shape](ray.arm, side, spread))
     if shape == _ON_LINE:
         beyond = spread.exact < 90.0 and side.exact > ray.arm.exact
-        return Ray(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
+        return CentreRay(arm, Geometry.turned(ray.angle, 180.0) if beyond else ray.angle)
     corner = Value(centre.corner(point, base), "angle", *_corner(shape, ray.arm, side, spread))
     back = Geometry.turned(there, 180.0)
     goal = math.degrees(cmath.phase(centre.place(book.task) - book.task.now.z[point]))
@@ -171,7 +164,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     if with_direction:
         note_angle(book, corner, symbolic=True)
         note_angle(book, angle)
-    return Ray(arm, angle)
+    return CentreRay(arm, angle)
 
 
 def _towards(book: Book, centre: Centre, base: str, point: str) -> tuple[Value, str]:
@@ -194,8 +187,8 @@ def _on_line(arm: Value, side: Value, spread: Value) -> Expression:
 
 def _hypotenuse(arm: Value, side: Value) -> Expression:
     if abs(arm.exact - side.exact) <= NEAR * side.exact:
-        return side * root(Constant(2.0))
-    return root(arm**2 + side**2)
+        return side * SquareRoot(Constant(2.0))
+    return SquareRoot(arm**2 + side**2)
 
 
 _ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
@@ -203,7 +196,7 @@ _ARMS: dict[int, Callable[[Value, Value, Value], Expression]] = {
     _EQUILATERAL: lambda arm, side, spread: side,
     _ISOSCELES: lambda arm, side, spread: Constant(2.0) * side * sin(spread / Constant(2.0)),
     _RIGHT: lambda arm, side, spread: _hypotenuse(arm, side),
-    _GENERAL: lambda arm, side, spread: root(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
+    _GENERAL: lambda arm, side, spread: SquareRoot(arm**2 + side**2 - Constant(2.0) * arm * side * cos(spread)),
 }
 
 

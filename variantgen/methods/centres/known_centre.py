@@ -11,20 +11,20 @@ import cmath
 import math
 from collections.abc import Iterator
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.centres.centre import named_place
 from variantgen.methods.centres.perpendiculars import facts_of_two, perpendicular
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.contact import place_of
+from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.groups.group import TwoPointBody
-from variantgen.methods.groups.law import touches
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book, Rate
-from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.whole_vector import whole
@@ -78,10 +78,10 @@ def _contact(book: Book, body: str) -> Centre | None:
             named: dict[str, Fact] = {"at": Point(name)} if name else {}
             book.say("known_centre.named_contact" if name else "known_centre.contact", False, **named, **facts)
         if name:
-            centre.rays[axle] = Ray(book.geometry.length(axle, name), book.geometry.direction(axle, name))
+            centre.rays[axle] = CentreRay(book.geometry.length(axle, name), book.geometry.direction(axle, name))
         else:
             ahead = perpendicular(book, whole(book, axle, book.velocity[axle]), place - task.now.z[axle])
-            centre.rays[axle] = Ray(_radius(book, body, axle, abs(place - task.now.z[axle])), ahead)
+            centre.rays[axle] = CentreRay(_radius(book, body, axle, abs(place - task.now.z[axle])), ahead)
         return centre
     return None
 
@@ -98,10 +98,10 @@ def _resting(task: Task, body: str, explained: bool) -> Iterator[tuple[str, comp
     metre = task.length_unit
     at = Placement({name: place * metre for name, place in task.now.z.items()}, task.scene.frame)
     for joint in task.scene.joints:
-        touch = joint.contact_at(at)
-        if touch is not None and touch.other is None and touch.body[0] == body:
-            yield touch.body[1], complex(touch.place) / metre
-    for thread in touches(task).values() if explained else ():
+        contact = joint.contact_at(at)
+        if contact is not None and contact.other is None and contact.body[0] == body:
+            yield contact.body[1], complex(contact.place) / metre
+    for thread in contacts_of_scene(task).values() if explained else ():
         for known, side in thread.ways:
             if known.is_rest and side.lever and side.body == body:
                 yield side.centre, place_of(task, side)
@@ -127,7 +127,7 @@ def _by_rate(book: Book, body: str, point: str, rate: Rate) -> Centre:
     book.say("known_centre.by_rate", False, vector=VectorOf(Name("v", point)), ray=centre.segment(point), **facts)
     side = cmath.rect(1.0, math.radians(term.angle.exact + 90.0 * rate.sense))
     ahead = perpendicular(book, term, side)
-    centre.rays[point] = Ray(book.derive(centre.length(point), "length", term.size / rate.size), ahead)
+    centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", term.size / rate.size), ahead)
     return centre
 
 
@@ -178,7 +178,7 @@ def divide(book: Book, body: str, first: str, second: str) -> Rate:
     for i, point in enumerate(ends):
         ahead = book.geometry.direction(point, ends[1 - i])
         ahead = Geometry.turned(ahead, 180.0) if same and i != fast else ahead
-        centre.rays[point] = Ray(book.derive(centre.length(point), "length", sizes[i] / omega), ahead)
+        centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", sizes[i] / omega), ahead)
     book.centres["P", body] = centre
     return _entered(book, body, Rate(omega, sense_about(centre.rays[ends[0]], terms[0])))
 
@@ -193,7 +193,7 @@ def _about_end(book: Book, body: str, moving: str, resting: str) -> Rate:
         return _entered(book, body, Rate(Value(Name("omega", body), "angular velocity", 0.0), 0))
     term = whole(book, moving, book.velocity[moving])
     assert term.size is not None
-    centre.rays[moving] = Ray(book.geometry.length(moving, resting), book.geometry.direction(moving, resting))
+    centre.rays[moving] = CentreRay(book.geometry.length(moving, resting), book.geometry.direction(moving, resting))
     omega = book.derive(Name("omega", body), "angular velocity", term.size / centre.rays[moving].arm)
     return _entered(book, body, Rate(omega, sense_about(centre.rays[moving], term)))
 
@@ -206,6 +206,6 @@ def _entered(book: Book, body: str, rate: Rate) -> Rate:
     return rate
 
 
-def sense_about(ray: Ray, term: Term) -> int:
+def sense_about(ray: CentreRay, term: Term) -> int:
     """The sense in which a point with the velocity ``term`` turns about the centre (1 counter-clockwise, -1)."""
     return -1 if normal_angle(term.angle.exact - ray.angle.exact) > 0 else 1

@@ -10,12 +10,12 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Value, cos, sin
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
-from variantgen.methods.solution.rays import Centre, Ray
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
 
 _PARALLEL = 1e-7  # degrees between two perpendiculars within which they never meet
@@ -42,7 +42,7 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
     if at:
         book.say("perpendiculars.meet_at_point", False, at=Point(at), **facts)
         for point in {a, b} - {at}:
-            centre.rays[point] = Ray(book.geometry.length(point, at), book.geometry.direction(point, at))
+            centre.rays[point] = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
         return centre
     book.say("perpendiculars.meet", False, **facts)
     rays = [perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True)]
@@ -131,7 +131,7 @@ def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tup
     for angle in needed:
         note_angle(book, angle, symbolic=angle is at_p)
     for point, arm, ray in zip(ends, arms, rays, strict=True):
-        centre.rays[point] = Ray(book.derive(centre.length(point), "length", arm), ray)
+        centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", arm), ray)
 
 
 _Shape = tuple[str, tuple[Value, ...], tuple[Expression, Expression]]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Expression, Value, cos
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.centres import velocity_centre
 from variantgen.methods.centres.centre import difference
 from variantgen.methods.geometry.geometry import Geometry, between
@@ -11,8 +11,8 @@ from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
+from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.tracks import on_track
 from variantgen.methods.vectors.vector_equation import share_of
 from variantgen.methods.vectors.whole_vector import whole
 
@@ -21,9 +21,9 @@ _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
 
 def applies(book: Book, group: Dyad) -> bool:
     """Whether the projections on the line of the points give the velocity: not if it is across that line."""
-    now, point = book.task.now, group.track.point
+    now, point = book.task.now, group.point_path.point
     side = now.z[point] - now.z[group.pole]
-    path = group.track.line if group.track.straight else 1j * (now.z[point] - now.z[group.track.centre])
+    path = group.point_path.line if group.point_path.straight else 1j * (now.z[point] - now.z[group.point_path.centre])
     return book.order == 1 and not _are_square(side, path)
 
 
@@ -34,7 +34,7 @@ def _are_square(first: complex, second: complex) -> bool:
 
 def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path; omega, which the theorem leaves open, by the velocity centre."""
-    body, pole, point = group.body, group.pole, group.track.point
+    body, pole, point = group.body, group.pole, group.point_path.point
     known = vector(book, pole)
     facts: dict[str, Fact] = {
         "body": Body(body),
@@ -45,7 +45,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         "segment": Segment(pole, point),
     }
     with book.step("projections.link", "velocities", **facts):
-        _, path = on_track(book, group.track)
+        _, path = on_path(book, group.point_path)
         side = book.geometry.vector(pole, point)
         if not known or _are_square(side, resultant(known)):
             book.say("projections.nothing" if known else "projections.at_rest", False, **facts)

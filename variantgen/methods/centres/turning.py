@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Total, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Total, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import contact_fact
 from variantgen.methods.geometry.geometry import Geometry, degrees
-from variantgen.methods.groups.group import Composed, PivotedLink, Rolled, RollingContactPole
+from variantgen.methods.groups.group import PivotedLink, RelativeRotation, RollingContactPole, RollingWheel
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
-from variantgen.methods.vectors.given import amount
+from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.vectors.vector_equation import shares
 
 
-def solve_turned(book: Book, group: PivotedLink) -> None:
+def solve_pivoted_link(book: Book, group: PivotedLink) -> None:
     """``omega = v_B / r``; ``epsilon = a^tau_B / r``, with the sense in which the vector turns about the pivot."""
     body, point, pivot = group.body, group.point, group.pivot
     terms = vector(book, point)
@@ -56,7 +56,7 @@ def _enter(book: Book, body: str, size: Value | None, arm: Value, kind: str, nam
     book.say(f"rates.{kind}_{rate.word}", body=Body(body), vector=VectorOf(name))
 
 
-def solve_rolled(book: Book, group: Rolled) -> None:
+def solve_rolling_wheel(book: Book, group: RollingWheel) -> None:
     """A wheel on a line or circle at rest: ``v_O = omega r``, ``a_O = epsilon r`` (on a circle the component tau)."""
     body, centre = group.body, group.centre
     radius = radius_of(book, group)
@@ -81,7 +81,7 @@ def solve_rolled(book: Book, group: Rolled) -> None:
             sum_up(book, centre)
 
 
-def solve_rested(book: Book, group: RollingContactPole) -> None:
+def solve_rolling_contact_pole(book: Book, group: RollingContactPole) -> None:
     """The contact of a rolling wheel as its pole: at rest now, with the acceleration ``omega^2 r`` to the centre."""
     contact, centre = group.contact, group.centre
     name = Name(book.letter, contact)
@@ -98,7 +98,7 @@ def solve_rested(book: Book, group: RollingContactPole) -> None:
         book.vectors[contact] = (term,)
 
 
-def radius_of(book: Book, group: Rolled) -> Value:
+def radius_of(book: Book, group: RollingWheel) -> Value:
     """The radius of the wheel: of the disc of the drawing, or its distance from the named contact."""
     task = book.task
     joint = task.scene.joints[group.joint]
@@ -116,7 +116,7 @@ def radius_of(book: Book, group: Rolled) -> Value:
     return book.geometry.unnamed_radii.of(group.body, exact)
 
 
-def _centre(book: Book, group: Rolled, radius: Value, name: Name) -> Known:
+def _centre(book: Book, group: RollingWheel, radius: Value, name: Name) -> Known:
     """The vector of the centre of a wheel whose rate is known."""
     rate = book.rates[group.body]
     terms: Known = ()
@@ -141,7 +141,7 @@ def _centre(book: Book, group: Rolled, radius: Value, name: Name) -> Known:
     return (*terms, book.term(name, size, angle, "track", point=Point(group.centre)))
 
 
-def _normal_part(book: Book, group: Rolled) -> complex:
+def _normal_part(book: Book, group: RollingWheel) -> complex:
     """The exact normal component of the centre's vector: none for a velocity."""
     if book.order == 1:
         return 0j
@@ -149,13 +149,13 @@ def _normal_part(book: Book, group: Rolled) -> complex:
     return abs(book.task.now.v[group.centre]) ** 2 / abs(arm) ** 2 * arm
 
 
-def _is_left(book: Book, group: Rolled, way: complex) -> bool:
+def _is_left(book: Book, group: RollingWheel, way: complex) -> bool:
     """Whether a vector of the centre leads counter-clockwise round the circle."""
     arm = book.geometry.vector(group.around, group.centre)
     return (arm.conjugate() * way).imag > 0
 
 
-def solve_composed(book: Book, group: Composed) -> None:
+def solve_relative_rotation(book: Book, group: RelativeRotation) -> None:
     """Rotations about parallel axes: ``omega = omega_other + omega_rel``, with the signs of their senses."""
     kind = "omega" if book.order == 1 else "epsilon"
     relative = amount(book, book.task.form.drivers[group.driver], kind, book.rate_measure)

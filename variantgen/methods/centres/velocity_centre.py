@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.centres.centre import reach
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.methods.centres.centre import ray_to_centre
 from variantgen.methods.centres.known_centre import centre_of, sense_about
 from variantgen.methods.centres.perpendiculars import meet
 from variantgen.methods.geometry.geometry import Geometry, between
@@ -14,8 +14,8 @@ from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book, Rate, resultant
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import known_point, renamed, vector
-from variantgen.methods.vectors.tracks import on_track
 from variantgen.methods.vectors.whole_vector import whole
 
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
@@ -24,9 +24,9 @@ _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
 def applies(book: Book, group: Dyad) -> bool:
     """Whether the directions of two velocities tell where the centre is: not if both are across their line."""
     known = vector(book, group.pole)
-    now, point = book.task.now, group.track.point
+    now, point = book.task.now, group.point_path.point
     side = now.z[point] - now.z[group.pole]
-    path = group.track.line if group.track.straight else 1j * (now.z[point] - now.z[group.track.centre])
+    path = group.point_path.line if group.point_path.straight else 1j * (now.z[point] - now.z[group.point_path.centre])
     return book.order == 1 and not (_are_square(side, path) and known and _are_square(side, resultant(known)))
 
 
@@ -37,17 +37,17 @@ def _are_square(first: complex, second: complex) -> bool:
 
 def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body."""
-    body, pole, point = group.body, group.pole, group.track.point
+    body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
     with book.step("velocity_centre.link", "velocities", body=Body(body), point=Point(point)):
-        _, path = on_track(book, group.track)
+        _, path = on_path(book, group.point_path)
         if find(book, group, path) is not None:
             _enter_speed(book, body, point, path)
 
 
 def find(book: Book, group: Dyad, path: Term) -> Rate | None:
     """Find the centre of the body and its angular velocity; None where the body is at rest, and its points are."""
-    body, pole, point = group.body, group.pole, group.track.point
+    body, pole, point = group.body, group.pole, group.point_path.point
     known = book.velocity[pole]
     if not known:
         book.say("velocity_centre.at_rest", False, pole=Point(pole), point=Point(point), body=Body(body))
@@ -116,7 +116,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             )
             book.velocity[point] = renamed(book, vector(book, pole), point)
             return
-        ray = reach(book, centre, point, leads_on(book, point, body))
+        ray = ray_to_centre(book, centre, point, leads_on(book, point, body))
         if ray is None or not rate.sense:
             book.say("velocity_centre.in_centre", False, point=Point(point), centre=centre.fact, vector=VectorOf(name))
             book.velocity[point] = ()
@@ -145,5 +145,5 @@ def distance(book: Book, body: str, point: str) -> Value:
         centre = centre_of(book, body)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)
-        ray = reach(book, centre, point, False)
+        ray = ray_to_centre(book, centre, point, False)
         return Value(centre.length(point), "length", 0.0) if ray is None else ray.arm

@@ -10,21 +10,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from variantgen.methods.algebra.algebra import Maybe, added, derivative, forward, linear, product, pruned, substituted
-from variantgen.methods.algebra.expression import Constant, Expression, Ratio, Value, hypotenuse
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import parts
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value, hypotenuse
+from variantgen.algebra.linear import linear
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, forward, product
+from variantgen.algebra.substitution import pruned, substituted
+from variantgen.algebra.values import parts
 from variantgen.methods.coordinates import results
-from variantgen.methods.coordinates.blocks import Block, blocks_for, given_coordinates
-from variantgen.methods.coordinates.coordinate import Coordinate, Equation
+from variantgen.methods.coordinates.blocks import CoordinateBlock, blocks_for, given_coordinates
+from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquation
 from variantgen.methods.coordinates.equations import model_of
 from variantgen.methods.coordinates.model import Model, changing
 from variantgen.methods.coordinates.places import locate
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.shown_system import ZERO, enter
-from variantgen.methods.steps.step import Derived, Point, Statement
+from variantgen.methods.steps.step import Derived, EquationLine, Point
 
 _INNER = ("x", "y")  # coordinates that are replaced by their functions; angles and ways keep their names
 _WAYS = ("slide", "arc")  # coordinates that have to be introduced
@@ -36,7 +39,7 @@ class Functions:
 
     given: list[Coordinate]
     of: dict[Value, Expression] = field(default_factory=dict)
-    source: dict[Value, Equation] = field(default_factory=dict)
+    source: dict[Value, PositionEquation] = field(default_factory=dict)
 
 
 def applies(task: Task) -> bool:
@@ -46,7 +49,7 @@ def applies(task: Task) -> bool:
         try:
             model = model_of(book)
             return _functions(model) is not None
-        except NO_WAY:
+        except NOT_APPLICABLE:
             return False
 
 
@@ -59,7 +62,7 @@ def solve(book: Book) -> None:
             raise LookupError("analytical")
         _state(model, functions)
     shown = _shown(model, functions)
-    blocks = [Block((), tuple(model.coordinates[value] for value in functions.of))]
+    blocks = [CoordinateBlock((), tuple(model.coordinates[value] for value in functions.of))]
     written: dict[Value, Maybe] = dict(functions.of)
     for order in (1, 2)[: book.task.order]:
         model = model.at(order)
@@ -134,7 +137,7 @@ def _state(model: Model, functions: Functions) -> None:
             book.say(f"coordinates.{source.key}", False, **source.facts)
         elif value is shown[0]:
             book.say("analytical.position", True)
-        book.items.append(Statement(value, functions.of[value]))
+        book.items.append(EquationLine(value, functions.of[value]))
 
 
 def _shown(model: Model, functions: Functions) -> list[Value]:

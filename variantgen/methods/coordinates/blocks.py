@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from variantgen.algebra.expression import Value
+from variantgen.algebra.normal_form import Maybe
+from variantgen.algebra.values import parts
 from variantgen.mechanism.blocks import triangular_blocks
-from variantgen.methods.algebra.algebra import Maybe
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.values import parts
-from variantgen.methods.coordinates.coordinate import Coordinate, Equation
+from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquation
 from variantgen.methods.coordinates.model import Model
 
 
 @dataclass(frozen=True, eq=False)
-class Block:
+class CoordinateBlock:
     """Equations that are solved together for as many unknown coordinates."""
 
-    equations: tuple[Equation, ...]
+    equations: tuple[PositionEquation, ...]
     unknowns: tuple[Coordinate, ...]
 
 
-def blocks_for(model: Model, targets: list[Value]) -> list[Block]:
+def blocks_for(model: Model, targets: list[Value]) -> list[CoordinateBlock]:
     """The blocks that lead to the target coordinates, in the order of solution.
 
     Raises LookupError where the equations do not determine the coordinates.
@@ -33,7 +33,7 @@ def blocks_for(model: Model, targets: list[Value]) -> list[Block]:
     if free or surplus:
         raise LookupError([str(unknowns[u].name) for u in free] + [model.equations[e].key for e in surplus])
     return [
-        Block(tuple(model.equations[e] for e in members), tuple(model.coordinates[unknowns[u]] for u in own))
+        CoordinateBlock(tuple(model.equations[e] for e in members), tuple(model.coordinates[unknowns[u]] for u in own))
         for members, own in _leading_to({number[v] for v in targets if v in number}, found, depends)
     ]
 
@@ -54,7 +54,7 @@ def _depends(model: Model, side: Maybe) -> list[Value]:
     return [] if side is None else [value for value in parts(side) if value in model.coordinates]
 
 
-def given_coordinates(model: Model, blocks: list[Block], targets: list[Value]) -> list[Coordinate]:
+def given_coordinates(model: Model, blocks: list[CoordinateBlock], targets: list[Value]) -> list[Coordinate]:
     """The prescribed coordinates that the blocks or the targets contain."""
     values = [v for b in blocks for e in b.equations for side in (e.left, e.right) for v in _depends(model, side)]
     found = dict.fromkeys([*values, *targets])

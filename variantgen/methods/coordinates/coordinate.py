@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from variantgen.methods.algebra.algebra import Maybe
-from variantgen.methods.algebra.expression import Value
+from variantgen.algebra.expression import Value
+from variantgen.algebra.normal_form import Maybe
 from variantgen.methods.steps.step import Fact
 
 
@@ -20,7 +20,7 @@ class Coordinate:
 
 
 @dataclass(frozen=True, eq=False)
-class Equation:
+class PositionEquation:
     """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
 
     key: str

@@ -6,10 +6,13 @@ program that computes the same is added to the solution (:mod:`variantgen.method
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.algebra import Maybe, added, derivative, forward, linear, pruned, reduced
-from variantgen.methods.algebra.expression import Constant, Ratio, Value
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Ratio, Value
+from variantgen.algebra.linear import linear, reduced
+from variantgen.algebra.normal_form import Maybe, added, forward
+from variantgen.algebra.substitution import pruned
 from variantgen.methods.coordinates import results
-from variantgen.methods.coordinates.blocks import Block, blocks_for, given_coordinates
+from variantgen.methods.coordinates.blocks import CoordinateBlock, blocks_for, given_coordinates
 from variantgen.methods.coordinates.coordinate import Coordinate
 from variantgen.methods.coordinates.equations import model_of
 from variantgen.methods.coordinates.listing import listing
@@ -17,9 +20,9 @@ from variantgen.methods.coordinates.model import Model
 from variantgen.methods.coordinates.places import locate
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.shown_system import ZERO, coefficients, enter, enter_solution, system_of
-from variantgen.methods.steps.step import Derived, Sentence, Statement
+from variantgen.methods.steps.step import Derived, EquationLine, Sentence
 
 _LARGEST = 3  # unknowns of a system that is shown with its numbers
 
@@ -31,7 +34,7 @@ def applies(task: Task) -> bool:
         try:
             model = model_of(book)
             blocks_for(model, results.targets(model))
-        except NO_WAY:
+        except NOT_APPLICABLE:
             return False
     return True
 
@@ -62,7 +65,7 @@ def solve(book: Book) -> None:
         book.items.append(listing(model, blocks, targets))
 
 
-def _state(model: Model, blocks: list[Block], given: list[Coordinate]) -> None:
+def _state(model: Model, blocks: list[CoordinateBlock], given: list[Coordinate]) -> None:
     """The unknowns, what is given, and the equations of the positions."""
     book = model.book
     unknowns = tuple(own.place.name for block in blocks for own in block.unknowns if own.place.name)
@@ -79,7 +82,7 @@ def _state(model: Model, blocks: list[Block], given: list[Coordinate]) -> None:
             if sentence not in said:
                 said.append(sentence)
                 book.items.append(sentence)
-            book.items.append(Statement(equation.left or ZERO, equation.right or ZERO))
+            book.items.append(EquationLine(equation.left or ZERO, equation.right or ZERO))
 
 
 Written = dict[int, tuple[Maybe, Maybe]]
@@ -99,7 +102,7 @@ def _differentiated(model: Model, written: Written, order: int) -> Written:
     return found
 
 
-def _solve_block(model: Model, block: Block, written: Written, order: int) -> None:
+def _solve_block(model: Model, block: CoordinateBlock, written: Written, order: int) -> None:
     """Show the equations of a block and find its unknown derivatives."""
     book = model.book
     unknowns = [own.speed if order == 1 else own.acceleration for own in block.unknowns]
@@ -107,7 +110,7 @@ def _solve_block(model: Model, block: Block, written: Written, order: int) -> No
     if len(unknowns) == 1:
         _solve_one(book, unknowns[0], *sides[0])
         return
-    book.items.extend(Statement(left or ZERO, right or ZERO) for left, right in sides)
+    book.items.extend(EquationLine(left or ZERO, right or ZERO) for left, right in sides)
     forms = [linear(added((1, left), (-1, right)), unknowns) for left, right in sides]
     if len(unknowns) <= _LARGEST:
         book.say("coordinates.numbers", True)
@@ -129,7 +132,7 @@ def _solve_one(book: Book, value: Value, left: Maybe, right: Maybe) -> None:
         book.items.append(Derived(value, symbolic=value.exact != 0, numeric=value.exact != 0))
         return
     sign, coefficient = forward(found[value])
-    book.items.append(Statement(left or ZERO, right or ZERO))
+    book.items.append(EquationLine(left or ZERO, right or ZERO))
     if sign < 0:
         expression = rest or ZERO
     if not (isinstance(coefficient, Constant) and coefficient.value == 1) and rest is not None:

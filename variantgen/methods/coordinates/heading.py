@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.algebra import Maybe, added, product
-from variantgen.methods.algebra.expression import Constant, Value, cos, sin
+from variantgen.algebra.expression import Constant, Value, cos, sin
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.geometry.geometry import normal_angle
 
 

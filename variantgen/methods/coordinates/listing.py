@@ -9,15 +9,15 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
-from variantgen.methods.algebra.algebra import added, signed
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.python_source import enclosed, identifier, number, written
-from variantgen.methods.algebra.values import in_order, parts
-from variantgen.methods.coordinates import outputs
-from variantgen.methods.coordinates.blocks import Block, given_coordinates
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.normal_form import added, signed
+from variantgen.algebra.python_source import enclosed, identifier, number, written
+from variantgen.algebra.values import in_order, parts
+from variantgen.methods.coordinates import listing_results
+from variantgen.methods.coordinates.blocks import CoordinateBlock, given_coordinates
 from variantgen.methods.coordinates.coordinate import Coordinate
 from variantgen.methods.coordinates.model import Model
-from variantgen.methods.steps.step import Listing
+from variantgen.methods.steps.step import ProgramListing
 
 _WIDTH = 100
 _PAIR = 80  # columns of two equations in a line
@@ -47,16 +47,16 @@ a = np.linalg.solve(jacobian(q), -bend)
 """
 
 
-def listing(model: Model, blocks: list[Block], targets: list[Value]) -> Listing:
+def listing(model: Model, blocks: list[CoordinateBlock], targets: list[Value]) -> ProgramListing:
     """The program for what is asked; it prints a line ``name = number`` per quantity, in the printed units."""
     writer = _Program(model, blocks, targets)
-    return Listing("\n".join(writer.lines()) + "\n", ())
+    return ProgramListing("\n".join(writer.lines()) + "\n", ())
 
 
 class _Program:
     """Collects the variables and lines of a program."""
 
-    def __init__(self, model: Model, blocks: list[Block], targets: list[Value]) -> None:
+    def __init__(self, model: Model, blocks: list[CoordinateBlock], targets: list[Value]) -> None:
         self.model = model
         self.given = given_coordinates(model, blocks, targets)
         self.free = [own for block in blocks for own in block.unknowns]
@@ -67,7 +67,7 @@ class _Program:
     def lines(self) -> Iterator[str]:
         """The whole program."""
         data = list(self._data())
-        asked = outputs.lines(self.model, self.names)
+        asked = listing_results.lines(self.model, self.names)
         yield from ("import numpy as np", "", "#{listing.data}", *data, *self._extra(asked))
         yield from self._start()
         yield from self._function()
@@ -160,7 +160,7 @@ class _Program:
 
     def _extra(self, asked: list[str]) -> Iterator[str]:
         """Constants that only the answers use."""
-        for name, value in outputs.constants(self.model):
+        for name, value in listing_results.constants(self.model):
             if name in "".join(asked) and name not in self.names.values():
                 yield f"{name} = {number(value)}"
 

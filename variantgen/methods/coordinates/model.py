@@ -2,7 +2,7 @@
 
 Unknown are the coordinates of moving points, and angles and ways where a joint speaks of them. What a driver
 prescribes or a guide along an axis keeps constant is no unknown. The equations are those of the positions; derivatives
-are taken by :mod:`variantgen.methods.algebra.algebra`.
+are taken by :mod:`variantgen.algebra.derivative`.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, forward, product
+from variantgen.algebra.values import parts
 from variantgen.mechanism.rows import Constraint
-from variantgen.methods.algebra.algebra import Maybe, added, forward, product
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import parts
-from variantgen.methods.coordinates.coordinate import Coordinate, Equation
+from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquation
 from variantgen.methods.coordinates.heading import Heading, fixed_number
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book
@@ -32,7 +32,7 @@ class Model:
     def __init__(self, book: Book) -> None:
         self.book, self.task, self.geometry = book, book.task, book.geometry
         self.coordinates: dict[Value, Coordinate] = {}
-        self.equations: list[Equation] = []
+        self.equations: list[PositionEquation] = []
         self.points = self._included()
         self._x: dict[tuple[str, int], Value] = {}
         self._constant: set[tuple[str, int]] = set()
@@ -231,7 +231,7 @@ class Model:
     def add(self, key: str, left: Maybe, right: Maybe, **facts: Fact) -> None:
         """A relation of positions, unless it says nothing."""
         if left is not None or right is not None:
-            self.equations.append(Equation(key, left, right, facts))
+            self.equations.append(PositionEquation(key, left, right, facts))
 
     def add_sum(self, key: str, left: Maybe, *terms: Maybe, **facts: Fact) -> None:
         """``left = sum of terms``."""

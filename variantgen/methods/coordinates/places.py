@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.algebra import added, product, pruned
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
+from variantgen.algebra.substitution import pruned
+from variantgen.algebra.values import in_order
 from variantgen.methods.coordinates.model import Model
 from variantgen.methods.steps.printed_digits import items_values
-from variantgen.methods.steps.step import Derived, Sentence, Statement, Step
+from variantgen.methods.steps.step import Derived, EquationLine, Sentence, Step
 
 
 def locate(model: Model, step: Step) -> None:
@@ -16,7 +17,7 @@ def locate(model: Model, step: Step) -> None:
 
     Angles and ways, which the geometry does not show, are shown at the end of ``step``.
     """
-    items = [item for step in model.book.steps for item in step.items if not isinstance(item, Statement)]
+    items = [item for step in model.book.steps for item in step.items if not isinstance(item, EquationLine)]
     shown: list[Value] = []
     for value in in_order(items_values(items)):
         if value.name is not None and value.name.kind == "offset":
@@ -44,11 +45,11 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
         case "slide" if value in model.coordinates and name.about in model.task.now.z:
             return model.geometry.length(name.of, name.about)
         case "slide" | "arc" if value in model.coordinates and value.exact:
-            return _slid(model, value, name)
+            return _slid_distance(model, value, name)
     return None
 
 
-def _slid(model: Model, value: Value, name: Name) -> Expression:
+def _slid_distance(model: Model, value: Value, name: Name) -> Expression:
     """The way from the pole of the body, or the angle on it."""
     body = next(body for (point, body), own in model.slides.items() if own is value)
     if name.kind == "arc":

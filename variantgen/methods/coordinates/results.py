@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from variantgen.algebra.expression import Constant, Expression, Magnitude, Raised, Ratio, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product, signed
+from variantgen.algebra.substitution import pruned
 from variantgen.mechanism.relative import sliding_points
-from variantgen.methods.algebra.algebra import added, product, pruned, signed
-from variantgen.methods.algebra.expression import Constant, Expression, Magnitude, Raised, Ratio, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.coordinates.blocks import Block
+from variantgen.methods.coordinates.blocks import CoordinateBlock
 from variantgen.methods.coordinates.model import Model
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.solution.book import Known, Rate
@@ -59,7 +60,7 @@ def say_start(model: Model, values: Iterable[Value]) -> None:
         model.book.say("coordinates.start", False)
 
 
-def enter(model: Model, blocks: list[Block]) -> None:
+def enter(model: Model, blocks: list[CoordinateBlock]) -> None:
     """Enter what has been found at the order of the book: all points of the equations, the rates that are asked."""
     book = model.book
     solved = {own.place for block in blocks for own in block.unknowns}

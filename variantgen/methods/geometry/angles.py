@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
-from variantgen.families.expressions import Expression as FamilyExpression
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.linkage.timed import angle_law
+from variantgen.methods.linkage.time_laws import angle_law
 
 # A given angle or a law of time by its name, or the direction of the ray from one point to another.
 Atom: TypeAlias = "str | tuple[str, str]"

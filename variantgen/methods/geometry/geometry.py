@@ -11,18 +11,18 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import Signed, summed
+from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Signed, summed
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
-from variantgen.methods.geometry.layout import Layout
 from variantgen.methods.geometry.legs import Leg, collected
-from variantgen.methods.geometry.place import ORIGIN, Pair, Place
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
+from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.radii import UnnamedRadii
-from variantgen.methods.geometry.ways import Ways
+from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
-from variantgen.methods.steps.step import Derived, Fact, Item, Segment, Sentence
+from variantgen.methods.steps.step import Derived, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
@@ -30,12 +30,11 @@ _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
-class Geometry(Layout):
+class Geometry(PositionLines):
     """Lengths, directions and coordinates of one variant; ``items`` are the lines that derive them, in order."""
 
     def __init__(self, task: Task) -> None:
         super().__init__(task)
-        self.items: list[Item] = []
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
         self.unnamed_radii = UnnamedRadii()
@@ -43,14 +42,14 @@ class Geometry(Layout):
         self._coordinates: dict[str, Pair] = {}
         plan = task.form.plan
         self.read({name: self._placed(name) for name in (*plan.placing, *plan.together, *plan.later)})
-        self._ways = Ways(self, self.places)
+        self._ways = ShortestPaths(self, self.places)
 
-    def _placed(self, point: str) -> Place:
+    def _placed(self, point: str) -> LocatedPoint:
         """The point as its construction tells it; the module has the stem of the construction."""
         template = self.task.form.points[point]
         stem = template.component.__module__.rpartition(".")[2]
         module = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}")
-        found: Place = module.Construction(self, point, template.fields)
+        found: LocatedPoint = module.Derivation(self, point, template.fields)
         return found
 
     # What is known.
@@ -276,42 +275,3 @@ class Geometry(Layout):
             for b, a in zip(second, first, strict=True)
         )
         return x, y
-
-    # Values and lines.
-
-    def located(self, name: Name, expression: Expression) -> Value:
-        """A coordinate by an expression; zero is a plain number."""
-        number = expression.number(True)
-        return Value(name, "length", number, None if self.is_nothing(expression) else expression, self.task.size)
-
-    def solution(self, name: Name, number: float) -> Value:
-        """A coordinate found by solving equations: its printed number is rounded like all others."""
-        return Value(name, "length", number, Constant(number), self.task.size)
-
-    def show(self, pair: Pair) -> None:
-        """Add the lines of coordinates other than zero; what is a number already is written once."""
-        for value in pair:
-            if value.exact != 0:
-                plain = isinstance(value.expression, Constant)
-                self.items.append(Derived(value, symbolic=not plain, numeric=not plain))
-
-    def say(self, key: str, detail: bool = True, /, **facts: Fact) -> None:
-        """Add a sentence of the file ``position``; a short solution leaves out a ``detail``."""
-        self.items.append(Sentence(f"position.{key}", facts, detail))
-
-    def _entered(self, name: Name, measure: str, expression: Expression) -> Value:
-        """A value by its expression with the line that shows it; what is given or a plain number needs none."""
-        if isinstance(expression, Value):
-            return self._taken(expression)
-        number = expression.number(True)
-        if isinstance(expression, Constant):
-            return Value(name, measure, number)
-        value = Value(name, measure, number, expression, self.task.size if measure == "length" else 0.0)
-        self.items.append(Derived(value))
-        return value
-
-    def _taken(self, value: Value) -> Value:
-        """A given value; one in another unit is converted first."""
-        if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
-            self.items.append(Derived(value))
-        return value

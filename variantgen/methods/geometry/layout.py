@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.algebra.expression import Constant, Expression, Total
+from variantgen.algebra.normal_form import summed
+from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
-from variantgen.methods.algebra.expression import Constant, Expression, Total
-from variantgen.methods.algebra.sums import summed
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, degrees, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.lines import Lines
-from variantgen.methods.geometry.place import ORIGIN, Place, Ray
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Ray
 from variantgen.methods.linkage.problem import CLOSE, Task
 
 _NOTHING = 1e-10  # of the size: a length below it is none
@@ -31,13 +31,13 @@ class Layout:
         self.task = task
         self.angles = Angles(task)
         self.nothing = _NOTHING * task.size
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, LocatedPoint] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
 
-    def read(self, places: Mapping[str, Place]) -> None:
+    def read(self, places: Mapping[str, LocatedPoint]) -> None:
         """Note what the constructions, the conditions and the figure give."""
         for name, place in places.items():
             self.places[name] = place
@@ -49,7 +49,7 @@ class Layout:
             fields = condition.fields
             if condition.component is Distance:
                 self._stated[frozenset((fields["start"], fields["end"]))] = self.read_length(fields["length"])
-            if condition.component is Line and fields.get("towards") is None:
+            if condition.component is PointOnLine and fields.get("towards") is None:
                 angle = self.angles.on_paper(self.angles.read(fields.get("angle")))
                 self._lines.add(fields["through"], fields["point"], angle)
 

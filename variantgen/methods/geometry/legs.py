@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.sums import Signed, positive, summed
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.angles import AngleForm
 
 

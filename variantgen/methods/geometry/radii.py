@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 
 _SAME = 1e-9  # relative difference within which two radii are one, but for rounding
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value
-from variantgen.methods.algebra.sums import Signed, positive, squared, summed
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value
+from variantgen.algebra.normal_form import Signed, positive, squared, summed
 from variantgen.methods.geometry.angles import AngleForm, Atom, normal_angle, tidy
 from variantgen.methods.geometry.legs import Leg
 

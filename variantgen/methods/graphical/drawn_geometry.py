@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.graphical.plan_scale import per_millimetre
 from variantgen.methods.linkage.problem import Task

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.by_groups import walk
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.graphical.drawn_geometry import DrawnGeometry
 from variantgen.methods.graphical.plan_drawing import PlanDrawing
 from variantgen.methods.graphical.plan_scale import per_millimetre, places_of, pole_letter
@@ -21,12 +21,11 @@ from variantgen.methods.groups.group import Group, ThirdClassGroup
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book, Known
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
-from variantgen.methods.steps.style import Style
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
-DIGITS = ANSWER_DIGITS + 1  # of intermediate results
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 
@@ -46,9 +45,9 @@ def solve(book: Book) -> None:
 
 
 def _walk(book: Book) -> list[Group]:
-    groups = walk.velocities(book)
+    groups = solve_groups.velocities(book)
     if book.task.order == 2:
-        walk.accelerations(book, groups)
+        solve_groups.accelerations(book, groups)
     return groups
 
 
@@ -57,7 +56,7 @@ def prepare(book: Book) -> Plans:
     plans = Plans(book.task)
     book.geometry = DrawnGeometry(book.task)
     book.graphics = plans
-    book.style = Style("pole", "pole")
+    book.style = MethodStyle("velocity_pole")
     return plans
 
 

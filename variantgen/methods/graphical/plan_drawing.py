@@ -11,8 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Derived, Fact, NumberOf, Sentence, Term, VectorLine, VectorOf
@@ -28,10 +28,11 @@ class Spot:
     name: Name
     kind: str = "image"
 
-    def called(self, form: str) -> Sentence:
-        """Its name in the case ``name``, ``of`` (from the point ...) or ``what`` (through the point ...)."""
+    @property
+    def called(self) -> Sentence:
+        """How a sentence calls it: the point b, the end of v_B."""
         fact: Fact = self.name if self.kind == "image" else VectorOf(self.name)
-        return Sentence(f"graphical.{form}_{self.kind}", {"name": fact})
+        return Sentence(f"graphical.{self.kind}", {"name": fact})
 
 
 class PlanDrawing:
@@ -128,9 +129,7 @@ class PlanDrawing:
         """One unknown vector: it closes the polygon."""
         end = self._chain(book, sides[0])
         start = self._chain(book, [term for term in sides[1] if term is not free])
-        book.say(
-            "graphical.closing", False, start=start.called("name"), end=end.called("name"), vector=VectorOf(free.name)
-        )
+        book.say("graphical.closing", False, start=start.called, end=end.called, vector=VectorOf(free.name))
         return {free.name: end.at - start.at}
 
     # Chains of vectors.
@@ -161,13 +160,13 @@ class PlanDrawing:
 
     def _lay(self, book: Book, spot: Spot, term: Term) -> Spot:
         """Lay off a known vector from a place; returns its end."""
-        book.say("graphical.lay", False, start=spot.called("of"), vector=VectorOf(term.name), way=term.way)
+        book.say("graphical.lay", False, start=spot.called, vector=VectorOf(term.name), way=term.way)
         self._say_length(book, term)
         return Spot(spot.at + resultant((term,)), term.name, "end")
 
     def _lay_back(self, book: Book, spot: Spot, term: Term) -> Spot:
         """Lay off a known vector that ends at a place; returns its start."""
-        book.say("graphical.lay_back", False, end=spot.called("what"), vector=VectorOf(term.name), way=term.way)
+        book.say("graphical.lay_back", False, end=spot.called, vector=VectorOf(term.name), way=term.way)
         self._say_length(book, term)
         return Spot(spot.at - resultant((term,)), term.name, "start")
 
@@ -177,7 +176,7 @@ class PlanDrawing:
         book.items.append(Derived(Value(self._drawn_name(term.name), DRAWING_LENGTH, length.number(True), length)))
 
     def _say_line(self, book: Book, spot: Spot, term: Term) -> None:
-        book.say("graphical.line", False, place=spot.called("what"), vector=VectorOf(term.name), way=term.way)
+        book.say("graphical.line", False, place=spot.called, vector=VectorOf(term.name), way=term.way)
 
     def _enter(self, book: Book, point: str, place: complex, transport: bool = False) -> None:
         """The place where two lines cross: the image of a point, or of the point of the carrier below it."""

@@ -34,36 +34,42 @@ def places_of(chain: VectorChain, now: Instant, order: int) -> list[complex]:
 
 
 def _velocities(chain: VectorChain, now: Instant) -> list[complex]:
-    poles = [turn.pole for turn in chain.turns] + [slip.pole for slip in chain.slips if slip.pole is not None]
+    poles = [turn.pole for turn in chain.turns] + [
+        sliding_point.pole for sliding_point in chain.sliding_points if sliding_point.pole is not None
+    ]
     ends = [now.v[point] for point in (*chain.points, *poles)]
-    ends += [now.v[reach.base] + now.growth(reach.point, reach.base)[0] for reach in chain.reaches]
-    return ends + [now.transport_velocity(slip.point, slip.body) for slip in chain.slips]
+    ends += [now.v[cylinder.base] + now.growth(cylinder.point, cylinder.base)[0] for cylinder in chain.cylinders]
+    return ends + [
+        now.transport_velocity(sliding_point.point, sliding_point.body) for sliding_point in chain.sliding_points
+    ]
 
 
 def _accelerations(chain: VectorChain, now: Instant) -> list[complex]:
     """Ends of accelerations and of their components, one after the other as in the chains of the plan."""
-    poles = [turn.pole for turn in chain.turns] + [slip.pole for slip in chain.slips if slip.pole is not None]
+    poles = [turn.pole for turn in chain.turns] + [
+        sliding_point.pole for sliding_point in chain.sliding_points if sliding_point.pole is not None
+    ]
     ends = [now.a[point] for point in (*chain.points, *poles)]
     apart = taken_apart(chain)
     for turn in chain.turns:
         if (turn.body, turn.point) in apart:
             ends.append(now.a[turn.pole] + now.normal(turn.point, turn.pole))
-    for reach in chain.reaches:
-        steps = now.growing_acceleration(reach.point, reach.base)
-        ends += accumulate(steps, initial=now.a[reach.base])
-    for slip in chain.slips:
+    for cylinder in chain.cylinders:
+        steps = now.growing_acceleration(cylinder.point, cylinder.base)
+        ends += accumulate(steps, initial=now.a[cylinder.base])
+    for sliding_point in chain.sliding_points:
         transport, coriolis = (
-            now.transport_acceleration(slip.point, slip.body),
-            now.coriolis(slip.point, slip.body),
+            now.transport_acceleration(sliding_point.point, sliding_point.body),
+            now.coriolis(sliding_point.point, sliding_point.body),
         )
-        if slip.pole is not None and (slip.body, slip.point) in apart:
-            arm = now.z[slip.point] - now.z[slip.pole]
-            ends.append(now.a[slip.pole] - now.omega[slip.body] ** 2 * arm)
-        start = transport + coriolis if slip.carried else transport
-        speed = now.v[slip.point] - now.transport_velocity(slip.point, slip.body)
-        relative = now.relative_acceleration(slip.point, slip.body)
-        normal = complex(slip.path.curvature(now.z)) * abs(speed) ** 2
-        ends += [transport, start, start + relative, start + (normal if slip.carried else relative - normal)]
+        if sliding_point.pole is not None and (sliding_point.body, sliding_point.point) in apart:
+            arm = now.z[sliding_point.point] - now.z[sliding_point.pole]
+            ends.append(now.a[sliding_point.pole] - now.omega[sliding_point.body] ** 2 * arm)
+        start = transport + coriolis if sliding_point.carried else transport
+        speed = now.v[sliding_point.point] - now.transport_velocity(sliding_point.point, sliding_point.body)
+        relative = now.relative_acceleration(sliding_point.point, sliding_point.body)
+        normal = complex(sliding_point.path.curvature(now.z)) * abs(speed) ** 2
+        ends += [transport, start, start + relative, start + (normal if sliding_point.carried else relative - normal)]
     return ends
 
 

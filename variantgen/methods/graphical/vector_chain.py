@@ -63,15 +63,15 @@ class Cylinder:
 class VectorChain:
     """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides.
 
-    ``reaches`` are the pairs of points whose distance is driven.
+    ``cylinders`` are the pairs of points whose distance is driven.
     """
 
     points: tuple[str, ...]
     turns: tuple[Turn, ...]
-    slips: tuple[SlidingPoint, ...]
+    sliding_points: tuple[SlidingPoint, ...]
     resting: frozenset[str]
     guides: dict[str, complex]
-    reaches: tuple[Cylinder, ...] = ()
+    cylinders: tuple[Cylinder, ...] = ()
 
     def members(self, body: str) -> tuple[str, ...]:
         """The points of the chain that belong to a body by its turns, its pole first."""
@@ -88,49 +88,56 @@ def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequenc
     resting = linkage.resting
     needed = needed_for(form, tuple(asked))
     points = [name for name in (*_order(form.plan), *shown) if name in needed.points and name in shown]
-    rested = {body: wheel for body, wheel in _rested(form).items() if body in needed.bodies}
-    points = [*(wheel.contact for wheel in rested.values()), *points]
+    held_by_rim = {body: wheel for body, wheel in _wheels_held_by_rim(form).items() if body in needed.bodies}
+    points = [*(wheel.contact for wheel in held_by_rim.values()), *points]
     points = list(dict.fromkeys(name for name in points if name not in resting))
     visible = {*points, *(resting & set(shown))}
     straight = linkage.guides(Placement(now.z, now.scene.frame))
     guides = {point: -way for point, way in straight.items() if point in points}
     poles = {body: _pole(form, body, visible, guides.keys()) for body in form.bodies}
-    poles |= {body: wheel.contact for body, wheel in rested.items()}
+    poles |= {body: wheel.contact for body, wheel in held_by_rim.items()}
     turns = [turn for turn in (*_carried(form, poles), *_circled(now, points)) if {turn.point, turn.pole} <= visible]
     # The centre follows from the rate of such a wheel, by the condition of rolling.
-    turns = [turn for turn in turns if turn.body not in rested or turn.point != rested[turn.body].centre]
-    slips = [
+    turns = [turn for turn in turns if turn.body not in held_by_rim or turn.point != held_by_rim[turn.body].centre]
+    sliding_points = [
         SlidingPoint(path.point, path.body, poles[path.body], needed.known_before(path), path)
         for path in linkage.slides
         if path.point in visible and path.body in needed.bodies
     ]
-    keep = {q.point for q in asked} | _driven(form) | {slip.point for slip in slips} | set(guides)
+    keep = (
+        {q.point for q in asked}
+        | _driven(form)
+        | {sliding_point.point for sliding_point in sliding_points}
+        | set(guides)
+    )
     keep |= {turn.point for turn in turns if not turn.body}
-    points = _useful(form, points, turns, slips, keep)
+    points = _useful(form, points, turns, sliding_points, keep)
     # A point has one pole of each body; what it is reached by first is no closure.
     first: dict[str, Turn] = {}
     turns = [turn for turn in dict.fromkeys(turns) if turn.point in points]
     found = [Turn(t.point, t.pole, t.body, first.setdefault(t.point, t) is not t) for t in turns]
-    reaches = (Cylinder(driver.end, driver.start) for driver in now.scene.drivers if isinstance(driver, Extension))
-    seen = tuple(reach for reach in reaches if reach.point in points and reach.base in visible)
-    return VectorChain(tuple(points), tuple(found), tuple(slips), resting, guides, seen)
+    cylinders = (Cylinder(driver.end, driver.start) for driver in now.scene.drivers if isinstance(driver, Extension))
+    seen = tuple(cylinder for cylinder in cylinders if cylinder.point in points and cylinder.base in visible)
+    return VectorChain(tuple(points), tuple(found), tuple(sliding_points), resting, guides, seen)
 
 
 def _useful(
-    form: Form, points: Sequence[str], turns: Sequence[Turn], slips: Sequence[SlidingPoint], keep: set[str]
+    form: Form, points: Sequence[str], turns: Sequence[Turn], sliding_points: Sequence[SlidingPoint], keep: set[str]
 ) -> list[str]:
     """Points without those that only describe a line of their body: no hinge, not asked, the pole of no other."""
     count = {name: sum(name in members for members in form.bodies.values()) for name in points}
     left = list(points)
     while True:
-        poles = {turn.pole for turn in turns if turn.point in left} | {slip.pole for slip in slips}
+        poles = {turn.pole for turn in turns if turn.point in left} | {
+            sliding_point.pole for sliding_point in sliding_points
+        }
         fewer = [name for name in left if name in keep or name in poles or count[name] != 1]
         if fewer == left:
             return left
         left = fewer
 
 
-def _rested(form: Form) -> dict[str, Rolling]:
+def _wheels_held_by_rim(form: Form) -> dict[str, Rolling]:
     """Wheels on a line at rest that only a link at another point than the centre moves, by body."""
     scene, found = form.sample, {}
     for joint in scene.joints:
@@ -211,7 +218,7 @@ def _circled(now: Instant, points: Sequence[str]) -> list[Turn]:
     for joint in now.scene.joints:
         contact = joint.contact_at(at)
         centres = [*joint.landmarks(), *([contact.other[1]] if contact and contact.other else [])]
-        names = [s.lead or s.points[0] for s in joint.shapes() if s.points]
+        names = [s.given_point or s.points[0] for s in joint.shapes() if s.points]
         found += [Turn(name, c) for name in names[:1] for c in centres if name in points and _keeps(now, name, c)]
     # Gears on a crank: the crank says it already.
     return [turn for turn in found if not any({turn.point, turn.pole} <= set(m) for m in now.scene.bodies.values())]
@@ -236,14 +243,26 @@ def taken_apart(chain: VectorChain) -> set[tuple[str, str]]:
     below a sliding point, or the end of a cylinder, where that is how the rotation is found.
     """
     found = {(turn.body, turn.point) for turn in chain.turns if turn.pole not in chain.resting}
-    found |= {(slip.body, slip.point) for slip in chain.slips if slip.pole not in chain.resting}
-    driven = {reach.point for reach in chain.reaches}
+    found |= {
+        (sliding_point.body, sliding_point.point)
+        for sliding_point in chain.sliding_points
+        if sliding_point.pole not in chain.resting
+    }
+    driven = {cylinder.point for cylinder in chain.cylinders}
     about_axes = [
         (turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting and turn.point in driven
     ]
-    about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting and not slip.carried]
+    about_axes += [
+        (sliding_point.body, sliding_point.point)
+        for sliding_point in chain.sliding_points
+        if sliding_point.pole in chain.resting and not sliding_point.carried
+    ]
     about_axes += [(turn.body, turn.point) for turn in chain.turns if turn.pole in chain.resting]
-    about_axes += [(slip.body, slip.point) for slip in chain.slips if slip.pole in chain.resting]
+    about_axes += [
+        (sliding_point.body, sliding_point.point)
+        for sliding_point in chain.sliding_points
+        if sliding_point.pole in chain.resting
+    ]
     first: dict[str, tuple[str, str]] = {}
     for body, point in about_axes:
         first.setdefault(body or point, (body, point))

@@ -7,7 +7,10 @@ from variantgen.methods.solution.book import Book
 
 
 def carrier_of(book: Book, point: str) -> tuple[str, str]:
-    """A body with a known motion that has the point, and its pole: a fixed point, or one that is known."""
+    """A body with a known motion that has the point, and its pole: a fixed point, or one that is known.
+
+    Raises LookupError where no such body has the point.
+    """
     bodies = book.task.scene.bodies
     owners = [body for body, members in bodies.items() if point in members and is_moved(book, body)]
     for body in owners:

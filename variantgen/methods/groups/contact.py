@@ -10,20 +10,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from string import ascii_uppercase
 
+from variantgen.algebra.expression import Value
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.algebra.expression import Value
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 
 _NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
 _LETTERS = "KLNSTUVWXYZQ" + ascii_uppercase
 
 
 @dataclass(frozen=True, slots=True)
-class Side:
+class ContactSide:
     """A material point at the contact, or the end of a thread: ``line.v_T = line.v_centre + radius lever omega_body``.
 
     ``line`` is the unit vector on paper along which the component is taken, ``radius`` (printed unit of length) the
@@ -60,20 +60,20 @@ class Side:
 class NoSlipContact:
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
-    ``track`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place`` is the
-    key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is that of
-    the sentence which says why velocities are equal; one is enough for all contacts of a step.
+    ``point_path`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place``
+    is the key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is
+    that of the sentence which says why velocities are equal; one is enough for all contacts of a step.
     """
 
     kind: str
-    first: Side
-    second: Side
-    track: PointPath | None = None
+    first: ContactSide
+    second: ContactSide
+    point_path: PointPath | None = None
     place: str = ""
     reason: str = ""
 
     @property
-    def ways(self) -> tuple[tuple[Side, Side], tuple[Side, Side]]:
+    def ways(self) -> tuple[tuple[ContactSide, ContactSide], tuple[ContactSide, ContactSide]]:
         """Both ways to go through it: from a side to the other."""
         return (self.first, self.second), (self.second, self.first)
 
@@ -87,7 +87,7 @@ def metres(task: Task) -> Placement:
 def letter_at(task: Task, place: complex, bodies: tuple[str, ...], number: int, end: int = 0) -> str:
     """The name of the point of the bodies at a place (printed unit), or a letter that no point has.
 
-    Places without a name are told apart by the ``number`` of the joint and the ``end``, of which a thread has two.
+    Places without a name are distinguished by the ``number`` of the joint and the ``end``, of which a thread has two.
     """
     for body in bodies:
         for point in task.scene.bodies.get(body, ()):
@@ -112,6 +112,6 @@ def resting_letter(task: Task, body: str, letter: str) -> str:
     return "P" if alone and "P" not in task.scene.points else letter
 
 
-def place_of(task: Task, side: Side) -> complex:
+def place_of(task: Task, side: ContactSide) -> complex:
     """Where the material point of a side is (printed unit of length)."""
     return task.now.z[side.centre] - 1j * side.line * side.radius * side.lever

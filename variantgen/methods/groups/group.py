@@ -40,7 +40,7 @@ class PivotedLink:
 
 
 @dataclass(frozen=True, slots=True)
-class Rolled:
+class RollingWheel:
     """The wheel ``body`` (``centre``) rolls on something at rest; ``joint`` is the number of the joint of the scene.
 
     ``around``: centre of the circle on which it rolls, empty for a straight line. ``contact``: the named contact.
@@ -55,11 +55,11 @@ class Rolled:
 
 @dataclass(frozen=True, slots=True)
 class Dyad:
-    """``body`` has the known point ``pole`` and another one, ``track.point``, whose path is known."""
+    """``body`` has the known point ``pole`` and another one, ``point_path.point``, whose path is known."""
 
     body: str
     pole: str
-    track: PointPath
+    point_path: PointPath
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +77,9 @@ class SlidingPair:
 
     ``carrier`` is the body it slides on, ``pole`` a known point of it (empty where it only translates), ``turning``
     whether the rate of the carrier is unknown. ``body`` is the body of the point if its rate is unknown, with
-    ``own_pole`` a known point of it; ``track`` the path of the point if that is what is known of it; ``carried`` the
-    path of a carrier that only translates, if it is unknown. With none of these the point is known or, where its
-    relative motion is given (``driven``), sought.
+    ``own_pole`` a known point of it; ``point_path`` the path of the point if that is what is known of it;
+    ``carrier_path`` the path of a carrier that only translates, if it is unknown. With none of these the point is
+    known or, where its relative motion is given (``driven``), sought.
     """
 
     path: Sliding
@@ -88,13 +88,13 @@ class SlidingPair:
     turning: bool
     body: str = ""
     own_pole: str = ""
-    track: PointPath | None = None
-    carried: PointPath | None = None
+    point_path: PointPath | None = None
+    carrier_path: PointPath | None = None
     driven: bool = False
 
 
 @dataclass(frozen=True, slots=True)
-class Composed:
+class RelativeRotation:
     """The rotation of ``body`` relative to ``other`` is given: their rates add."""
 
     body: str
@@ -103,22 +103,22 @@ class Composed:
 
 
 @dataclass(frozen=True, slots=True)
-class Joined:
+class ContactGroup:
     """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
 
-    Gears, threads, racks: see :mod:`variantgen.methods.groups.laws`. With a ``second`` contact of the same body (number
-    of its joint, or -1) both are found at once. ``track`` is the path of the point.
+    Gears, threads, racks: see :mod:`variantgen.methods.groups.contact_laws`. With a ``second`` contact of the same body
+    (number of its joint, or -1) both are found at once. ``point_path`` is the path of the point.
     """
 
     joint: int
     body: str = ""
     point: str = ""
     second: int = -1
-    track: PointPath | None = None
+    point_path: PointPath | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Extended:
+class ExtendingLink:
     """The distance from ``base``, which is known, to ``point`` grows as given (driver number).
 
     This gives the rate of ``body``, which turns about ``pivot`` and has the point.
@@ -151,10 +151,10 @@ class TwoPointBody:
 
 @dataclass(frozen=True, slots=True)
 class Support:
-    """What holds a point of a body: its ``track``, or the body ``rod`` with the known point ``far``."""
+    """What holds a point of a body: its ``point_path``, or the body ``rod`` with the known point ``far``."""
 
     point: str
-    track: PointPath | None = None
+    point_path: PointPath | None = None
     rod: str = ""
     far: str = ""
 
@@ -163,23 +163,23 @@ class Support:
 class ThirdClassGroup:
     """``body`` has no known point but three supports, so that they can only be treated together.
 
-    ``track`` is the path of one of its points, which is the pole; ``supports`` are the two others.
+    ``point_path`` is the path of one of its points, which is the pole; ``supports`` are the two others.
     """
 
     body: str
-    track: PointPath
+    point_path: PointPath
     supports: tuple[Support, Support]
 
 
 Group = (
     PivotedLink
-    | Rolled
+    | RollingWheel
     | Dyad
     | FloatingDyad
     | SlidingPair
-    | Composed
-    | Joined
-    | Extended
+    | RelativeRotation
+    | ContactGroup
+    | ExtendingLink
     | RollingContactPole
     | TwoPointBody
     | ThirdClassGroup

@@ -6,12 +6,12 @@ from typing import Protocol
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.groups.contact import NoSlipContact, Side, letter_at, metres, resting_letter
+from variantgen.methods.groups.contact import ContactSide, NoSlipContact, letter_at, metres, resting_letter
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 
 
-class Circle(Protocol):
+class CircleJoint(Protocol):
     """A joint of a circle (``body``, ``centre``, ``radius``) that touches another one."""
 
     @property
@@ -29,7 +29,7 @@ class Circle(Protocol):
         ...
 
 
-def circles(task: Task, number: int, joint: Circle, around: str, other: str, kind: str) -> NoSlipContact:
+def pitch_contact(task: Task, number: int, joint: CircleJoint, around: str, other: str, kind: str) -> NoSlipContact:
     """The contact of a circle with that about ``around`` of the body ``other`` (empty: at rest)."""
     d, k = joint.ratio(metres(task))
     step, part = complex(d) / task.length_unit, float(k)
@@ -39,11 +39,11 @@ def circles(task: Task, number: int, joint: Circle, around: str, other: str, kin
     radial = (around, joint.centre)
     first = _side(name, joint.centre, joint.body, -part * step, line, radial)
     second = _side(name, around if other else "", other, (1.0 - part) * step, line, radial)
-    track = PointPath(joint.centre, centre=around) if around in task.fixed else None
-    return NoSlipContact(kind, first, second, track)
+    point_path = PointPath(joint.centre, centre=around) if around in task.fixed else None
+    return NoSlipContact(kind, first, second, point_path)
 
 
-def _side(name: str, centre: str, body: str, arm: complex, line: complex, radial: tuple[str, str]) -> Side:
+def _side(name: str, centre: str, body: str, arm: complex, line: complex, radial: tuple[str, str]) -> ContactSide:
     """One of the circles, with the ``arm`` from its centre to the contact."""
     lever = 1 if (line.conjugate() * 1j * arm).real > 0 else -1
-    return Side(name, centre, line, body, abs(arm), lever if body else 0, radial)
+    return ContactSide(name, centre, line, body, abs(arm), lever if body else 0, radial)

@@ -8,14 +8,14 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.contact import NoSlipContact
+from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.groups.group import (
     PointPath,
 )
-from variantgen.methods.groups.law import touches
 from variantgen.methods.solution.book import Book
 
 
-class Reached:
+class KnownMotion:
     """The bodies and points of a book whose velocities are being worked out, as far as they are known."""
 
     def __init__(self, book: Book) -> None:
@@ -24,9 +24,9 @@ class Reached:
         self.scene = book.task.scene
 
     @cached_property
-    def touches(self) -> dict[int, NoSlipContact]:
+    def contacts(self) -> dict[int, NoSlipContact]:
         """The contacts and threads of the scene."""
-        return touches(self.task)
+        return contacts_of_scene(self.task)
 
     @property
     def translating(self) -> frozenset[str]:
@@ -62,12 +62,12 @@ class Reached:
             if body in needed and body not in self.book.omega and body not in self.translating
         ]
 
-    def track(self, point: str, but: str = "") -> PointPath | None:
+    def point_path(self, point: str, but: str = "") -> PointPath | None:
         """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
         for joint in self.scene.joints:
             shapes = joint.shapes()
             for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
-                if shape.points != (point,) or shape.bodies or shape.lead is not None:
+                if shape.points != (point,) or shape.bodies or shape.given_point is not None:
                     continue
                 if joint.landmarks():
                     return PointPath(point, centre=joint.landmarks()[0])

@@ -1,4 +1,4 @@
-"""The order of a solution: which group of links comes next, judged by what is known already."""
+"""The order of a solution: which group of links comes next, given what is known already."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import Sliding
 from variantgen.methods.groups.carriers import is_within_reach
+from variantgen.methods.groups.contact_groups import contact_groups
 from variantgen.methods.groups.group import (
-    Composed,
     Dyad,
-    Extended,
+    ExtendingLink,
     FloatingDyad,
     Group,
     PivotedLink,
     PointPath,
-    Rolled,
+    RelativeRotation,
     RollingContactPole,
+    RollingWheel,
     SlidingPair,
     Support,
     ThirdClassGroup,
     TwoPointBody,
 )
-from variantgen.methods.groups.joined import joined
-from variantgen.methods.groups.reached import Reached
+from variantgen.methods.groups.reached import KnownMotion
 from variantgen.methods.solution.book import Book
 
 
-class Route(Reached):
+class Route(KnownMotion):
     """Looks for the next group of a book whose velocities are being worked out."""
 
     def __init__(self, book: Book) -> None:
@@ -42,34 +42,34 @@ class Route(Reached):
     def next(self) -> Group | None:
         """The next group that adds something that is needed, or None when nothing does."""
         searches = (
-            self._composed,
-            self._turned,
-            self._rolled,
+            self._relative_rotations,
+            self._pivoted_links,
+            self._rolling_wheels,
             self._dyads,
-            self._crossed,
-            self._slid,
-            self._joined,
-            self._extended,
-            self._turned_at_last,
-            self._spanned,
-            self._coupled,
-            self._rested,
+            self._floating_dyads,
+            self._sliding_pairs,
+            self._contact_groups,
+            self._extending_links,
+            self._pivoted_links_at_last,
+            self._two_point_bodies,
+            self._third_class_groups,
+            self._rolling_contact_poles,
         )
         found = next((group for search in searches for group in search() if group not in self.taken), None)
         if found is not None:
             self.taken.append(found)
         return found
 
-    def _composed(self) -> Iterator[Group]:
+    def _relative_rotations(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
             if (
                 isinstance(driver, Rotation)
                 and driver.relative_to in self.book.omega
                 and driver.body not in self.book.omega
             ):
-                yield Composed(driver.body, driver.relative_to, number)
+                yield RelativeRotation(driver.body, driver.relative_to, number)
 
-    def _turned(self) -> Iterator[Group]:
+    def _pivoted_links(self) -> Iterator[Group]:
         for body in self.open_bodies:
             members = self.scene.bodies[body]
             pivot = self.task.linkage.pivot(body)
@@ -77,12 +77,12 @@ class Route(Reached):
             if pivot is not None and known:
                 yield PivotedLink(body, pivot, known[0])
 
-    def _rolled(self) -> Iterator[Group]:
+    def _rolling_wheels(self) -> Iterator[Group]:
         for number, joint in enumerate(self.scene.joints):
             if isinstance(joint, Rolling) and joint.on is None:
-                group = Rolled(joint.body, joint.centre, number, joint.contact)
+                group = RollingWheel(joint.body, joint.centre, number, joint.contact)
             elif isinstance(joint, RollingOnCircle) and joint.on is None:
-                group = Rolled(joint.body, joint.centre, number, "", joint.around)
+                group = RollingWheel(joint.body, joint.centre, number, "", joint.around)
             else:
                 continue
             if (group.centre in self.book.velocity) != (group.body in self.book.omega):
@@ -94,10 +94,10 @@ class Route(Reached):
             if pole is None or pole in self.task.fixed:
                 continue
             for point in self.scene.bodies[body]:
-                if point != pole and not self.is_known(point) and (track := self.track(point, body)):
-                    yield Dyad(body, pole, track)
+                if point != pole and not self.is_known(point) and (point_path := self.point_path(point, body)):
+                    yield Dyad(body, pole, point_path)
 
-    def _crossed(self) -> Iterator[Group]:
+    def _floating_dyads(self) -> Iterator[Group]:
         for first in self.open_bodies:
             for second in self.open_bodies:
                 members = self.scene.bodies[first]
@@ -106,7 +106,7 @@ class Route(Reached):
                 if first < second and shared and poles[0] and poles[1]:
                     yield FloatingDyad(shared[0], (first, second), (poles[0], poles[1]))
 
-    def _slid(self) -> Iterator[Group]:
+    def _sliding_pairs(self) -> Iterator[Group]:
         for path in self.task.linkage.slides:
             if path.point not in self.task.needed.points:
                 continue
@@ -124,8 +124,8 @@ class Route(Reached):
                 return SlidingPair(path, carrier, pole, False, driven=True)
             if self.is_known(point):
                 return SlidingPair(path, carrier, pole, False)
-            if track := self.track(point, carrier):
-                return SlidingPair(path, carrier, pole, False, track=track)
+            if point_path := self.point_path(point, carrier):
+                return SlidingPair(path, carrier, pole, False, point_path=point_path)
             for body in self.owners(point):
                 if body in self.open_bodies and (own := self.known_point(body)):
                     return SlidingPair(path, carrier, pole, False, body, own)
@@ -134,8 +134,8 @@ class Route(Reached):
             return None
         if carrier in self.translating:
             ends = ((p, self.guided(p)) for p in self.scene.bodies[carrier])
-            track = next((PointPath(p, line=way) for p, way in ends if way), None)
-            return None if track is None else SlidingPair(path, carrier, "", False, carried=track)
+            point_path = next((PointPath(p, line=way) for p, way in ends if way), None)
+            return None if point_path is None else SlidingPair(path, carrier, "", False, carrier_path=point_path)
         known = self.known_point(carrier)
         return None if known is None else SlidingPair(path, carrier, known, True)
 
@@ -146,10 +146,10 @@ class Route(Reached):
             for driver in self.scene.drivers
         )
 
-    def _joined(self) -> Iterator[Group]:
-        yield from joined(self)
+    def _contact_groups(self) -> Iterator[Group]:
+        yield from contact_groups(self)
 
-    def _extended(self) -> Iterator[Group]:
+    def _extending_links(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
             if not isinstance(driver, Extension):
                 continue
@@ -157,9 +157,9 @@ class Route(Reached):
                 for body in self.owners(point):
                     pivot = self.task.linkage.pivot(body)
                     if pivot is not None and self.is_known(base) and body in self.open_bodies:
-                        yield Extended(number, body, pivot, point, base)
+                        yield ExtendingLink(number, body, pivot, point, base)
 
-    def _turned_at_last(self) -> Iterator[Group]:
+    def _pivoted_links_at_last(self) -> Iterator[Group]:
         """Bodies about a fixed point of which another point can be had from a neighbour."""
         for body in self.open_bodies:
             members = self.scene.bodies[body]
@@ -168,30 +168,30 @@ class Route(Reached):
             if pivot is not None and known:
                 yield PivotedLink(body, pivot, known[0])
 
-    def _spanned(self) -> Iterator[Group]:
+    def _two_point_bodies(self) -> Iterator[Group]:
         for body in self.open_bodies:
             known = [p for p in self.scene.bodies[body] if self.is_known(p)]
             if len(known) > 1:
                 yield TwoPointBody(body, known[0], known[1])
 
-    def _coupled(self) -> Iterator[Group]:
+    def _third_class_groups(self) -> Iterator[Group]:
         for body in self.open_bodies:
             held = [support for point in self.scene.bodies[body] if (support := self._support(point, body))]
-            first = next((support for support in held if support.track is not None), None)
-            if first is not None and first.track is not None and len(held) > 2:
+            first = next((support for support in held if support.point_path is not None), None)
+            if first is not None and first.point_path is not None and len(held) > 2:
                 others = [support for support in held if support is not first]
-                yield ThirdClassGroup(body, first.track, (others[0], others[1]))
+                yield ThirdClassGroup(body, first.point_path, (others[0], others[1]))
 
     def _support(self, point: str, body: str) -> Support | None:
         """What holds a point of a body that has no known point."""
-        if track := self.track(point, body):
-            return Support(point, track)
+        if point_path := self.point_path(point, body):
+            return Support(point, point_path)
         for rod in self.owners(point):
             if rod != body and rod in self.open_bodies and (far := self.known_point(rod)):
                 return Support(point, rod=rod, far=far)
         return None
 
-    def _rested(self) -> Iterator[Group]:
+    def _rolling_contact_poles(self) -> Iterator[Group]:
         for joint in self.scene.joints:
             if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
                 continue

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import fields
 
-from variantgen.methods.groups.group import Group, Joined, Rolled, RollingContactPole, SlidingPair
+from variantgen.methods.groups.group import ContactGroup, Group, RollingContactPole, RollingWheel, SlidingPair
 from variantgen.methods.linkage.problem import Task
 
 _FROM_RATE = {1: ("omega", "P", "Q", "mu"), 2: ("epsilon", "Q", "mu")}
@@ -50,10 +50,10 @@ def is_accelerated(task: Task, group: Group) -> bool:
 def _given_points(group: Group) -> set[str]:
     """The points whose vectors a group gives by itself, without the rotation of a body."""
     match group:
-        case SlidingPair(path=path, carried=carried):
+        case SlidingPair(path=path, carrier_path=carried):
             return {path.point, *([carried.point] if carried else [])}
-        case Rolled(centre=centre) | RollingContactPole(centre=centre):
+        case RollingWheel(centre=centre) | RollingContactPole(centre=centre):
             return {centre}
-        case Joined(point=point):
+        case ContactGroup(point=point):
             return {point}
     return set()

@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
-from variantgen.families.expressions import Expression as FamilyExpression
+from variantgen.algebra.expression import Constant, Expression, Pi, Value
+from variantgen.algebra.name import Name
+from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
@@ -15,8 +17,6 @@ from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
-from variantgen.methods.algebra.expression import Constant, Expression, Pi, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.needed import Needed, needed_for
 from variantgen.methods.linkage.translated import Translator

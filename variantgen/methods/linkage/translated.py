@@ -8,25 +8,27 @@ they come from the data and plain numbers (radians) where they come from rates a
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import reduce
 
-from variantgen.families.expressions import CONSTANTS
-from variantgen.families.expressions import Expression as FamilyExpression
-from variantgen.families.units import unit
-from variantgen.methods.algebra.expression import (
+from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
     Pi,
+    Raised,
     Ratio,
     SquareRoot,
     Times,
     Total,
     Value,
+    Variable,
 )
-from variantgen.methods.algebra.monomial import simplified
+from variantgen.algebra.normal_form import simplified
+from variantgen.families.dimensions import CONSTANTS
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.units import unit
 
 _DIGITS = 12  # to which a number is a short decimal but for the rounding of its conversion
 
@@ -77,27 +79,30 @@ class Translator:
             return None
         return found.in_degrees() if degrees else found.plain()
 
-    def _part(self, node: ast.expr) -> _Part | None:
-        match node:
-            case ast.Constant(value=int() | float() as number):
-                return _Part(Constant(float(number)))
-            case ast.Name(id=name):
-                return self._name(name)
-            case ast.UnaryOp(op=op, operand=operand):
-                inner = self._part(operand)
-                return _Part(-inner.shown, inner.degrees) if inner and isinstance(op, ast.USub) else inner
-            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
-                base = self._part(left)
-                return _Part(base.plain() ** power) if base else None
-            case ast.BinOp(left=left, op=op, right=right):
-                first, second = self._part(left), self._part(right)
-                return _combined(op, first, second) if first and second else None
-            case ast.Call(func=ast.Name(id="sqrt"), args=[arg]):
-                inner = self._part(arg)
-                return _Part(SquareRoot(inner.plain())) if inner else None
-            case ast.Call(func=ast.Name(id="cos" | "sin" | "tan" as function), args=[arg]):
-                inner = self._part(arg)
-                return _Part(Applied(function, inner.in_degrees())) if inner else None
+    def _part(self, item: Expression) -> _Part | None:
+        if isinstance(item, Variable):
+            return self._name(item.name)
+        found = [self._part(operand) for operand in item.operands()]
+        parts = [part for part in found if part]
+        if len(parts) < len(found):
+            return None
+        match item:
+            case Constant():
+                return _Part(item)
+            case Total(terms):
+                first = parts[0] if terms[0][0] > 0 else _Part(-parts[0].shown, parts[0].degrees)
+                signed = zip((sign for sign, _ in terms[1:]), parts[1:], strict=True)
+                return reduce(lambda total, term: _added(total, *term), signed, first)
+            case Times():
+                return reduce(_multiplied, parts)
+            case Ratio():
+                return _divided(*parts)
+            case Raised(_, exponent):
+                return _Part(parts[0].plain() ** exponent)
+            case SquareRoot():
+                return _Part(SquareRoot(parts[0].plain()))
+            case Applied("cos" | "sin" | "tan" as function):
+                return _Part(Applied(function, parts[0].in_degrees()))
         return None
 
     def _name(self, name: str) -> _Part | None:
@@ -115,17 +120,20 @@ class Translator:
         return None if derived is None else self._part(derived.tree)
 
 
-def _combined(op: ast.operator, left: _Part, right: _Part) -> _Part | None:
-    """An operation, with factors of plus or minus one written as signs."""
-    if isinstance(op, ast.Mult):
-        if left.degrees and right.degrees:
-            return _Part(left.plain() * right.plain())
-        return _Part(_product(left.shown, right.shown), left.degrees or right.degrees)
-    if isinstance(op, ast.Div):
-        if right.degrees and not left.degrees:
-            return _Part(left.shown / right.plain())
-        return _Part(left.shown / right.shown, left.degrees and not right.degrees)
-    sign, degrees = -1 if isinstance(op, ast.Sub) else 1, left.degrees or right.degrees
+def _multiplied(left: _Part, right: _Part) -> _Part:
+    if left.degrees and right.degrees:
+        return _Part(left.plain() * right.plain())
+    return _Part(_product(left.shown, right.shown), left.degrees or right.degrees)
+
+
+def _divided(left: _Part, right: _Part) -> _Part:
+    if right.degrees and not left.degrees:
+        return _Part(left.shown / right.plain())
+    return _Part(left.shown / right.shown, left.degrees and not right.degrees)
+
+
+def _added(left: _Part, sign: int, right: _Part) -> _Part:
+    degrees = left.degrees or right.degrees
     first, second = (part.in_degrees() if degrees else part.shown for part in (left, right))
     if _is_length(first) and _is_length(second):
         return _Part(Constant(_short(first.number(True) + sign * second.number(True)), "length"))
@@ -138,6 +146,7 @@ def _is_length(item: Expression) -> bool:
 
 
 def _product(left: Expression, right: Expression) -> Expression:
+    """A product, with factors of plus or minus one written as signs."""
     if isinstance(left, Constant) and isinstance(right, Constant) and (_is_length(left) or _is_length(right)):
         return Constant(_short(left.value * right.value), "length")
     for one, other in ((left, right), (right, left)):

@@ -10,13 +10,13 @@ from copy import copy
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.rays import Centre
+from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import Derived, Fact, Item, Segment, Sentence, Step, Term
-from variantgen.methods.steps.style import Style
 
 Known = tuple[Term, ...]
 
@@ -77,7 +77,7 @@ class Book:
     values: dict[Name, Value] = field(default_factory=dict)
     order: int = 1
     graphics: Graphics | None = None
-    style: Style = field(default_factory=Style)
+    style: MethodStyle = field(default_factory=MethodStyle)
     centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
     carry: Callable[[Book, str, str, str], None] | None = None
 
@@ -162,20 +162,21 @@ class Book:
         if not self.has_said(key):
             self.say(key)
 
-    def derive(self, name: Name, measure: str, expression: Expression, *, detail: bool = False) -> Value:
+    def derive(self, name: Name, measure: str, expression: Expression) -> Value:
         """A new value by an expression, with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))
-        self.items.append(Derived(value, detail=detail))
+        self.items.append(Derived(value))
         self.values[name] = value
         return value
 
     def size_of(self, measure: str) -> float:
         """The natural scale of a measure, below which numbers are rounding."""
-        size, speed, gain = self.task.size, self.task.largest_speed, self.task.largest_acceleration
-        scales = {"length": size, "velocity": speed, "acceleration": gain}
-        return scales.get(measure) or {"angular velocity": speed / size, "angular acceleration": gain / size}.get(
-            measure, 0.0
-        )
+        size, speed, acceleration = self.task.size, self.task.largest_speed, self.task.largest_acceleration
+        scales = {"length": size, "velocity": speed, "acceleration": acceleration}
+        return scales.get(measure) or {
+            "angular velocity": speed / size,
+            "angular acceleration": acceleration / size,
+        }.get(measure, 0.0)
 
     def term(self, name: Name, size: Value | None, angle: Value, key: str, **facts: Fact) -> Term:
         """A vector with the reason of its direction (a sentence of the file ``ways``)."""

@@ -1,17 +1,27 @@
-"""The step of the position: of what was worked out there, only what the solution uses, and the axes it is told in."""
+"""The step of the position: of what was worked out there, only what the solution uses, and its axes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
 from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.printed_digits import items_values
-from variantgen.methods.steps.step import Derived, Fact, Item, Point, Projection, Sentence, Statement, Step, VectorLine
-from variantgen.variants.needed import shown_points
+from variantgen.methods.steps.step import (
+    Derived,
+    EquationLine,
+    Fact,
+    Item,
+    Point,
+    Projection,
+    Sentence,
+    Step,
+    VectorLine,
+)
+from variantgen.variants.printed_data import shown_points
 
 _RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
 _OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
@@ -110,4 +120,4 @@ def _needs_axes(item: Item) -> bool:
 
 def _met(item: Item) -> list[Value]:
     """The values that have a symbol in an equation, or on the left of a line."""
-    return [item.value] if isinstance(item, Derived) else items_values([item]) if isinstance(item, Statement) else []
+    return [item.value] if isinstance(item, Derived) else items_values([item]) if isinstance(item, EquationLine) else []

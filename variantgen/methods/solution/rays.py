@@ -6,16 +6,14 @@ import cmath
 import math
 from dataclasses import dataclass, field
 
-from variantgen.methods.algebra.expression import (
-    Value,
-)
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import CentreOf, Segment
 
 
 @dataclass(frozen=True, slots=True)
-class Ray:
+class CentreRay:
     """The way from a point to the centre: its length, and its angle with the x axis."""
 
     arm: Value
@@ -34,7 +32,7 @@ class Centre:
     kind: str = "P"
     at: str = ""
     infinite: bool = False
-    rays: dict[str, Ray] = field(default_factory=dict)
+    rays: dict[str, CentreRay] = field(default_factory=dict)
 
     @property
     def key(self) -> tuple[str, str]:

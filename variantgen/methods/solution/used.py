@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
 from variantgen.methods.steps.printed_digits import facts_values, items_values
 from variantgen.methods.steps.step import Derived, Item, Projection, Step, TermTable
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Value, rounded
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.values import in_order, parts
+from variantgen.algebra.expression import Value, rounded
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
     ChainGraph,
     Derived,
+    EquationLine,
     Fact,
     Item,
     LinearSystem,
-    Listing,
     NumberOf,
+    ProgramListing,
     Projection,
     Sentence,
-    Statement,
     TermTable,
     VectorLine,
 )
@@ -65,9 +65,9 @@ def items_values(items: Iterable[Item]) -> list[Value]:
                 found += [share.angle for share in (*left, *right) if share.angle is not None]
             case LinearSystem(unknowns, rows, right_side):
                 found += [*unknowns, *(value for row in rows for value in row), *right_side]
-            case Statement(first, second):
+            case EquationLine(first, second):
                 found += [*parts(first), *parts(second)]
-            case Listing(_, results):
+            case ProgramListing(_, results):
                 found += results
             case ChainGraph(_, legs):
                 found += [leg.angle for leg in legs]

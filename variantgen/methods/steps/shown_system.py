@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from variantgen.methods.algebra.algebra import Maybe, added
-from variantgen.methods.algebra.expression import Constant, Expression, LinearSolution, Value
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.linear import LinearSolution
+from variantgen.algebra.normal_form import Maybe, added
 from variantgen.methods.steps.step import LinearSystem
 
 ZERO = Constant(0.0)

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.methods.algebra.expression import Expression, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.steps.point_vectors import PointVectors
 
 
@@ -168,7 +168,7 @@ class LinearSystem:
 
 
 @dataclass(frozen=True, slots=True)
-class Statement:
+class EquationLine:
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
     left: Expression
@@ -177,7 +177,7 @@ class Statement:
 
 
 @dataclass(frozen=True, slots=True)
-class Listing:
+class ProgramListing:
     """A piece of a program, as text; ``results`` are the values that it prints, in order."""
 
     code: str
@@ -185,7 +185,7 @@ class Listing:
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class ChainLink:
     """A link of a chain: its number, the direction from the last point to the next one, that point."""
 
     number: int
@@ -198,11 +198,11 @@ class ChainGraph:
     """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
 
     start: str
-    legs: tuple[Leg, ...]
+    legs: tuple[ChainLink, ...]
 
 
 Item: TypeAlias = (
-    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | Statement | Listing | ChainGraph
+    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | EquationLine | ProgramListing | ChainGraph
 )
 
 

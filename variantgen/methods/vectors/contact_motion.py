@@ -6,9 +6,9 @@ tangential components stand in the same relation, because the radii do not chang
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.groups.contact import Side
-from variantgen.methods.groups.group import Joined
+from variantgen.algebra.expression import Value
+from variantgen.methods.groups.contact import ContactSide
+from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Point, VectorOf
 from variantgen.methods.vectors.contact_parts import (
@@ -23,18 +23,18 @@ from variantgen.methods.vectors.contact_parts import (
     renamed,
     say_same,
     say_sum,
+    sides_of,
     views_of,
-    way_of,
 )
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.two_contacts import solve_two
+from variantgen.methods.vectors.two_contacts import solve_two_contacts
 
 
-def solve_joined(book: Book, group: Joined) -> None:
+def solve_contact(book: Book, group: ContactGroup) -> None:
     """Find the rate of the body, the vector of the centre, or both."""
-    known, sought = way_of(book, group.joint, group)
+    known, sought = sides_of(book, group.joint, group)
     if group.second >= 0:
-        solve_two(book, group)
+        solve_two_contacts(book, group)
         return
     if not known.is_rest:
         vector(book, known.centre)
@@ -44,7 +44,7 @@ def solve_joined(book: Book, group: Joined) -> None:
         _solve_centre(book, group, known, sought)
 
 
-def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
+def _solve_rate(book: Book, group: ContactGroup, known: ContactSide, sought: ContactSide) -> None:
     """``omega = v_KC / r`` with ``v_KC = v_K - v_C`` along the tangent."""
     kind = "omega" if book.order == 1 else "epsilon"
     vector(book, sought.centre)
@@ -67,7 +67,7 @@ def _solve_rate(book: Book, group: Joined, known: Side, sought: Side) -> None:
         enter_rate(book, group.body, turning.size, turning.sign * sought.lever, radius)
 
 
-def _solve_centre(book: Book, group: Joined, known: Side, sought: Side) -> None:
+def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: ContactSide) -> None:
     """``v_C = v_K - v_CK`` along the tangent; of a load or a point of a guide simply the velocity of the thread."""
     with book.step(f"contact.{book.letter}", *views_of(book), point=Point(group.point)):
         say_same(book, group, group.joint, known, sought)

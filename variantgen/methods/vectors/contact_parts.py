@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from variantgen.methods.algebra.expression import Expression, Total, Value, cos
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Expression, Total, Value, cos
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.groups.contact import NoSlipContact, Side
-from variantgen.methods.groups.group import Joined
-from variantgen.methods.groups.law import touch_of
+from variantgen.methods.groups.contact import ContactSide, NoSlipContact
+from variantgen.methods.groups.contacts_of_scene import contact_of
+from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.step import Body, CentreOf, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
-from variantgen.methods.vectors.tracks import on_track
 from variantgen.methods.vectors.vector_equation import share_of, shares
 
 _NOTHING = 1e-10  # of the natural scale
@@ -36,24 +36,24 @@ def views_of(book: Book) -> tuple[str, ...]:
     return ("velocities",) if book.order == 1 else ()
 
 
-def way_of(book: Book, number: int, group: Joined) -> tuple[Side, Side]:
-    """The known and the sought side of a contact."""
-    touch = _touch(book, number)
+def sides_of(book: Book, number: int, group: ContactGroup) -> tuple[ContactSide, ContactSide]:
+    """The known and the sought side of a contact. Raises LookupError where no side is sought."""
+    touch = _contact(book, number)
     for known, sought in touch.ways:
         if (group.body and sought.body == group.body) or (not group.body and sought.centre == group.point):
             return known, sought
     raise LookupError("the contact has no side that is sought")
 
 
-def _touch(book: Book, number: int) -> NoSlipContact:
-    found = touch_of(book.task, number)
+def _contact(book: Book, number: int) -> NoSlipContact:
+    found = contact_of(book.task, number)
     assert found is not None, "a group without a law"
     return found
 
 
-def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) -> None:
+def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, sought: ContactSide) -> None:
     """The law of the contact or thread in words."""
-    touch = _touch(book, number)
+    touch = _contact(book, number)
     facts: dict[str, Fact] = {"contact": letter_of(book, sought, known.is_rest), "point": Point(known.name)}
     if sought.body or known.body:
         facts["body"] = Body(sought.body or known.body)
@@ -63,7 +63,7 @@ def say_same(book: Book, group: Joined, number: int, known: Side, sought: Side) 
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
     key = f"{touch.kind}.{word}_{book.letter}"
-    # The differentiated condition is told in full once a step; an earlier step may be left out of the solution.
+    # The differentiated condition is written in full once a step; an earlier step may be left out of the solution.
     again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
     book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]
@@ -79,19 +79,19 @@ def _is_said(book: Book, key: str) -> bool:
     return any(isinstance(item, Sentence) and item.key == key for item in book.items)
 
 
-def letter_of(book: Book, side: Side, rests: bool) -> Fact:
+def letter_of(book: Book, side: ContactSide, rests: bool) -> Fact:
     """A contact in a sentence: one at rest that has no letter in the figure is the velocity centre of its body."""
     if rests and side.lever and side.name not in book.task.scene.points:
         return CentreOf(side.body)
     return Point(side.name)
 
 
-def contact_name(book: Book, side: Side) -> Name:
+def contact_name(book: Book, side: ContactSide) -> Name:
     """The name of the vector of a side: tangential for an acceleration of a point of a turning body."""
     return Name(book.letter, side.name, part="tau" if book.order == 2 and side.lever else "")
 
 
-def component(book: Book, side: Side) -> Component:
+def component(book: Book, side: ContactSide) -> Component:
     """The component of a known side along its line, with the lines that derive it."""
     if side.is_rest:
         return ZERO
@@ -107,7 +107,7 @@ def component(book: Book, side: Side) -> Component:
     return combined(book, contact_name(book, side), parts)
 
 
-def found_component(book: Book, known: Side) -> Component:
+def found_component(book: Book, known: ContactSide) -> Component:
     """The component of the known side, with the reason where there is none."""
     found = component(book, known)
     if found.size is None and _is_uniform(book, known):
@@ -115,7 +115,7 @@ def found_component(book: Book, known: Side) -> Component:
     return found
 
 
-def _is_uniform(book: Book, side: Side) -> bool:
+def _is_uniform(book: Book, side: ContactSide) -> bool:
     """Whether a side has no acceleration along the contact because its body turns uniformly about a fixed point."""
     if book.order == 1 or not side.lever or side.centre not in book.task.fixed:
         return False
@@ -123,7 +123,7 @@ def _is_uniform(book: Book, side: Side) -> bool:
     return rate is not None and bool(rate.sense)
 
 
-def say_sum(book: Book, side: Side) -> None:
+def say_sum(book: Book, side: ContactSide) -> None:
     """The pole formula for the point at the contact, on the tangent."""
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
@@ -131,7 +131,7 @@ def say_sum(book: Book, side: Side) -> None:
     book.say(f"contact.sum_{book.letter}", **facts)
 
 
-def centre_parts(book: Book, side: Side) -> Parts:
+def centre_parts(book: Book, side: ContactSide) -> Parts:
     """The projections of the vectors of the centre on the line of the side."""
     parts: Parts = []
     for share in shares(book.vectors[side.centre], side.axis(book)):
@@ -157,7 +157,7 @@ def signed_sum(parts: Sequence[tuple[int, Expression]], flip: int = 1) -> Expres
     return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Total(tuple(terms))
 
 
-def renamed(book: Book, found: Component, side: Side) -> Component:
+def renamed(book: Book, found: Component, side: ContactSide) -> Component:
     """The component under the name of the point on the other side."""
     name = contact_name(book, side)
     if found.size is None or found.size.name == name:
@@ -178,7 +178,11 @@ def enter_rate(book: Book, body: str, size: Expression | None, sense: int, arm: 
 
 
 def enter_with_way(
-    book: Book, group: Joined, side: Side, parts: Parts, named: Sequence[tuple[VectorOf, tuple[int, Expression]]]
+    book: Book,
+    group: ContactGroup,
+    side: ContactSide,
+    parts: Parts,
+    named: Sequence[tuple[VectorOf, tuple[int, Expression]]],
 ) -> None:
     """The vector of the centre, and which of the ``named`` components it points along, or else against."""
     way = sum(sign * part.number(True) for sign, part in parts)
@@ -191,10 +195,10 @@ def enter_with_way(
         book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, vector=own, other=other)
 
 
-def enter_centre(book: Book, group: Joined, side: Side, parts: Parts) -> None:
+def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Parts) -> None:
     """The vector of the centre on its path from its component along the line of a side."""
-    assert group.track is not None
-    normal, path = on_track(book, group.track)
+    assert group.point_path is not None
+    normal, path = on_path(book, group.point_path)
     axis = side.axis(book)
     for share in shares(normal, axis):
         assert share.term.size is not None

@@ -7,22 +7,22 @@ out: the rate of the cylinder is not needed.
 
 from __future__ import annotations
 
-from variantgen.families.family import Template
+from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.name import Name
+from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.drivers.extension import Extension
-from variantgen.methods.algebra.expression import Constant, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.groups.group import Extended
+from variantgen.methods.groups.group import ExtendingLink
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
-from variantgen.methods.vectors.given import amount, as_stated
+from variantgen.methods.vectors.given_motion import amount, as_stated
+from variantgen.methods.vectors.point_paths import directed
 from variantgen.methods.vectors.points import across, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
-from variantgen.methods.vectors.tracks import settled
 from variantgen.methods.vectors.vector_equation import solved, write
 
 
-def solve_extended(book: Book, group: Extended) -> None:
+def solve_extending_link(book: Book, group: ExtendingLink) -> None:
     """Find the rate of the body that the cylinder turns."""
     point, base = group.point, group.base
     carried = vector(book, base)
@@ -41,19 +41,19 @@ def solve_extended(book: Book, group: Extended) -> None:
         sizes = solved(book, left, right, [turn, swing] if book.order < book.task.order else [turn])
         if book.order == 1:
             book.relative[point, _link(group)] = sliding
-            book.relative[base, _link(group)] = settled(swing, sizes[-1]) if len(sizes) > 1 else ()
+            book.relative[base, _link(group)] = directed(swing, sizes[-1]) if len(sizes) > 1 else ()
         enter_rate(book, group.body, turn, sizes[0], book.geometry.length(point, group.pivot))
 
 
-def _link(group: Extended) -> str:
+def _link(group: ExtendingLink) -> str:
     """The name under which the motion of the cylinder is kept: it is no body of the scene."""
     return f"{group.base}{group.point}"
 
 
-def _along(book: Book, group: Extended) -> Known:
+def _along(book: Book, group: ExtendingLink) -> Known:
     """The given vector along the cylinder."""
     driver = book.task.scene.drivers[group.driver]
-    template: Template = book.task.form.drivers[group.driver]
+    template: ComponentTemplate = book.task.form.drivers[group.driver]
     assert isinstance(driver, Extension)
     rate = float(driver.rates(book.order)[0])
     if rate == 0:
@@ -64,7 +64,7 @@ def _along(book: Book, group: Extended) -> Known:
     return (book.term(name, size, book.geometry.direction(*ends), "given", point=Point(group.point)),)
 
 
-def _transport(book: Book, group: Extended) -> tuple[Known, Term]:
+def _transport(book: Book, group: ExtendingLink) -> tuple[Known, Term]:
     """The rotation of the cylinder about its base: what is known of it, and the vector across, of unknown magnitude."""
     point, base = group.point, group.base
     name = Name(book.letter, point, part="tr")
@@ -83,17 +83,17 @@ def _transport(book: Book, group: Extended) -> tuple[Known, Term]:
     return (normal, *_coriolis(book, group, term, length)), turn
 
 
-def _coriolis(book: Book, group: Extended, swing: Term, length: Value) -> Known:
+def _coriolis(book: Book, group: ExtendingLink, swing: Term, length: Value) -> Known:
     """``a_cor = 2 omega v_rel`` with ``omega = v_tr / FB`` of the cylinder, by the rule of Zhukovsky."""
-    slip = book.relative[group.point, _link(group)]
-    if not slip:
+    relative = book.relative[group.point, _link(group)]
+    if not relative:
         return ()
     name = Name("a", group.point, part="cor")
-    assert slip[0].size is not None and swing.size is not None
-    size = book.derive(name, "acceleration", Constant(2) * swing.size * slip[0].size / length)
+    assert relative[0].size is not None and swing.size is not None
+    size = book.derive(name, "acceleration", Constant(2) * swing.size * relative[0].size / length)
     arm = book.geometry.vector(group.base, group.point)
     sense = 1 if (resultant((swing,)) * arm.conjugate()).imag > 0 else -1
     word = "counter_clockwise" if sense > 0 else "clockwise"
-    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(slip[0].name), sense=Word(word))
-    angle = Geometry.turned(slip[0].angle, 90.0 * sense)
-    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(slip[0].name)),)
+    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(relative[0].name), sense=Word(word))
+    angle = Geometry.turned(relative[0].angle, 90.0 * sense)
+    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(relative[0].name)),)

@@ -19,7 +19,7 @@ _SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path")
 
 
 def pointed(book: Book, term: Term) -> Term:
-    """A term of a table with the side to which it points told with its line, where the line alone leaves two."""
+    """A term of a table with its line and, where the line alone leaves two, the side to which it points."""
     side = side_of(book, term)
     if side is None:
         return term
@@ -28,7 +28,7 @@ def pointed(book: Book, term: Term) -> Term:
 
 
 def side_of(book: Book, term: Term) -> Fact | None:
-    """The side as a sentence or word; None for a direction that has no two sides, or is told elsewhere."""
+    """The side as a sentence or word; None for a direction that has no two sides, or is given elsewhere."""
     if term.way.key in _SIDED:
         return Word(_on_paper(term.angle.exact))
     segment = term.way.facts.get("segment")

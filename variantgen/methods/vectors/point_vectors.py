@@ -9,11 +9,11 @@ from itertools import groupby
 
 import numpy as np
 
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.point_vectors import Arrow, Equation, PointVectors
 from variantgen.methods.steps.step import Derived, Step, Term, VectorLine
-from variantgen.methods.vectors.given import as_stated
+from variantgen.methods.vectors.given_motion import as_stated
 
 _OWN = ("n", "tau")  # components of the vector of a point on its path
 

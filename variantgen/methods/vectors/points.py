@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos, hypotenuse
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Total, Value, cos, hypotenuse
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.solution.book import Book, Known, Rate, along

@@ -7,20 +7,20 @@ projecting on the axis across the other.
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.groups.group import Dyad, FloatingDyad, TwoPointBody
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.vectors.point_paths import directed, on_path, sense_of
 from variantgen.methods.vectors.points import across, modulus, vector
-from variantgen.methods.vectors.tracks import on_track, sense_of, settled
 from variantgen.methods.vectors.vector_equation import solved, write
 
 
 def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the vector of the point on its path and the rate of the body."""
-    point, pole, body = group.track.point, group.pole, group.body
+    point, pole, body = group.point_path.point, group.pole, group.body
     known = vector(book, pole)
     view = "velocities" if book.order == 1 else "accelerations"
     with book.step(f"pole.dyad_{book.letter}", view, body=Body(body), point=Point(point), pole=Point(pole)):
@@ -28,19 +28,19 @@ def solve_dyad(book: Book, group: Dyad) -> None:
             f"pole.choose_{book.letter}", pole=Point(pole), body=Body(body), vector=VectorOf(Name(book.letter, point))
         )
         start = len(book.items)
-        at_path, path = on_track(book, group.track)
+        at_path, path = on_path(book, group.point_path)
         turning, turn = about_pole(book, point, pole, body)
         _equate(book, ((*at_path, path), (*known, *turning, turn)), start)
         wanted = [path, turn] if is_rate_wanted(book.task, book.order, body, {point, pole}) else [path]
         sizes = solved(book, (*at_path, path), (*known, *turning, turn), wanted)
-        book.vectors[point] = (*at_path, *settled(path, sizes[0]))
+        book.vectors[point] = (*at_path, *directed(path, sizes[0]))
         if len(sizes) > 1:
             enter_rate(book, body, turn, sizes[1], book.geometry.length(point, pole))
         if len(book.vectors[point]) > 1 and any(q.point == point and q.kind == book.letter for q in book.task.asked):
             modulus(book, Name(book.letter, point), book.vectors[point])
 
 
-def solve_crossing(book: Book, group: FloatingDyad) -> None:
+def solve_floating_dyad(book: Book, group: FloatingDyad) -> None:
     """Find the rates of two bodies with a common hinge, each with a known pole: the hinge has one vector."""
     point = group.point
     knowns = [vector(book, pole) for pole in group.poles]
@@ -63,7 +63,7 @@ def solve_crossing(book: Book, group: FloatingDyad) -> None:
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
 
 
-def solve_spanned(book: Book, group: TwoPointBody) -> None:
+def solve_two_point_body(book: Book, group: TwoPointBody) -> None:
     """The rate of a body from two known points: ``v_B = v_A + v_BA`` projected across AB."""
     point, pole, body = group.point, group.pole, group.body
     wanted = is_rate_wanted(book.task, book.order, body, {point, pole})
@@ -97,15 +97,15 @@ def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Ter
     return known, across(book, name.component("tau"), None, (point, pole), 1)
 
 
-def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value, assumed: int = 1) -> None:
+def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value) -> None:
     """The rate of a body from the vector of its rotation: ``omega = v_BA / AB``, with its sense in words."""
-    sense = sense_of(turn, size, assumed)
+    sense = sense_of(size)
     kind = "omega" if book.order == 1 else "epsilon"
     if sense == 0:
         book.rates[body] = Rate(Value(Name(kind, body), book.rate_measure, 0.0), 0)
         book.say(f"rates.no_{kind}", False, body=Body(body))
         return
-    (found,) = settled(turn, size)
+    (found,) = directed(turn, size)
     assert found.size is not None
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, found.size / arm), sense)
     book.rates[body] = rate

@@ -9,20 +9,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
-from variantgen.methods.algebra.expression import Constant, Value
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
-from variantgen.methods.vectors.given import amount, as_stated
+from variantgen.methods.vectors.given_motion import amount, as_stated
+from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import RIGHT, across, modulus, rotation, summed, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
-from variantgen.methods.vectors.tracks import on_track, settled
 from variantgen.methods.vectors.vector_equation import solved, write
 
 
@@ -35,17 +35,17 @@ class _Sides:
     turn: Term | None = None
     own: Term | None = None
     path: Term | None = None
-    carried: Term | None = None
+    carrier_path: Term | None = None
     relative: Term | None = None
-    slip: Known = ()  # what is known of the relative vector
+    relative_terms: Known = ()  # what is known of the relative vector
 
 
-def solve_slid(book: Book, group: SlidingPair) -> None:
+def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
     """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
     group = _seen(book, group)
     point, carrier = group.path.point, group.carrier
     needed = [name for name in (group.pole, group.own_pole) if name]
-    needed += [point] if group.track is None and not group.body and not group.driven else []
+    needed += [point] if group.point_path is None and not group.body and not group.driven else []
     for name in needed:
         vector(book, name)
     view = "velocities" if book.order == 1 else "accelerations"
@@ -60,16 +60,21 @@ def solve_slid(book: Book, group: SlidingPair) -> None:
 
 def _seen(book: Book, group: SlidingPair) -> SlidingPair:
     """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
-    track, hidden = group.carried, book.task.form.figure.hidden
-    if track is None or track.point not in hidden or not track.straight or not is_translating(book, group.carrier):
+    point_path, hidden = group.carrier_path, book.task.form.figure.hidden
+    if (
+        point_path is None
+        or point_path.point not in hidden
+        or not point_path.straight
+        or not is_translating(book, group.carrier)
+    ):
         return group
     shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
-    return replace(group, carried=replace(track, point=next(shown, track.point)))
+    return replace(group, carrier_path=replace(point_path, point=next(shown, point_path.point)))
 
 
 def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
-    # Where no velocity is asked, the step of the velocities may not be told.
+    # Where no velocity is asked, the step of the velocities may not be written.
     anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
     if anew or not book.has_said("relative.compound", **facts):
         book.say("relative.compound", **facts)
@@ -77,9 +82,9 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
         _say_parts(book, group)
         book.say(f"relative.sum_{book.letter}")
         return
-    lead = group.carried.point if group.carried is not None else group.pole
-    if lead not in book.task.fixed:
-        facts = {"vector": VectorOf(_named_as_given(book, lead)), "carrier": facts["carrier"]}
+    named_by = group.carrier_path.point if group.carrier_path is not None else group.pole
+    if named_by not in book.task.fixed:
+        facts = {"vector": VectorOf(_named_as_given(book, named_by)), "carrier": facts["carrier"]}
         book.say(f"relative.translation_{book.letter}", **facts)
 
 
@@ -105,8 +110,8 @@ def _sides(book: Book, group: SlidingPair) -> _Sides:
     """The absolute vector on the left, transport, Coriolis and relative vectors on the right."""
     point = group.path.point
     sides = _Sides([], [])
-    if group.track is not None:
-        known, sides.path = on_track(book, group.track)
+    if group.point_path is not None:
+        known, sides.path = on_path(book, group.point_path)
         sides.left = [*known, sides.path]
     elif group.body:
         known, sides.own = about_pole(book, point, group.own_pole, group.body)
@@ -122,17 +127,17 @@ def _sides(book: Book, group: SlidingPair) -> _Sides:
     if book.order == 2:
         book.coriolis[point, group.carrier] = coriolis
     sides.right += coriolis
-    sides.slip, sides.relative = _relative(book, group)
-    sides.right += [*sides.slip, *([sides.relative] if sides.relative else [])]
+    sides.relative_terms, sides.relative = _relative(book, group)
+    sides.right += [*sides.relative_terms, *([sides.relative] if sides.relative else [])]
     return sides
 
 
 def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
     """The vector of the carrier's point: of its pole and of the rotation about it."""
     point, carrier, pole = group.path.point, group.carrier, group.pole
-    if group.carried is not None:
-        known, sides.carried = on_track(book, group.carried)
-        sides.right = [*known, sides.carried]
+    if group.carrier_path is not None:
+        known, sides.carrier_path = on_path(book, group.carrier_path)
+        sides.right = [*known, sides.carrier_path]
         return
     fixed = pole in book.task.fixed
     sides.right = [] if fixed else list(book.vectors[pole])
@@ -163,15 +168,15 @@ def _coriolis(book: Book, group: SlidingPair) -> Known:
     if book.order == 1:
         return ()
     rate = book.omega.get(carrier)
-    slip = book.relative[point, carrier]
-    if rate is None or not rate.sense or not slip:
+    relative = book.relative[point, carrier]
+    if rate is None or not rate.sense or not relative:
         return ()
     name = Name("a", point, part="cor")
-    assert slip[0].size is not None
-    size = book.derive(name, "acceleration", Constant(2) * rate.size * slip[0].size)
-    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(slip[0].name), sense=Word(rate.word))
-    angle = Geometry.turned(slip[0].angle, 90.0 * rate.sense)
-    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(slip[0].name)),)
+    assert relative[0].size is not None
+    size = book.derive(name, "acceleration", Constant(2) * rate.size * relative[0].size)
+    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(relative[0].name), sense=Word(rate.word))
+    angle = Geometry.turned(relative[0].angle, 90.0 * rate.sense)
+    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(relative[0].name)),)
 
 
 def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
@@ -180,12 +185,12 @@ def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
     name = Name(book.letter, point, part="rel")
     known: Known = ()
     if path.line is None and book.order == 2:
-        slip = book.relative[point, group.carrier]
-        if slip:
-            assert slip[0].size is not None
+        relative = book.relative[point, group.carrier]
+        if relative:
+            assert relative[0].size is not None
             own = name.component("n")
             book.say("relative.circle", point=Point(point), centre=Point(path.centre))
-            size = book.derive(own, "acceleration", slip[0].size ** 2 / book.geometry.length(point, path.centre))
+            size = book.derive(own, "acceleration", relative[0].size ** 2 / book.geometry.length(point, path.centre))
             angle = book.geometry.direction(point, path.centre)
             known = (book.term(own, size, angle, "towards", start=Point(point), end=Point(path.centre)),)
         name = name.component("tau")
@@ -224,11 +229,11 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
     point, carrier = group.path.point, group.carrier
     if group.driven:
         name = Name(book.letter, point)
-        slips = book.relative if book.order == 1 else book.relative_acceleration
-        slips[point, carrier] = sides.slip
+        relatives = book.relative if book.order == 1 else book.relative_acceleration
+        relatives[point, carrier] = sides.relative_terms
         book.vectors[point] = summed(book, name, sides.right)
         modulus(book, name, book.vectors[point])
-        _sum_up_slip(book, point, sides.slip)
+        _sum_up_relative(book, point, sides.relative_terms)
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
@@ -248,28 +253,30 @@ def _wanted(book: Book, group: SlidingPair, sides: _Sides) -> list[Term | None]:
     sought = any(q.target == point and q.kind == book.letter for q in task.asked)
     known = {group.own_pole} if sought else {point, group.own_pole}
     own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
-    return [sides.carried, sides.path, turn, own, relative]
+    return [sides.carrier_path, sides.path, turn, own, relative]
 
 
 def _enter(book: Book, group: SlidingPair, sides: _Sides, sizes: dict[Name, Value]) -> None:
     """Note what was found, and the rates that follow."""
     point, carrier = group.path.point, group.carrier
-    slips = book.relative if book.order == 1 else book.relative_acceleration
+    relatives = book.relative if book.order == 1 else book.relative_acceleration
     term = sides.relative
-    slips[point, carrier] = (*sides.slip, *settled(term, sizes[term.name])) if term and term.name in sizes else ()
-    _sum_up_slip(book, point, slips[point, carrier])
-    if sides.carried is not None and group.carried is not None:
-        known = tuple(t for t in sides.right if t.point == group.carried.point and t.size is not None)
-        book.vectors[group.carried.point] = (*known, *settled(sides.carried, sizes[sides.carried.name]))
+    relatives[point, carrier] = (
+        (*sides.relative_terms, *directed(term, sizes[term.name])) if term and term.name in sizes else ()
+    )
+    _sum_up_relative(book, point, relatives[point, carrier])
+    if sides.carrier_path is not None and group.carrier_path is not None:
+        known = tuple(t for t in sides.right if t.point == group.carrier_path.point and t.size is not None)
+        book.vectors[group.carrier_path.point] = (*known, *directed(sides.carrier_path, sizes[sides.carrier_path.name]))
     if sides.path is not None:
         known = tuple(t for t in sides.left if t.size is not None)
-        book.vectors[point] = (*known, *settled(sides.path, sizes[sides.path.name]))
+        book.vectors[point] = (*known, *directed(sides.path, sizes[sides.path.name]))
     for term, body, pole in ((sides.turn, carrier, group.pole), (sides.own, group.body, group.own_pole)):
         if term is not None and term.name in sizes:
             enter_rate(book, body, term, sizes[term.name], book.geometry.length(point, pole))
 
 
-def _sum_up_slip(book: Book, point: str, terms: Known) -> None:
+def _sum_up_relative(book: Book, point: str, terms: Known) -> None:
     """The magnitude of a relative vector that is known by components, where it is asked."""
     asked = any(q.target == point and q.kind == f"{book.letter}_rel" for q in book.task.asked)
     if asked and len(terms) > 1:

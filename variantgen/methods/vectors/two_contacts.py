@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.algebra.expression import Constant, Total, Value
-from variantgen.methods.groups.contact import Side
-from variantgen.methods.groups.group import Joined
+from variantgen.algebra.expression import Constant, Total, Value
+from variantgen.methods.groups.contact import ContactSide
+from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Fact, Point, VectorOf
 from variantgen.methods.vectors.contact_parts import (
@@ -22,16 +22,16 @@ from variantgen.methods.vectors.contact_parts import (
     letter_of,
     renamed,
     say_same,
+    sides_of,
     signed_sum,
     views_of,
-    way_of,
 )
 from variantgen.methods.vectors.points import vector
 
 
-def solve_two(book: Book, group: Joined) -> None:
+def solve_two_contacts(book: Book, group: ContactGroup) -> None:
     """Two contacts of one body: ``omega = (v_K - v_L) / KL``, and the velocity of the centre between them."""
-    pairs = [way_of(book, number, group) for number in (group.joint, group.second)]
+    pairs = [sides_of(book, number, group) for number in (group.joint, group.second)]
     for known, _ in pairs:
         if not known.is_rest:
             vector(book, known.centre)
@@ -49,7 +49,9 @@ def solve_two(book: Book, group: Joined) -> None:
         _enter_two(book, group, [sought for _, sought in pairs], parts, arms)
 
 
-def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, arms: Sequence[float]) -> None:
+def _enter_two(
+    book: Book, group: ContactGroup, sides: Sequence[ContactSide], parts: Parts, arms: Sequence[float]
+) -> None:
     """The rate and the vector of the centre from the components at the two contacts."""
     moving = [part for part in parts if part[0]]
     gap = arms[0] - arms[1]
@@ -69,7 +71,7 @@ def _enter_two(book: Book, group: Joined, sides: Sequence[Side], parts: Parts, a
     enter_with_way(book, group, sides[0], found, list(zip(names, parts, strict=True)))
 
 
-def _span(book: Book, sides: Sequence[Side], arms: Sequence[float]) -> Value:
+def _span(book: Book, sides: Sequence[ContactSide], arms: Sequence[float]) -> Value:
     """The distance of the two contacts."""
     first, second = sides
     if first.name in book.task.now.z and second.name in book.task.now.z and arms[0] * arms[1] < 0:
@@ -83,7 +85,7 @@ def _span(book: Book, sides: Sequence[Side], arms: Sequence[float]) -> Value:
 
 
 def _centre(
-    book: Book, group: Joined, sides: Sequence[Side], arms: Sequence[float], parts: Parts, moving: Parts
+    book: Book, group: ContactGroup, sides: Sequence[ContactSide], arms: Sequence[float], parts: Parts, moving: Parts
 ) -> Parts:
     """The component of the centre: half the sum on a diameter, or from one contact and the rate."""
     rate = book.rates[group.body]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.no_way import NoWayError
+from variantgen.methods.steps.not_applicable import NotApplicableError
 from variantgen.methods.steps.step import (
     Derived,
     Fact,
@@ -86,7 +86,7 @@ def _projected(
             else:
                 parts.append((side * share.sign, _share(share)))
     if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
-        raise NoWayError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
+        raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     expression = _quotient([(flip * sign, part) for sign, part in parts], own.angle)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
@@ -109,7 +109,9 @@ def _quotient(parts: Sequence[tuple[int, Expression]], angle: Value | None) -> E
 def _share(share: Share) -> Expression:
     """A known projection as an expression, without its sign."""
     if share.term.size is None:
-        raise NoWayError(f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}")
+        raise NotApplicableError(
+            f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}"
+        )
     return share.term.size if share.angle is None else share.term.size * cos(share.angle)
 
 

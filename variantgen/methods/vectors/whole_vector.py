@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Applied, Expression, Magnitude, Ratio, Total, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Applied, Expression, Magnitude, Ratio, Total, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Derived, Term, VectorOf

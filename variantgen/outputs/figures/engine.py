@@ -6,7 +6,8 @@ from typing import Literal
 
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures import unit
-from variantgen.outputs.typesetter import Typesetter, figure_data, typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
+from variantgen.outputs.typst.writing import figure_data
 
 
 def page(drawing: Drawing, form: Literal["pdf", "png"], width_mm: float | None = None, ppi: float = 200.0) -> bytes:

@@ -12,6 +12,8 @@ A module has
 - ``write_key``: a function that writes only those of its files that show tolerances, from the pieces of ``SUMMARIES``;
   None where all files do.
 
+A module that makes several formats has them in ``FORMATS``, by their names, instead (``qti``).
+
 ``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
 """
 
@@ -20,22 +22,27 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from functools import cache, cached_property, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, cast
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.exam import blueprint
-from variantgen.exam.blueprint import Exam
+from variantgen.exam import exam_file
 from variantgen.exam.content import Content
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.records import RECORDS
-from variantgen.outputs.typesetter import Typesetter
+from variantgen.outputs.files.records import RECORDS
+from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
+_SEVERAL = {"qti": ("qti21", "qti30")}  # modules that make more formats than one
+_MODULES = {
+    name: info.name for info in pkgutil.iter_modules(__path__) for name in _SEVERAL.get(info.name, (info.name,))
+}
+FORMATS = tuple(sorted(_MODULES))
 COMMON = ("key.csv", "manifest.json")  # files of every build
 
 # The engine remembers the layouts of its last documents. Five problems with all answers, the engine alone on sheets and
@@ -79,11 +86,11 @@ class Chunk:
 
 
 @dataclass(frozen=True)
-class Whole:
+class WholeExam:
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
 
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names
-    (:mod:`variantgen.outputs.groups`).
+    (:mod:`variantgen.outputs.files.student_groups`).
 
     ``notes`` are messages for the user of the program, which ``finish`` may add.
     """
@@ -97,13 +104,13 @@ class Whole:
 
 
 class Format(Protocol):
-    """A module of this package."""
+    """A module of this package, or one of the ``FORMATS`` of a module that makes several."""
 
     HELP: str
     FILES: tuple[str, ...]
     TARGETS: str
     SUMMARIES: tuple[tuple[int, Callable[[Chunk], Iterable[Fragment]]], ...]
-    write_key: Callable[[Whole], None] | None
+    write_key: Callable[[WholeExam], None] | None
 
     def read_options(self, table: Table) -> Any:
         """The options of the format, of the table of its name in an exam file."""
@@ -114,62 +121,25 @@ class Format(Protocol):
     def make(self, part: Chunk) -> Iterable[Fragment]:
         """Pieces of the documents of a few students."""
 
-    def finish(self, whole: Whole) -> None:
+    def finish(self, whole: WholeExam) -> None:
         """The files in the output folder."""
 
 
-class _Formats(Mapping[str, Format]):
-    """Modules by name, each loaded when it is asked for: a build needs few of them."""
-
-    def __init__(self) -> None:
-        self._names = sorted(info.name for info in pkgutil.iter_modules(__path__))
-
-    def __getitem__(self, name: str) -> Format:
-        if name not in self._names:
-            raise KeyError(name)
-        return cast(Format, importlib.import_module(f"{__name__}.{name}"))
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._names
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
-
-    def __len__(self) -> int:
-        return len(self._names)
-
-
-@cache
-def formats() -> Mapping[str, Format]:
-    """All formats by name."""
-    return _Formats()
+def format_of(name: str) -> Format:
+    """A format, loaded when it is asked for: to load all takes a fifth as long as to start a build."""
+    module = importlib.import_module(f"{__name__}.{_MODULES[name]}")
+    return cast(Format, module.FORMATS[name] if _MODULES[name] in _SEVERAL else module)
 
 
 def chosen(names: Sequence[str], key: str = "formats") -> tuple[str, ...]:
     """Names of formats, each once, in the order of the alphabet. Raises InputError, which names the key."""
-    known = formats()
-    if wrong := [name for name in names if name not in known]:
-        raise InputError(Problem("unknown format", key=key, value=name, remedy=nearest(name, known)) for name in wrong)
+    if wrong := [name for name in names if name not in FORMATS]:
+        raise InputError(
+            Problem("unknown format", key=key, value=name, remedy=nearest(name, FORMATS)) for name in wrong
+        )
     if not names:
-        raise InputError(Problem("expected at least one format", key=key, remedy=nearest("", known)))
+        raise InputError(Problem("expected at least one format", key=key, remedy=nearest("", FORMATS)))
     return tuple(sorted(set(names)))
-
-
-class _KnownFiles(Collection[str]):
-    """Names of files that are found out when they are asked for: only an output that is replaced is looked into."""
-
-    @cached_property
-    def _names(self) -> tuple[str, ...]:
-        return (*COMMON, *(name for module in formats().values() for name in module.FILES))
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._names
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
-
-    def __len__(self) -> int:
-        return len(self._names)
 
 
 def is_target(name: object, target: object) -> bool:
@@ -178,30 +148,30 @@ def is_target(name: object, target: object) -> bool:
         return False
     if name == RECORDS:
         return target in COMMON
-    return name in formats() and re.fullmatch(formats()[name].TARGETS, target, re.DOTALL) is not None
+    return name in FORMATS and re.fullmatch(format_of(name).TARGETS, target, re.DOTALL) is not None
 
 
-def known_files() -> Collection[str]:
+def known_files() -> tuple[str, ...]:
     """Names and patterns of all files that a build may have made."""
-    return _KnownFiles()
+    return (*COMMON, *(pattern for name in FORMATS for pattern in format_of(name).FILES))
 
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
     """Read and check an exam file with the options of all formats. Raises InputError with every problem found."""
-    return blueprint.read_exam(path, folders, chosen, _readers())
+    return exam_file.read_exam(path, folders, chosen, _readers())
 
 
 def parse_exam(text: str, path: Path, folders: tuple[Path, ...]) -> Exam:
     """The exam of the text of a file, as :func:`read_exam`; ``path`` is named in messages."""
-    return blueprint.parse_exam(text, path, folders, chosen, _readers())
+    return exam_file.parse_exam(text, path, folders, chosen, _readers())
 
 
 def _readers() -> dict[str, Callable[[Table], Any]]:
-    return {name: partial(_read_options, name) for name in formats()}
+    return {name: partial(_read_options, name) for name in FORMATS}
 
 
 def _read_options(name: str, table: Table) -> Any:
-    return formats()[name].read_options(table)
+    return format_of(name).read_options(table)
 
 
 def options(exam: Exam, name: str) -> Any:

@@ -20,9 +20,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.qti import canvas
 from variantgen.tables import Table
 
@@ -48,6 +48,6 @@ def make(part: Chunk) -> Iterator[Fragment]:
     return canvas.make(part)
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The package."""
     canvas.finish(whole)

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Item, Sheet
+from variantgen.exam.sheets import Sheet
 from variantgen.outputs import formats
-from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, Whole
-from variantgen.outputs.groups import GROUPS, GroupFiles, by_group, parts_of
-from variantgen.outputs.key_content import Group, Place, groups, place, remarks
-from variantgen.outputs.solution_data import solution_words
-from variantgen.outputs.web.articles import problem_key, sheet_article, solution_article, student_key, table_heads
-from variantgen.outputs.web.pages import pieces, write_page
+from variantgen.outputs.documents.key_content import KeyTable, Place, key_tables, place, remarks
+from variantgen.outputs.documents.solution_data import solution_words
+from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, by_group, parts_of
+from variantgen.outputs.formats import PARTS_PER_OVERVIEW, STUDENTS_PER_OVERVIEW, Chunk, Fragment, WholeExam
+from variantgen.outputs.html.articles import page_writing, problem_keys, sheet_article, solution_article, student_key
+from variantgen.outputs.html.pages import pieces, write_page
 from variantgen.tables import Table
 from variantgen.wording.language import Language
 
@@ -36,15 +36,15 @@ _FEW = 3  # students whose page needs no contents
 
 
 @dataclass(frozen=True)
-class Options:
+class HtmlOptions:
     """What an exam file may say of pages: one for all (``joined``), or for each of the ``students`` or ``groups``."""
 
     files: str = JOINED
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> HtmlOptions:
     """The table ``[html]``."""
-    found = Options(table.choice("files", (JOINED, STUDENTS, GROUPS)))
+    found = HtmlOptions(table.choice("files", (JOINED, STUDENTS, GROUPS)))
     table.finish()
     return found
 
@@ -70,12 +70,8 @@ def _student_key(part: Chunk) -> Iterator[Fragment]:
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem: rows of each table."""
     for sheets in _key_parts(part):
-        owners: dict[Place, list[tuple[Sheet, Item]]] = {}
-        for sheet in sheets:
-            for item in sheet.items:
-                owners.setdefault(place(item), []).append((sheet, item))
-        for where, own in owners.items():
-            yield Fragment(_rows(where), problem_key(part.exam, own), ".html")
+        for where, rows in problem_keys(part.exam, sheets):
+            yield Fragment(_rows(where), rows, ".html")
 
 
 def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
@@ -84,7 +80,7 @@ def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
 
 
 def _files(exam: Exam) -> str:
-    found: Options = formats.options(exam, "html")
+    found: HtmlOptions = formats.options(exam, "html")
     return found.files
 
 
@@ -112,7 +108,7 @@ def _documents(exam: Exam) -> Iterator[_Document]:
         yield _Document("solutions", exam.explained, f"{words['solutions']}: {exam.title}")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Write the pages."""
     folder, documents = whole.folder / "html", list(_documents(whole.exam))
     write_key(whole)
@@ -145,7 +141,7 @@ def _write(exam: Exam, document: _Document, path: Path, sheets: Sequence[Sheet],
     )
 
 
-def write_key(whole: Whole) -> None:
+def write_key(whole: WholeExam) -> None:
     """The key of the class, or that of each group."""
     folder = whole.folder / "html"
     folder.mkdir()
@@ -160,7 +156,7 @@ def write_key(whole: Whole) -> None:
         _write_key(whole, folder / "key" / f"{found.stems[group]}.html", keys[group], rows[group], group)
 
 
-def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) -> None:
+def _write_groups(whole: WholeExam, documents: Sequence[_Document], folder: Path) -> None:
     """Pages for each group, and a list of them."""
     found = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
     for target in (document.target for document in documents):
@@ -180,7 +176,7 @@ def _write_groups(whole: Whole, documents: Sequence[_Document], folder: Path) ->
     )
 
 
-def _rows_of_groups(whole: Whole) -> dict[str, dict[Place, list[Path]]]:
+def _rows_of_groups(whole: WholeExam) -> dict[str, dict[Place, list[Path]]]:
     """The pieces of the tables of each group."""
     found: dict[str, dict[Place, list[Path]]] = {}
     rest: dict[Place, Iterator[Path]] = {}
@@ -192,13 +188,13 @@ def _rows_of_groups(whole: Whole) -> dict[str, dict[Place, list[Path]]]:
     return found
 
 
-def _tables(whole: Whole) -> dict[Place, Group]:
+def _tables(whole: WholeExam) -> dict[Place, KeyTable]:
     """The tables of the key, in their order."""
-    return groups(whole.sheets, whole.exam, whole.exam.spoken)
+    return key_tables(whole.sheets, whole.exam, whole.exam.spoken)
 
 
 def _write_key(
-    whole: Whole, path: Path, students: Sequence[Path], rows: Mapping[Place, Sequence[Path]], group: str = ""
+    whole: WholeExam, path: Path, students: Sequence[Path], rows: Mapping[Place, Sequence[Path]], group: str = ""
 ) -> None:
     """The key of the class or of a group: by student, then a table for each problem."""
     exam, language = whole.exam, whole.exam.spoken
@@ -207,7 +203,7 @@ def _write_key(
         {
             "title": table.title,
             "form": table.form,
-            "heads": table_heads(table),
+            "heads": [page_writing().heading(*head) for head in table.heads],
             "pieces": pieces(rows[where]),
         }
         for where, table in _tables(whole).items()
@@ -224,7 +220,7 @@ def _write_key(
     )
 
 
-def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
+def _write_index(whole: WholeExam, targets: Sequence[str], path: Path) -> None:
     """The students with links to their pages."""
     exam, language = whole.exam, whole.exam.spoken
     write_page(
@@ -239,7 +235,7 @@ def _write_index(whole: Whole, targets: Sequence[str], path: Path) -> None:
 
 def _common(exam: Exam, language: Language, heading: str) -> dict[str, Any]:
     """What every page says of itself."""
-    return {"lang": language.name, "heading": heading, "course": exam.driver_sweep, "words": language.words("html")}
+    return {"lang": language.name, "heading": heading, "course": exam.course, "words": language.words("html")}
 
 
 def _listed(sheet: Sheet) -> dict[str, str]:

@@ -9,27 +9,27 @@ from pathlib import Path
 from typing import Any, cast, get_args
 
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import sheets_data
+from variantgen.outputs.documents.solution_data import solution_words, solutions_data
+from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
     STUDENTS_PER_PART,
     Chunk,
     Fragment,
-    Whole,
+    WholeExam,
     options,
 )
-from variantgen.outputs.groups import GROUPS, GroupFiles, both_halves, by_group, documents
-from variantgen.outputs.key_data import key_by_problem, key_by_student
 from variantgen.outputs.latex.characters import Alphabet, Engine, alphabet, is_right_to_left, named, unprintable
 from variantgen.outputs.latex.compiling import MissingGlyphsError, compile_document, how_to_install, missing
 from variantgen.outputs.latex.document import Look, write_document
 from variantgen.outputs.latex.templates import fill
 from variantgen.outputs.latex.writing import LatexWriting
-from variantgen.outputs.sheet_data import sheets_data
-from variantgen.outputs.solution_data import solution_words, solutions_data
 from variantgen.tables import Table, shown
 
 HELP = "latex/sheets.tex, key.tex, solutions.tex for editing, and their PDFs where LaTeX is installed"
@@ -44,7 +44,7 @@ _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
 
 @dataclass(frozen=True)
-class Options:
+class LatexOptions:
     """What an exam file may say of LaTeX.
 
     ``compile`` is None where PDFs are made if the engine is installed; ``font`` is one of LuaLaTeX.
@@ -57,7 +57,7 @@ class Options:
     files: str = "joined"
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> LatexOptions:
     """The table ``[latex]``; mistakes are noted in it."""
     wanted = table.take("compile", bool, True) if "compile" in table.data else None
     table.expect("compile")
@@ -73,11 +73,11 @@ def read_options(table: Table) -> Options:
         table.problem("pdflatex has fonts of its own", "font", font, 'add  engine = "lualatex"')
     files = table.choice("files", ("joined", GROUPS))
     table.finish()
-    return Options(wanted, cast(Engine, engine), font, files)
+    return LatexOptions(wanted, cast(Engine, engine), font, files)
 
 
 def check(exam: Exam, students: Sequence[Student]) -> None:
-    """Raise an error if a package is missing, LaTeX is and was asked for, or the titles cannot be printed."""
+    """Raise ToolMissingError without PyLaTeX or a demanded LaTeX, InputError for titles that cannot be printed."""
     try:
         import pylatex  # noqa: F401  (found here, so that the message comes before any work)
     except ImportError:
@@ -98,14 +98,14 @@ def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     exam = part.exam
     writing = _writing(exam, exam.language)
-    data = sheets_data(part.content, built=True, writing=writing)
+    data = sheets_data(part.content, writing, built=True)
     for own in documents(data, part.sheets) if _options(exam).files == GROUPS else [data]:
         yield Fragment("sheets", fill("sheets.tex.j2", own, writing.alphabet).encode(), ".tex")
     if not exam.solutions.wanted:
         return
     writing = _writing(exam, exam.solutions.language)
     for number in range(len(part.sheets)):
-        solved = solutions_data(part.content, number, writing=writing)
+        solved = solutions_data(part.content, number, writing)
         yield Fragment("solutions", fill("solutions.tex.j2", solved, writing.alphabet).encode(), ".tex")
 
 
@@ -135,17 +135,17 @@ def _key_parts(part: Chunk) -> list[tuple[Sequence[Sheet], bool]]:
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Put the pieces into documents and compile them."""
     _write_documents(whole)
 
 
-def write_key(whole: Whole) -> None:
+def write_key(whole: WholeExam) -> None:
     """The key alone: its pieces are all that there are."""
     _write_documents(whole)
 
 
-def _write_documents(whole: Whole) -> None:
+def _write_documents(whole: WholeExam) -> None:
     """The documents of which there are pieces."""
     exam, chosen = whole.exam, _options(whole.exam)
     folder = whole.folder / "latex"
@@ -171,7 +171,7 @@ class _Source:
     students: int
 
 
-def _sources(whole: Whole, folder: Path) -> Iterator[_Source]:
+def _sources(whole: WholeExam, folder: Path) -> Iterator[_Source]:
     """The documents of the class, or those of each group."""
     if _options(whole.exam).files != GROUPS:
         for kind, pieces in whole.pieces.items():
@@ -189,7 +189,7 @@ def _sources(whole: Whole, folder: Path) -> Iterator[_Source]:
             yield _Source(folder / kind / f"{groups.stems[group]}.tex", kind, own, len(groups.places[group]))
 
 
-def _compile(whole: Whole, source: _Source) -> None:
+def _compile(whole: WholeExam, source: _Source) -> None:
     """Make the PDF beside a source."""
     title, look, path = whole.exam.title, _look(whole.exam, source.kind), source.path
     try:
@@ -209,7 +209,7 @@ def _compile(whole: Whole, source: _Source) -> None:
 def _texts(exam: Exam, students: Sequence[Student]) -> Iterator[tuple[str, str]]:
     """What comes from outside, with where it stands."""
     yield "title", exam.title
-    yield "course", exam.driver_sweep
+    yield "course", exam.course
     yield from exam.notices.words
     for student in students:
         yield f"student {student.id}", student.name or student.id
@@ -226,8 +226,8 @@ def _unprintable(letters: list[str], where: str, text: str, engine: Engine) -> P
     return Problem(f"{engine} cannot print {named(letters)}", key=where, value=shown(text), remedy=remedy)
 
 
-def _options(exam: Exam) -> Options:
-    return cast(Options, options(exam, "latex"))
+def _options(exam: Exam) -> LatexOptions:
+    return cast(LatexOptions, options(exam, "latex"))
 
 
 def _writing(exam: Exam, language: str) -> LatexWriting:

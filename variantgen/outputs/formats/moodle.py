@@ -2,7 +2,7 @@
 
 The mark of a cloze question is the sum of the whole weights of its parts; Moodle reads no other. Tolerances are
 absolute, and are those of the key. The text has its formulas as HTML, which needs no filter; the worked solution,
-shown as general feedback, has them as LaTeX for the MathJax filter. Figures are inside the file.
+shown as general feedback, has them as LaTeX for the MathJax filter. UsedFigures are inside the file.
 
 Moodle's reader of XML is told of a text piece by piece and drops pieces of white space alone. A piece ends at every
 entity and, with some parsers, at every end of a line, so texts are CDATA on one line.
@@ -13,7 +13,7 @@ from __future__ import annotations
 import base64
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -21,17 +21,17 @@ from xml.parsers import expat
 from xml.sax.saxutils import unescape
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.web.characters import one_line, storable
-from variantgen.outputs.web.cloze import inert, part, weights
-from variantgen.outputs.web.figure_files import FORMS, FigureFile, FigureFiles
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.mathjax import to_mathjax
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
+from variantgen.outputs.html.mathjax import to_mathjax
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.cloze import inert, part, weights
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, UsedFigures
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.tables import Table
 from variantgen.wording.html import to_html
 
@@ -51,7 +51,7 @@ _BRACKETS = str.maketrans("<>", "‹›")
 
 
 @dataclass(frozen=True)
-class Options:
+class MoodleOptions:
     """``figures``: ``svg`` or ``png``.
 
     ``categories``: ``families``, a bank with a category for each problem and family and without names of students, or
@@ -62,9 +62,9 @@ class Options:
     categories: str = FAMILIES
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> MoodleOptions:
     """The table ``[moodle]``."""
-    options = Options(table.choice("figures", FORMS), table.choice("categories", (FAMILIES, STUDENTS)))
+    options = MoodleOptions(table.choice("figures", FORMS), table.choice("categories", (FAMILIES, STUDENTS)))
     table.finish()
     return options
 
@@ -75,7 +75,7 @@ def check(exam: Exam, students: Sequence[Student]) -> None:
 
 def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students, in a piece for each category."""
-    chosen: Options = formats.options(part.exam, "moodle")
+    chosen: MoodleOptions = formats.options(part.exam, "moodle")
     files = FigureFiles(chosen.figures, part.engine)
     found: dict[str, list[bytes]] = {}
     for question in questions(part):
@@ -84,7 +84,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield Fragment(target, b"".join(written), ".xml")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """One file with all categories. Raises VariantgenError instead of leaving a file that is no XML."""
     path = whole.folder / "moodle.xml"
     with path.open("wb") as file:
@@ -110,7 +110,7 @@ def check_xml(path: Path) -> None:
         raise VariantgenError(f"{path.name} would not be XML ({error}): a defect of the program") from error
 
 
-def _target(question: Question, chosen: Options) -> str:
+def _target(question: Question, chosen: MoodleOptions) -> str:
     """Which category a question belongs to."""
     if chosen.categories == STUDENTS:
         return question.sheet.code
@@ -118,7 +118,7 @@ def _target(question: Question, chosen: Options) -> str:
     return f"{task.number}-{[family.name for family in task.families].index(question.family)}"
 
 
-def _categories(whole: Whole) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _categories(whole: WholeExam) -> Iterator[tuple[str, tuple[str, ...]]]:
     """All categories in order, each with the names that lead to it."""
     exam = whole.exam
     title = exam.title or exam.path.stem
@@ -162,9 +162,9 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
     if question.solved is None:
         _rich(feedback, "", [])
     else:
-        figures = _Figures(files)
-        html = solution_html(question.solved, exam.explained, Style(to_mathjax, figures.image))
-        _rich(feedback, f'<div lang="{exam.solutions.language}">{html}</div>', figures.used)
+        figures = UsedFigures(files, _image)
+        html = solution_html(question.solved, exam.explained, HtmlWriting(to_mathjax, figures.image))
+        _rich(feedback, f'<div lang="{exam.solutions.language}">{html}</div>', figures.used.values())
     ET.SubElement(found, "penalty").text = "0.3333333"
     ET.SubElement(found, "hidden").text = "0"
     ET.SubElement(found, "idnumber").text = question.identifier
@@ -172,13 +172,13 @@ def _question(question: Question, exam: Exam, files: FigureFiles) -> ET.Element:
     return found
 
 
-def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, list[FigureFile]]:
+def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, Iterable[FigureFile]]:
     """The text of a question with its parts, and the files that it shows."""
-    figures = _Figures(files)
-    style = Style(lambda formula, display: to_html(formula), figures.image)
+    figures = UsedFigures(files, _image)
+    writing = HtmlWriting(in_text, figures.image)
     posed = question.posed
     shown = f"<p>{figures.image(posed.figure)}</p>"
-    text = inert(statement_html(posed.said, exam.spoken, style) + shown)
+    text = inert(statement_html(posed.statement, exam.spoken, writing) + shown)
     shares = weights(posed.item.task.points, len(question.parts))
     lines = (
         f"<p>{inert(to_html(asked.symbol))}\N{NO-BREAK SPACE}= {part(asked.answer, share)} "
@@ -186,27 +186,17 @@ def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, lis
         for asked, share in zip(question.parts, shares, strict=True)
     )
     notes = inert(notes_html((*question.notes, exam.spoken.words("platform")["numbers"])))
-    return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', figures.used
+    return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', figures.used.values()
 
 
-class _Figures:
-    """The figures of one text, which go into the file beside it."""
-
-    def __init__(self, files: FigureFiles) -> None:
-        self.used: list[FigureFile] = []
-        self._files = files
-
-    def image(self, drawing: Drawing, millimetres: float | None = None) -> str:
-        """A figure in the text."""
-        file = self._files.file(drawing)
-        if file not in self.used:
-            self.used.append(file)
-        width, height = file.size(millimetres)
-        alt = escape(file.alt)
-        return f'<img src="@@PLUGINFILE@@/{file.name}" alt="{alt}" width="{width}" height="{height}" class="img-fluid">'
+def _image(file: FigureFile, size: tuple[int, int]) -> str:
+    """A figure, which is in the file beside the text."""
+    alt = escape(file.alt)
+    source = f"@@PLUGINFILE@@/{file.name}"
+    return f'<img src="{source}" alt="{alt}" width="{size[0]}" height="{size[1]}" class="img-fluid">'
 
 
-def _rich(parent: ET.Element, html: str, used: list[FigureFile]) -> None:
+def _rich(parent: ET.Element, html: str, used: Iterable[FigureFile]) -> None:
     """HTML with the files that it shows; ends of lines, which a listing has, as entities of HTML."""
     _text(parent, html.replace("\n", "&#10;"))
     for file in used:

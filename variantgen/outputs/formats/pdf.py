@@ -8,29 +8,30 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.coverage import check_letters
-from variantgen.outputs.file_names import file_stem
+from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
+from variantgen.outputs.documents.sheet_data import group_text, sheets_data, who
+from variantgen.outputs.files.file_names import file_stem
+from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
     STUDENTS_PER_OVERVIEW,
     STUDENTS_PER_PART,
     Chunk,
     Fragment,
-    Whole,
+    WholeExam,
     options,
 )
-from variantgen.outputs.groups import GroupFiles, both_halves, by_group, documents
-from variantgen.outputs.key_data import key_by_problem, key_by_student
-from variantgen.outputs.pdf_options import Options, read_options
-from variantgen.outputs.sheet_data import group_text, sheets_data, who
+from variantgen.outputs.pdf_options import PdfOptions, read_options
+from variantgen.outputs.typst.coverage import check_letters
+from variantgen.outputs.typst.writing import TYPST
 
 if TYPE_CHECKING:
-    from variantgen.outputs.pdf.bookmarks import Named
+    from variantgen.outputs.pdf.bookmarks import BookmarkName
 
-__all__ = ["FILES", "HELP", "SUMMARIES", "Options", "check", "finish", "make", "read_options"]
+__all__ = ["FILES", "HELP", "SUMMARIES", "PdfOptions", "check", "finish", "make", "read_options"]
 
 HELP = "sheets.pdf, key.pdf, solutions.pdf, by the embedded engine"
 FILES = ("sheets.pdf", "key.pdf", "solutions.pdf", "sheets/*.pdf", "key/*.pdf", "solutions/*.pdf")
@@ -46,7 +47,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, figures, built=True)
+    data = sheets_data(part.content, TYPST, figures, built=True)
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]
@@ -56,12 +57,13 @@ def make(part: Chunk) -> Iterator[Fragment]:
         yield _piece(part, "sheets", document, chosen.for_students)
     if not part.exam.solutions.wanted:
         return
-    from variantgen.outputs.solution_data import solutions_data
+    from variantgen.outputs.documents.solution_data import solutions_data
 
     # A document for each student: the engine keeps the layouts of its last ones, so larger documents need more memory
     # (560 MB for three students each, 345 MB for one) and save no time.
     for number in range(len(part.sheets)):
-        yield _piece(part, "solutions", solutions_data(part.content, number, figures), _are_handed_out(part.exam))
+        data = solutions_data(part.content, number, TYPST, figures)
+        yield _piece(part, "solutions", data, _are_handed_out(part.exam))
 
 
 def _piece(part: Chunk, target: str, data: Mapping[str, Any], handed_out: bool = False) -> Fragment:
@@ -77,31 +79,31 @@ def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning))
+            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning, TYPST))
     else:
-        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first))
+        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first, TYPST))
 
 
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
     if _options(part.exam).for_groups:
         for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning))
+            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning, TYPST))
     else:
-        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first))
+        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first, TYPST))
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Join the parts, and hand out those of single students."""
     # Here, so that commands that write no PDF do not wait for the library.
     from variantgen.outputs.join import join_pdfs
-    from variantgen.outputs.pdf.bookmarks import Named
+    from variantgen.outputs.pdf.bookmarks import BookmarkName
 
     exam, chosen = whole.exam, _options(whole.exam)
-    names = [Named(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
+    names = [BookmarkName(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
     write_key(whole)
     for target, paths in whole.pieces.items():
         if target != "key" and chosen.joined:
@@ -115,7 +117,7 @@ def finish(whole: Whole) -> None:
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
-def write_key(whole: Whole) -> None:
+def write_key(whole: WholeExam) -> None:
     """Join the parts of the key of the class, or of each group."""
     from variantgen.outputs.join import join_pdfs
 
@@ -126,7 +128,7 @@ def write_key(whole: Whole) -> None:
         join_pdfs(whole.pieces["key"], whole.folder / "key.pdf", exam.title, exam.language, False)
 
 
-def _join_groups(whole: Whole, targets: Sequence[str], names: Sequence[Named]) -> None:
+def _join_groups(whole: WholeExam, targets: Sequence[str], names: Sequence[BookmarkName]) -> None:
     """Files for each group; they are named by it, so bookmarks do without."""
     from variantgen.outputs.join import join_pdfs
 
@@ -147,7 +149,7 @@ def _join_groups(whole: Whole, targets: Sequence[str], names: Sequence[Named]) -
             join_pdfs(own, path, exam.title, language, even, titles)
 
 
-def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: Options) -> None:
+def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: PdfOptions) -> None:
     """One file for each student."""
     folder.mkdir(exist_ok=True)
     for sheet, part in zip(sheets, parts, strict=True):
@@ -159,6 +161,6 @@ def _are_handed_out(exam: Exam) -> bool:
     return exam.solutions.wanted and (exam.solutions.for_students or _options(exam).for_students)
 
 
-def _options(exam: Exam) -> Options:
-    found: Options = options(exam, "pdf")
+def _options(exam: Exam) -> PdfOptions:
+    found: PdfOptions = options(exam, "pdf")
     return found

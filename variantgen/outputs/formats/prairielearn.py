@@ -20,18 +20,18 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.families.family import Family
-from variantgen.figure.drawing import Drawing
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
-from variantgen.outputs.web.characters import one_line, storable
-from variantgen.outputs.web.figure_files import FORMS, FigureFiles
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.mathjax import to_mathjax
-from variantgen.outputs.web.numbers import plain
-from variantgen.outputs.web.questions import Asked, Question, questions
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
+from variantgen.outputs.html.mathjax import to_mathjax
+from variantgen.outputs.html.writing import HtmlWriting
+from variantgen.outputs.platforms.figure_files import FORMS, FigureFile, FigureFiles, UsedFigures
+from variantgen.outputs.platforms.numbers import number
+from variantgen.outputs.platforms.questions import AnswerField, Question, questions
+from variantgen.outputs.platforms.text import one_line, storable
 from variantgen.resources import templates_dir
 from variantgen.tables import Table
 
@@ -48,15 +48,15 @@ _NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "variantgen/prairielearn")
 
 
 @dataclass(frozen=True)
-class Options:
+class PrairieLearnOptions:
     """``figures``: ``svg`` or ``png``."""
 
     figures: str = FORMS[0]
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> PrairieLearnOptions:
     """The table ``[prairielearn]``."""
-    options = Options(table.choice("figures", FORMS))
+    options = PrairieLearnOptions(table.choice("figures", FORMS))
     table.finish()
     return options
 
@@ -70,17 +70,17 @@ def make(part: Chunk) -> Iterator[Fragment]:
     files = FigureFiles(formats.options(part.exam, "prairielearn").figures, part.engine)
     found: dict[str, list[str]] = {}
     for question in questions(part):
-        figures = _Figures(files)
+        figures = UsedFigures(files, _element)
         variant = json.dumps(_variant(question, part.exam, figures), ensure_ascii=False)
         qid = _qid(question.posed.item.task, question.posed.item.variant.family, part.exam.build_id)
         found.setdefault(qid, []).append(variant)
-        for name, content in figures.used.items():
-            yield Fragment(f"{qid}/{_CLIENT}/{name}", content)
+        for file in figures.used.values():
+            yield Fragment(f"{qid}/{_CLIENT}/{file.name}", file.content)
     for qid, variants in found.items():
         yield Fragment(qid, ",\n".join(variants).encode(), ".json")
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The folders of the questions, and how to use them."""
     templates = templates_dir() / "prairielearn"
     build = whole.exam.build_id
@@ -103,7 +103,7 @@ def finish(whole: Whole) -> None:
                     shutil.copyfile(paths[0], top / "questions" / target)
 
 
-def _qid(task: Task, family: Family, build: str) -> str:
+def _qid(task: ExamProblem, family: Family, build: str) -> str:
     """The name of a question and of its folder, of letters, digits, hyphens and underscores."""
     name = re.sub(r"[^A-Za-z0-9_-]", "_", family.name)[:60]
     other = "" if name == family.name else f"-{sha256(family.name.encode()).hexdigest()[:6]}"
@@ -112,7 +112,7 @@ def _qid(task: Task, family: Family, build: str) -> str:
 
 def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     title = one_line(family.title(exam.language), _LONGEST) or family.name
-    topic = one_line(exam.driver_sweep, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
+    topic = one_line(exam.course, _LONGEST) or one_line(exam.title, _LONGEST) or "variantgen"
     return {
         "uuid": str(uuid.uuid5(_NAMESPACE, qid)),
         "title": title,
@@ -122,19 +122,19 @@ def _info(exam: Exam, family: Family, qid: str) -> dict[str, Any]:
     }
 
 
-def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any]:
+def _variant(question: Question, exam: Exam, figures: UsedFigures) -> dict[str, Any]:
     """What ``server.py`` and ``question.html`` know of a variant."""
     posed = question.posed
-    style = Style(to_mathjax, figures.element)
+    writing, figure = HtmlWriting(to_mathjax, figures.image), figures.file(posed.figure)
     solved = question.solved and {
         "lang": exam.solutions.language,
-        "html": storable(solution_html(question.solved, exam.explained, style)),
+        "html": storable(solution_html(question.solved, exam.explained, writing)),
     }
     return {
         "code": question.sheet.code,
         "lang": exam.language,
-        "statement": storable(statement_html(posed.said, exam.spoken, style)),
-        "figure": figures.shown(posed.figure),
+        "statement": storable(statement_html(posed.statement, exam.spoken, writing)),
+        "figure": _shown(figure, figure.size()),
         "parts": [_part(asked) for asked in question.parts],
         "notes": notes_html(question.notes),
         "solution": solved,
@@ -142,40 +142,31 @@ def _variant(question: Question, exam: Exam, figures: _Figures) -> dict[str, Any
     }
 
 
-def _part(asked: Asked) -> dict[str, Any]:
+def _part(asked: AnswerField) -> dict[str, Any]:
     """One number to be entered; ``also`` are other intervals of right answers than that around the answer.
 
     PrairieLearn compares the difference of two doubles with the tolerance: what stands right at the end of the interval
     may miss it by the last bit, so the tolerance has a billionth of the answer more.
     """
-    value, tolerance = (Decimal(repr(number)) for number in (asked.answer.value, asked.answer.tolerance))
+    value, tolerance = (Decimal(repr(one)) for one in (asked.answer.value, asked.answer.tolerance))
     return {
         "name": asked.name,
         "label": f"{to_mathjax(asked.symbol)} =",
         "suffix": to_mathjax(asked.unit) if asked.unit.parts else "",
-        "tolerance": plain(tolerance + max(abs(value), tolerance).scaleb(-9)),
+        "tolerance": number(tolerance + max(abs(value), tolerance).scaleb(-9)),
         "also": [list(window) for window in asked.answer.accepted_intervals[1:]],
     }
 
 
-class _Figures:
-    """The figures of one variant, by the names of their files."""
+def _shown(file: FigureFile, size: tuple[int, int]) -> dict[str, Any]:
+    """What an element that shows a figure has to know."""
+    return {"file": file.name, "width": size[0], "alt": storable(file.alt)}
 
-    def __init__(self, files: FigureFiles) -> None:
-        self.used: dict[str, bytes] = {}
-        self._files = files
 
-    def shown(self, drawing: Drawing, millimetres: float | None = None) -> dict[str, Any]:
-        """What an element that shows a figure has to know."""
-        file = self._files.file(drawing)
-        self.used[file.name] = file.content
-        return {"file": file.name, "width": file.size(millimetres)[0], "alt": storable(file.alt)}
-
-    def element(self, drawing: Drawing, millimetres: float) -> str:
-        """A figure inside a text. Text right after such an element would not be escaped by PrairieLearn."""
-        shown = self.shown(drawing, millimetres)
-        alt = escape(shown["alt"])
-        return f'<pl-figure file-name="{shown["file"]}" width="{shown["width"]}" alt="{alt}"></pl-figure>'
+def _element(file: FigureFile, size: tuple[int, int]) -> str:
+    """A figure inside a text. Text right after such an element would not be escaped by PrairieLearn."""
+    alt = escape(storable(file.alt))
+    return f'<pl-figure file-name="{file.name}" width="{size[0]}" alt="{alt}"></pl-figure>'
 
 
 def _join(pieces: list[Path], path: Path) -> None:

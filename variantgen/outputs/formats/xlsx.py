@@ -9,11 +9,11 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from variantgen.errors import missing_package
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.formats import Chunk, Fragment, Whole, options
-from variantgen.outputs.groups import GROUPS, GroupFiles
+from variantgen.outputs.files.student_groups import GROUPS, GroupFiles
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam, options
 from variantgen.tables import Table
 
 HELP = "key.xlsx and grading.xlsx, a form for marking by hand"
@@ -24,7 +24,7 @@ write_key = None
 
 
 @dataclass(frozen=True)
-class Options:
+class XlsxOptions:
     """What an exam file may say of workbooks.
 
     ``protect``: the form for marking is protected (without a password), so that formulas are not typed over.
@@ -35,9 +35,9 @@ class Options:
     files: str = "joined"
 
 
-def read_options(table: Table) -> Options:
+def read_options(table: Table) -> XlsxOptions:
     """The table ``[xlsx]``."""
-    found = Options(table.take("protect", bool, True), table.choice("files", ("joined", GROUPS)))
+    found = XlsxOptions(table.take("protect", bool, True), table.choice("files", ("joined", GROUPS)))
     table.finish()
     return found
 
@@ -53,9 +53,9 @@ def make(part: Chunk) -> Iterable[Fragment]:
     return ()
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """Both workbooks, or both for each group."""
-    chosen: Options = options(whole.exam, "xlsx")
+    chosen: XlsxOptions = options(whole.exam, "xlsx")
     if chosen.files != GROUPS:
         _write(whole, whole.sheets, "key.xlsx", "grading.xlsx")
         return
@@ -67,12 +67,12 @@ def finish(whole: Whole) -> None:
         _write(whole, [whole.sheets[place] for place in places], f"key/{stem}.xlsx", f"grading/{stem}.xlsx")
 
 
-def _write(whole: Whole, sheets: Sequence[Sheet], key: str, grading: str) -> None:
+def _write(whole: WholeExam, sheets: Sequence[Sheet], key: str, grading: str) -> None:
     """Both workbooks of some students."""
     from variantgen.outputs.spreadsheet.grading_book import write_grading
     from variantgen.outputs.spreadsheet.key_book import write_key
 
-    chosen: Options = options(whole.exam, "xlsx")
+    chosen: XlsxOptions = options(whole.exam, "xlsx")
     with tempfile.TemporaryDirectory(dir=whole.folder) as folder:
         write_key(whole.exam, sheets, whole.folder / key, Path(folder))
         write_grading(whole.exam, sheets, whole.folder / grading, Path(folder), chosen.protect)

@@ -1,4 +1,8 @@
-"""A whole document: class, packages and definitions for an engine, around the pieces that templates have made."""
+"""A whole document: class, packages and definitions for an engine, around the pieces that templates have made.
+
+The commands before the definitions are PyLaTeX's. Its ``Document`` would hold all pieces in memory and adds commands of
+its own: the pieces go from their files into the source.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +10,17 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from variantgen.outputs.latex.characters import Alphabet, Engine, is_cyrillic_language
 from variantgen.outputs.latex.templates import fill
+from variantgen.wording.language import load_language
+
+if TYPE_CHECKING:
+    from pylatex import Command
 
 _MARGINS = {"sheets": (18, 16, 18), "key": (15, 14, 16), "solutions": (15, 14, 17)}  # mm: sides, top, bottom
-_BABEL = {"en": "english", "ru": "russian"}
 _CYRILLIC_FONTS = ("CMU Serif", "CMU Typewriter Text")  # for LuaLaTeX: its usual font has no Cyrillic letters
-_PREAMBLE, _BODY = "@preamble@", "@body@"
 
 
 @dataclass(frozen=True)
@@ -42,13 +48,15 @@ def write_document(path: Path, look: Look, pieces: Sequence[Path], data: Mapping
     """Write the source; ``data`` is what the definitions of the document are filled with."""
     needs = _needs(look, pieces)
     definitions = fill(f"{look.kind}_head.tex.j2", {**data, "needs": needs}, look.alphabet)
-    head, tail = _frame(look, needs)
     with path.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(head.replace(_PREAMBLE, definitions))
+        file.writelines(f"{command.dumps()}\n" for command in _loaded(look, needs))
+        file.write("\n")
+        file.writelines(f"{command.dumps()}\n" for command in _fonts(look, needs))
+        file.write(f"{definitions}\n\n\\begin{{document}}\n")
         for piece in pieces:
             with piece.open(encoding="utf-8") as source:
                 shutil.copyfileobj(source, file)
-        file.write(tail)
+        file.write("\\end{document}\n")
 
 
 def _needs(look: Look, pieces: Sequence[Path]) -> Needs:
@@ -63,33 +71,21 @@ def _needs(look: Look, pieces: Sequence[Path]) -> Needs:
     return Needs(inlatin, incyrillic, cyrillic, programs)
 
 
-def _frame(look: Look, needs: Needs) -> tuple[str, str]:
-    """The source before and after the pieces."""
-    from pylatex import Document, NoEscape, Package
+def _loaded(look: Look, needs: Needs) -> Iterator[Command]:
+    """The class and the packages."""
+    from pylatex import Command, NoEscape, Package
 
-    document = Document(
-        documentclass="article", document_options="a4paper", fontenc=None, inputenc=None, lmodern=False, textcomp=False
-    )
-    document.packages.clear()
-    document.data.clear()
+    if look.engine == "pdflatex" and is_cyrillic_language(look.language):
+        yield Command("RequirePackage", NoEscape("fix-cm"))  # fonts of any size, where the fonts are not Latin Modern
+    yield Command("documentclass", "article", "a4paper")
     for name, options in _packages(look, needs):
-        document.packages.append(Package(name, options=NoEscape(options) if options else None))
-    document.preamble += [NoEscape(line) for line in (*_fonts(look, needs), _PREAMBLE)]
-    document.append(NoEscape(_BODY))
-    source = document.dumps().replace("%\n", "\n")  # its lines end with comments
-    head, tail = source.split(_BODY)
-    return _before_class(look) + head.replace("\n\n\n", "\n"), tail.lstrip("\n") + "\n"
-
-
-def _before_class(look: Look) -> str:
-    """What stands before the class: fonts of any size, where the fonts are not Latin Modern."""
-    return "\\RequirePackage{fix-cm}\n" if look.engine == "pdflatex" and is_cyrillic_language(look.language) else ""
+        yield Package(name, options=options or None)
 
 
 def _packages(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
     """Names and options of the packages, in the order in which they are loaded."""
     yield from _encodings(look, needs)
-    yield "babel", _BABEL[look.language]
+    yield "babel", load_language(look.language).words("language")["babel"]
     sides, top, bottom = _MARGINS[look.kind]
     yield "geometry", f"hmargin={sides}mm, top={top}mm, bottom={bottom}mm, headheight=14pt, headsep=0pt, footskip=9mm"
     yield from ((name, "") for name in ("fancyhdr", "amsmath", "array", "xcolor"))
@@ -118,11 +114,13 @@ def _encodings(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
         yield "lmodern", ""
 
 
-def _fonts(look: Look, needs: Needs) -> Iterator[str]:
+def _fonts(look: Look, needs: Needs) -> Iterator[Command]:
     """The fonts of LuaLaTeX that are not the usual ones."""
+    from pylatex import Command, NoEscape
+
     if look.engine != "lualatex":
         return
     if look.font or needs.cyrillic:
-        yield rf"\setmainfont{{{look.font or _CYRILLIC_FONTS[0]}}}"
+        yield Command("setmainfont", NoEscape(look.font or _CYRILLIC_FONTS[0]))
     if needs.cyrillic and needs.programs:
-        yield rf"\setmonofont{{{_CYRILLIC_FONTS[1]}}}"
+        yield Command("setmonofont", _CYRILLIC_FONTS[1])

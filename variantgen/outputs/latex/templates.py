@@ -115,9 +115,9 @@ def _picture(drawing: Drawing, unit: float, widest: float = float("inf")) -> Tex
     return Tex(tikz(drawing, min(unit * drawing.width, widest)).rstrip("\n"))
 
 
-def _formulas(found: Sequence[Tex], between: str = ", ") -> Tex:
+def _formulas(found: Sequence[Tex]) -> Tex:
     """Formulas in dollar signs, one after the other."""
-    return Tex(between.join(f"${formula}$" for formula in found))
+    return Tex(", ".join(f"${formula}$" for formula in found))
 
 
 def _pieces(found: Sequence[tuple[Tex, Tex]], end: str) -> Tex:

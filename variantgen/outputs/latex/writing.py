@@ -17,7 +17,7 @@ from variantgen.wording.text import Text
 
 @dataclass(frozen=True)
 class LatexWriting:
-    """Fulfils :class:`variantgen.outputs.writing.Writing` for documents of an alphabet."""
+    """Fulfils :class:`variantgen.outputs.documents.writing.Writing` for documents of an alphabet."""
 
     alphabet: Alphabet
 
@@ -43,11 +43,11 @@ class LatexWriting:
         """Symbol and unit, between which a line may end."""
         return Tex(f"${to_latex(symbol)}$, ${to_latex(unit)}$" if unit.parts else f"${to_latex(symbol)}$")
 
-    def sign(self, sign: str) -> Tex:
-        """The command for the sign."""
-        return Tex(sign_to_latex(sign) if sign else "")
+    def piece(self, sign: str, formula: Formula) -> tuple[Tex, Tex]:
+        """The command for the sign and the markup."""
+        return Tex(sign_to_latex(sign) if sign else ""), self.formula(formula)
 
-    def figure(self, drawing: Drawing) -> Drawing:
+    def figure(self, drawing: Drawing, caption: Text = ()) -> Drawing:
         """The drawing itself: the template says the size."""
         return drawing
 

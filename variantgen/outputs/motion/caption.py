@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from variantgen.mechanism.sweep import End
-from variantgen.outputs.motion.curves import Curve, origin
+from variantgen.mechanism.sweep import SweepEnd
+from variantgen.outputs.motion.plotted_curves import PlottedCurve, origin
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Measured, Symbol
 from variantgen.wording.mathtext import to_mathtext
@@ -15,13 +15,17 @@ from variantgen.wording.mathtext import to_mathtext
 SIZE = 8.5  # of the letters, points
 
 
-def caption_lines(subject: Subject, constants: Sequence[Curve], clipped: bool, width: float) -> list[str]:
+def caption_lines(subject: Subject, constants: Sequence[PlottedCurve], clipped: bool, width: float) -> list[str]:
     """The caption in lines of at most ``width`` inches, formulas in mathtext."""
     words, language = subject.language.words("motion"), subject.language
     symbols, sweep = subject.variant.form.symbols, subject.driver_sweep.sweep
     said = [words["curves"]]
     if not subject.driver_sweep.given:
-        key = "turned" if sweep.lead.angular else ("moved" if len(subject.driver_sweep.target) == 1 else "extended")
+        key = (
+            "turned"
+            if sweep.leading_driver.angular
+            else ("moved" if len(subject.driver_sweep.target) == 1 else "extended")
+        )
         points = to_mathtext(language.symbol("".join(subject.driver_sweep.target), symbols))
         said.append(words[key].format(symbol=subject.abscissa_symbol, point=points))
     name, _ = origin(subject.variant, sweep.motion, subject.asked, sweep.instant)
@@ -61,7 +65,7 @@ def end_sentences(subject: Subject) -> list[str]:
     words = subject.language.words("motion")
     ends = subject.driver_sweep.sweep.ends
     left, right = ends if subject.driver_sweep.values[-1] >= subject.driver_sweep.values[0] else ends[::-1]
-    worded = (End.DEAD_POINT, End.JOINT)
+    worded = (SweepEnd.DEAD_POINT, SweepEnd.JOINT)
     if left is right and left in worded:
         return [words["both"].format(end=words[left.value])]
     sides = (("left", left), ("right", right))

@@ -12,8 +12,8 @@ from variantgen.figure.drawing import LETTER, Label, Layer
 from variantgen.figure.moving import Paper
 from variantgen.mechanism.motion import ComplexField
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
-from variantgen.outputs.motion.curves import panels
 from variantgen.outputs.motion.panels import draw_panel, drawing_weight, frame_paper
+from variantgen.outputs.motion.plotted_curves import panels
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.mathtext import to_mathtext
 
@@ -78,12 +78,14 @@ class _Stage:
         self.axes = figure.add_axes((0.015, 0.03, 0.46, 0.94))
         self.axes.set_axis_off()
         tracks = {name: paper.at(z) for name, z in moving.paths.items()}
-        frame_paper(self.axes, [*moving.corners(paper), *(z for track in tracks.values() for z in track)], 7.0)
-        for track in tracks.values():
-            self.axes.plot(track.real, track.imag, color="0.5", linewidth=0.7, zorder=1.5)
+        frame_paper(
+            self.axes, [*moving.corners(paper), *(z for trajectory in tracks.values() for z in trajectory)], 7.0
+        )
+        for trajectory in tracks.values():
+            self.axes.plot(trajectory.real, trajectory.imag, color="0.5", linewidth=0.7, zorder=1.5)
         for ground in moving.ground:
-            track = paper.at(ground)
-            self.axes.plot(track.real, track.imag, color="black", linewidth=1.0, zorder=1.6)
+            trajectory = paper.at(ground)
+            self.axes.plot(trajectory.real, trajectory.imag, color="black", linewidth=1.0, zorder=1.6)
         self.weight = drawing_weight(self.axes)
         draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND], self.weight)
         # Bases of hinges are in front of the links that turn about them.

@@ -6,8 +6,8 @@ import math
 from typing import Any
 
 from variantgen.outputs.motion.caption import SIZE, caption_lines
-from variantgen.outputs.motion.curves import panels
 from variantgen.outputs.motion.panels import MechanismPicture, draw_panel
+from variantgen.outputs.motion.plotted_curves import panels
 from variantgen.outputs.motion.subject import Subject
 
 WIDTH = 7.2  # of the page, inches

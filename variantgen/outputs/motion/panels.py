@@ -11,7 +11,7 @@ from variantgen.families.units import unit
 from variantgen.figure.drawing import LETTER, Drawing, Layer
 from variantgen.figure.moving import Paper
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
-from variantgen.outputs.motion.curves import Panel, origin
+from variantgen.outputs.motion.plotted_curves import Panel, origin
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Symbol
@@ -72,7 +72,7 @@ def _cycled(count: int) -> list[tuple[Any, str, float]]:
 def limit_ways(subject: Subject, axes: Any) -> None:
     """Limits and ticks of the abscissa."""
     ways = subject.ways
-    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.lead.angular
+    low, high, angular = float(ways.min()), float(ways.max()), subject.driver_sweep.sweep.leading_driver.angular
     axes.set_xlim(low, high)
     set_ticks(axes.xaxis, round_ticks(low, high, 8 if angular else 6, angular), subject.language)
 
@@ -91,7 +91,7 @@ class MechanismPicture:
         self.drawing, self.paper = moving.still(subject.driver_sweep.sweep.instant)
         self.tracks = [self.paper.at(z) for z in moving.paths.values()]
         self.corners = [0.0, complex(self.drawing.width, self.drawing.height)]
-        self.corners += [z for track in self.tracks for z in track]
+        self.corners += [z for trajectory in self.tracks for z in trajectory]
 
     @property
     def proportion(self) -> float:
@@ -102,11 +102,11 @@ class MechanismPicture:
     def draw(self, axes: Any) -> None:
         """Draw it on axes."""
         frame_paper(axes, self.corners, _PAPER_EDGE)
-        for track in self.tracks:
-            axes.plot(track.real, track.imag, color="0.35", linewidth=0.6, zorder=1.5)
+        for trajectory in self.tracks:
+            axes.plot(trajectory.real, trajectory.imag, color="0.35", linewidth=0.6, zorder=1.5)
         for ground in self.subject.moving.ground:
-            track = self.paper.at(ground)
-            axes.plot(track.real, track.imag, color="black", linewidth=0.9, zorder=1.6)
+            trajectory = self.paper.at(ground)
+            axes.plot(trajectory.real, trajectory.imag, color="black", linewidth=0.9, zorder=1.6)
         draw_lines(axes, self.drawing.lines, drawing_weight(axes))
         _draw_labels(axes, self.drawing)
         _number_paper(self.subject, axes, self.paper)

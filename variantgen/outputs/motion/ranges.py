@@ -23,7 +23,7 @@ _ANGLE_STEPS = (1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0)
 def visible_range(
     curves: Sequence[Field], at: int, bounded: tuple[bool, bool] = (False, False)
 ) -> tuple[float, float, bool]:
-    """Lower and upper limit of an axis for some curves, and whether it cuts off very large values.
+    """Lower and upper limit of an axis for some curves, shape (K,) each, and whether it cuts off very large values.
 
     The values at the index ``at`` are always inside. NaN counts as missing. ``bounded``: whether something
     stops the motion at the beginning and at the end, where the values may grow beyond all bounds.

@@ -9,12 +9,12 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.part import PageCopier
+from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 
 @dataclass(frozen=True)
-class Named:
+class BookmarkName:
     """The name of a bookmark, and of the group that it is in (if any)."""
 
     title: str
@@ -39,7 +39,7 @@ def read_bookmarks(part: PageCopier, within: Any = None) -> Iterator[Bookmark]:
         item = item.get("/Next")
 
 
-def renamed(found: Sequence[Bookmark], names: Sequence[Named]) -> list[Bookmark]:
+def renamed(found: Sequence[Bookmark], names: Sequence[BookmarkName]) -> list[Bookmark]:
     """Bookmarks with other names, under their groups if there are groups.
 
     Those of one group that follow each other are put together.

@@ -7,7 +7,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.part import PageCopier
+from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 _TABLES = ("/RoleMap", "/ClassMap")
@@ -29,7 +29,10 @@ class Structure:
         self.next_key = 0
 
     def add(self, part: PageCopier) -> None:
-        """Take the structure of a part; its pages have been taken before."""
+        """Take the structure of a part; its pages have been taken before.
+
+        Raises ValueError for a structure that the typesetting engine does not write.
+        """
         root = part.source.Root.StructTreeRoot
         (document,) = root.K if isinstance(root.K, pikepdf.Array) else (root.K,)
         if document.S != "/Document":

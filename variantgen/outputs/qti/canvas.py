@@ -11,20 +11,21 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.blueprint import Exam, Task
+from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats
-from variantgen.outputs.formats import Chunk, Fragment, Whole
+from variantgen.outputs.formats import Chunk, Fragment, WholeExam
+from variantgen.outputs.platforms.point_shares import shares
+from variantgen.outputs.platforms.questions import Question, questions
+from variantgen.outputs.platforms.text import one_line
 from variantgen.outputs.qti import canvas_quiz as quiz
-from variantgen.outputs.qti.canvas_item import Items
-from variantgen.outputs.qti.figures import FOLDER, Figures
-from variantgen.outputs.qti.options import HTML, Options, read_options
+from variantgen.outputs.qti.canvas_item import CanvasItems
+from variantgen.outputs.qti.options import HTML, PackageOptions, read_options
 from variantgen.outputs.qti.outline import Outline
 from variantgen.outputs.qti.package import MANIFEST, Package, contents, indexes, names, pack, package
-from variantgen.outputs.qti.tree import document, line
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Question, questions
+from variantgen.outputs.qti.package_images import FOLDER, files, package_figures
+from variantgen.outputs.qti.xml_tree import document
 from variantgen.tables import Table
 
 NAME = "canvas"
@@ -33,7 +34,7 @@ _ROOT = quote("$IMS-CC-FILEBASE$")  # what Canvas takes for the root of the file
 
 
 @dataclass(frozen=True)
-class CanvasOptions(Options):
+class CanvasOptions(PackageOptions):
     """``once``: the statement is a text before the questions of a problem, not a part of each of them."""
 
     once: bool = False
@@ -41,7 +42,7 @@ class CanvasOptions(Options):
 
 def read_table(table: Table) -> CanvasOptions:
     """The table ``[canvas]``."""
-    shared = read_options(table, "quizzes", ("draw", "students"), Options(formulas=HTML, drawn=False))
+    shared = read_options(table, "quizzes", ("draw", "students"), PackageOptions(formulas=HTML, drawn=False))
     once = table.choice("statement", ("each", "once"), "each") == "once"
     if once and shared.drawn:
         table.problem(
@@ -69,7 +70,7 @@ def check(exam: Exam) -> None:
         )
 
 
-def _numbers(task: Task) -> int:
+def _numbers(task: ExamProblem) -> int:
     """How many numbers a problem asks for, at most."""
     return max(len(read_ask(form, task.ask)) for family in task.families for form in family.forms.values())
 
@@ -77,55 +78,57 @@ def _numbers(task: Task) -> int:
 def make(part: Chunk) -> Iterator[Fragment]:
     """The questions of a few students with their figures."""
     options: CanvasOptions = formats.options(part.exam, NAME)
-    figures = Figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
-    items = Items(part.exam, figures, options, options.once)
-    files: dict[str, bytes] = {}
+    figures = package_figures(part.engine, options.figures, lambda name: f"{_ROOT}/{name}")
+    items = CanvasItems(part.exam, figures, options, options.once)
+    documents: dict[str, bytes] = {}
     quizzes: list[str] = []
     for _, own in groupby(questions(part), lambda question: question.sheet.code):
         sheet = list(own)
         if options.drawn:
-            files.update(_questions(sheet, items))
+            documents.update(_questions(sheet, items))
         else:
             quizzes.append(_quiz_name(part.exam, sheet[0].sheet))
-            files.update(_quiz(quizzes[-1], sheet, items, options))
-    yield Fragment(_PACKAGE, pack({**files, **figures.files}, quizzes), ".zip")
+            documents.update(_quiz(quizzes[-1], sheet, items, options))
+    yield Fragment(_PACKAGE, pack({**documents, **files(figures)}, quizzes), ".zip")
 
 
 def _quiz_name(exam: Exam, sheet: Sheet) -> str:
     return f"i{exam.build_id}-{sheet.code}"
 
 
-def _questions(sheet: Sequence[Question], items: Items) -> Iterator[tuple[str, bytes]]:
+def _questions(sheet: Sequence[Question], items: CanvasItems) -> Iterator[tuple[str, bytes]]:
     """Each question of a sheet as a document of its own, in the folder of its problem."""
     for question in sheet:
         for item in items.items(question):
             yield f"{_group(question.posed.item.task)}{item.get('ident')}.xml", document(item)
 
 
-def _group(task: Task) -> str:
+def _group(task: ExamProblem) -> str:
     return f"problem-{task.number}/"
 
 
-def _quiz(name: str, sheet: Sequence[Question], items: Items, options: CanvasOptions) -> Iterator[tuple[str, bytes]]:
+def _quiz(
+    name: str, sheet: Sequence[Question], items: CanvasItems, options: CanvasOptions
+) -> Iterator[tuple[str, bytes]]:
     """The documents of the quiz of a student."""
     exam, student = items.exam, sheet[0].sheet.student
     named = f", {student.name}" if options.names and student.name else ""
-    title = line(f"{exam.title}. {exam.spoken.words('key')['variant']} {sheet[0].sheet.code}{named}")
+    title = one_line(f"{exam.title}. {exam.spoken.words('key')['variant']} {sheet[0].sheet.code}{named}")
     every = chain.from_iterable(items.items(question) for question in sheet)
     yield quiz.question_file(name), document(quiz.whole(name, title, every))
     points = _points((question.posed.item.task, len(question.parts)) for question in sheet)
     yield quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=True))
 
 
-def _points(problems: Iterator[tuple[Task, int]]) -> Decimal:
+def _points(problems: Iterator[tuple[ExamProblem, int]]) -> Decimal:
     return sum((share for task, parts in problems for share in shares(task.points, parts)), Decimal(0))
 
 
-def finish(whole: Whole) -> None:
+def finish(whole: WholeExam) -> None:
     """The package."""
     exam, pieces = whole.exam, whole.pieces[_PACKAGE]
     options: CanvasOptions = formats.options(exam, NAME)
-    name, title = f"i{exam.build_id}", line(exam.title)
+    name, title = f"i{exam.build_id}", one_line(exam.title)
     with package(whole.folder / f"{NAME}.zip") as made:
         with made.outline(MANIFEST) as outline, quiz.resources(outline, f"{name}-manifest", title, exam.language):
             for one in [name] if options.drawn else chain.from_iterable(indexes(pieces)):
@@ -154,7 +157,7 @@ def _write_drawing(made: Package, name: str, title: str, exam: Exam, pieces: Seq
     made.add(quiz.meta_file(name), document(quiz.meta(name, title, exam, points, assigned=False)))
 
 
-def _write_group(outline: Outline, name: str, task: Task, exam: Exam, pieces: Sequence[Path]) -> None:
+def _write_group(outline: Outline, name: str, task: ExamProblem, exam: Exam, pieces: Sequence[Path]) -> None:
     """The questions of one problem, of which each student gets one."""
     title = f"{exam.spoken.words('sheet')['problem']} {task.number}"
     with outline.inside("section", {"ident": name, "title": title}):

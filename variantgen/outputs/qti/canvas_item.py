@@ -14,15 +14,19 @@ from decimal import Decimal
 from html import escape
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
-from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.item import accepted, identifier
-from variantgen.outputs.qti.options import Options, in_text
-from variantgen.outputs.qti.tree import element, fragment, html, line, number
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Asked, Question
+from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.figure_files import UsedFigures
+from variantgen.outputs.platforms.numbers import number
+from variantgen.outputs.platforms.point_shares import shares
+from variantgen.outputs.platforms.questions import AnswerField, Question
+from variantgen.outputs.platforms.text import one_line
+from variantgen.outputs.qti.item import identifier
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import statement_figure
+from variantgen.outputs.qti.xml_tree import element, fragment, html
 from variantgen.wording.html import to_html
 
 _RESPONSE = {"respident": "response1"}
@@ -30,12 +34,12 @@ _FEEDBACK = "general_fb"
 
 
 @dataclass(frozen=True)
-class Items:
+class CanvasItems:
     """Makes the questions of an exam; ``once``: the statement is a text before them."""
 
     exam: Exam
-    figures: Figures
-    options: Options
+    figures: UsedFigures
+    options: PackageOptions
     once: bool
 
     def items(self, question: Question) -> Iterator[Element]:
@@ -64,19 +68,19 @@ class Items:
     def _item(self, question: Question, name: str, which: str, *content: Element) -> Element:
         """An item with its title, which instructors see."""
         words = self.exam.spoken.words("sheet")
-        title = line(f"{words['problem']} {question.posed.item.task.number}{which}. {question.sheet.code}")
+        title = one_line(f"{words['problem']} {question.posed.item.task.number}{which}. {question.sheet.code}")
         return element("item", {"ident": name, "title": title}, *content)
 
     @property
-    def _style(self) -> Style:
-        return Style(in_text, self.figures.image)
+    def _writing(self) -> HtmlWriting:
+        return HtmlWriting(in_text, self.figures.image)
 
     def _statement(self, question: Question) -> str:
         posed = question.posed
-        said = statement_html(posed.said, self.exam.spoken, self._style)
-        return said + self.figures.statement(posed.figure) + notes_html(question.notes)
+        said = statement_html(posed.statement, self.exam.spoken, self._writing)
+        return said + statement_figure(self.figures, posed.figure) + notes_html(question.notes)
 
-    def _asked(self, question: Question, part: Asked, place: int) -> str:
+    def _asked(self, question: Question, part: AnswerField, place: int) -> str:
         """Which number is to be entered, in which unit, and how."""
         words, count = self.exam.spoken.words("platform"), len(question.parts)
         which = f"{escape(words['answer'].format(number=place, count=count))} " if count > 1 else ""
@@ -92,7 +96,7 @@ class Items:
         if question.solved is None:
             return ""
         language = self.exam.explained
-        written = fragment(solution_html(question.solved, language, self.options.style(self.figures)))
+        written = fragment(solution_html(question.solved, language, self.options.writing(self.figures)))
         return html(element("div", {"lang": language.name}, *written))
 
 
@@ -130,7 +134,7 @@ def _processing(answer: Answer, explained: bool) -> Element:
         shown = element("displayfeedback", {"feedbacktype": "Response", "linkrefid": _FEEDBACK})
         always = element("conditionvar", {}, element("other"))
         conditions.append(element("respcondition", {"continue": "Yes"}, always, shown))
-    first, *others = (_between(*bounds) for bounds in accepted(answer))
+    first, *others = (_between(*bounds) for bounds in answer.exact_intervals)
     # Canvas takes the margin from the distance of the bounds, so they are exact in decimals.
     exact = element("varequal", _RESPONSE, number(answer.value))
     conditions.append(_full(element("or", {}, exact, element("and", {}, *first))))

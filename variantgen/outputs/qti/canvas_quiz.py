@@ -10,12 +10,13 @@ from contextlib import contextmanager
 from decimal import Decimal
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
+from variantgen.outputs.platforms.numbers import number
 from variantgen.outputs.qti.canvas_item import field
 from variantgen.outputs.qti.dialect import XSI
 from variantgen.outputs.qti.options import introduction
 from variantgen.outputs.qti.outline import Outline
-from variantgen.outputs.qti.tree import element, number
+from variantgen.outputs.qti.xml_tree import element
 
 QTI = {
     "xmlns": "http://www.imsglobal.org/xsd/ims_qtiasiv1p2",

@@ -7,15 +7,18 @@ from dataclasses import dataclass
 from decimal import Decimal
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.blueprint import Exam
-from variantgen.exam.sheets import Answer
+from variantgen.exam.exam_file import Exam
+from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.figure_files import UsedFigures
+from variantgen.outputs.platforms.numbers import number
+from variantgen.outputs.platforms.point_shares import shares
+from variantgen.outputs.platforms.questions import AnswerField, Question
+from variantgen.outputs.platforms.text import one_line
 from variantgen.outputs.qti.dialect import Dialect
-from variantgen.outputs.qti.figures import Figures
-from variantgen.outputs.qti.options import Options, in_text
-from variantgen.outputs.qti.tree import element, line, number
-from variantgen.outputs.web.fragments import Style, notes_html, solution_html, statement_html
-from variantgen.outputs.web.points import shares
-from variantgen.outputs.web.questions import Asked, Question
+from variantgen.outputs.qti.options import PackageOptions
+from variantgen.outputs.qti.package_images import statement_figure
+from variantgen.outputs.qti.xml_tree import element
 from variantgen.version import VERSION
 from variantgen.wording.html import to_html
 from variantgen.wording.solution.phrases import load_phrases
@@ -34,17 +37,17 @@ def title(question: Question, exam: Exam) -> str:
     """What an item is called in a pool: exam, problem, variant."""
     words = exam.spoken.words("sheet")
     what = f"{words['problem']} {question.posed.item.task.number}, {words['variant']} {question.sheet.code}"
-    return line(f"{exam.title}. {what}")
+    return one_line(f"{exam.title}. {what}")
 
 
 @dataclass(frozen=True)
-class Items:
+class QtiItems:
     """Makes the items of an exam in a version of QTI."""
 
     dialect: Dialect
     exam: Exam
-    figures: Figures
-    options: Options
+    figures: UsedFigures
+    options: PackageOptions
 
     def item(self, question: Question) -> Element:
         """The item of a question."""
@@ -72,10 +75,10 @@ class Items:
         )
 
     @property
-    def _style(self) -> Style:
-        return Style(in_text, self.figures.image)
+    def _writing(self) -> HtmlWriting:
+        return HtmlWriting(in_text, self.figures.image)
 
-    def _response(self, part: Asked) -> Element:
+    def _response(self, part: AnswerField) -> Element:
         """The declaration of a number that is to be entered, with the right one."""
         make = self.dialect.element
         right = make("correctResponse", {}, make("value", {}, number(part.answer.value)))
@@ -94,14 +97,14 @@ class Items:
         """Statement, figure, conventions of signs, boxes."""
         language, posed = self.exam.spoken, question.posed
         html = self.dialect.html
-        yield from html(statement_html(posed.said, language, self._style))
-        yield from html(self.figures.statement(posed.figure))
+        yield from html(statement_html(posed.statement, language, self._writing))
+        yield from html(statement_figure(self.figures, posed.figure))
         yield from html(notes_html(question.notes))
         for part in question.parts:
             yield self._box(part)
         yield element("p", {"class": "notes"}, element("small", {}, language.words("platform")["numbers"]))
 
-    def _box(self, part: Asked) -> Element:
+    def _box(self, part: AnswerField) -> Element:
         """A paragraph with the symbol, the box and the unit."""
         box = self.dialect.element(
             "textEntryInteraction", {"responseIdentifier": _response_name(part), "expectedLength": _BOX}
@@ -128,7 +131,7 @@ class Items:
             shown = make("baseValue", {"baseType": "identifier"}, _SOLUTION)
             yield make("setOutcomeValue", {"identifier": _FEEDBACK}, shown)
 
-    def _right(self, part: Asked) -> Element:
+    def _right(self, part: AnswerField) -> Element:
         """Whether the number of a part is right; a direction may be given with a whole turn more or less.
 
         Its bounds are compared one by one: there are platforms that know no tolerance of ``equal``.
@@ -136,11 +139,11 @@ class Items:
         make = self.dialect.element
         found = [
             make("and", {}, *(self._compared(part, name, value) for name, value in zip(_BOUNDS, bounds, strict=True)))
-            for bounds in accepted(part.answer)
+            for bounds in part.answer.exact_intervals
         ]
         return make("or", {}, *found) if len(found) > 1 else found[0]
 
-    def _compared(self, part: Asked, how: str, bound: Decimal) -> Element:
+    def _compared(self, part: AnswerField, how: str, bound: Decimal) -> Element:
         make = self.dialect.element
         given = make("variable", {"identifier": _response_name(part)})
         return make(how, {}, given, make("baseValue", {"baseType": "float"}, number(bound)))
@@ -150,7 +153,7 @@ class Items:
         if question.solved is None:
             return
         language = self.exam.explained
-        content = self.dialect.html(solution_html(question.solved, language, self.options.style(self.figures)))
+        content = self.dialect.html(solution_html(question.solved, language, self.options.writing(self.figures)))
         shown = {
             "outcomeIdentifier": _FEEDBACK,
             "identifier": _SOLUTION,
@@ -160,14 +163,7 @@ class Items:
         yield self.dialect.feedback(shown, element("div", {"xml:lang": language.name}, *content))
 
 
-def accepted(answer: Answer) -> list[tuple[Decimal, Decimal]]:
-    """The intervals in which a number is right, first that around the answer, as exact decimals."""
-    value, margin = Decimal(repr(answer.value)), Decimal(repr(answer.tolerance))
-    turns = (round(low - answer.accepted_intervals[0][0]) for low, _ in answer.accepted_intervals)
-    return [(value + turn - margin, value + turn + margin) for turn in turns]
-
-
-def _response_name(part: Asked) -> str:
+def _response_name(part: AnswerField) -> str:
     return f"RESPONSE_{part.name}"
 
 

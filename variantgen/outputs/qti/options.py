@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.qti.figures import FORMS, Figures
-from variantgen.outputs.web.fragments import Style, notices_html
+from variantgen.outputs.html.fragments import notices_html
+from variantgen.outputs.html.writing import HtmlWriting, in_text
+from variantgen.outputs.platforms.figure_files import UsedFigures
+from variantgen.outputs.qti.package_images import FORMS
 from variantgen.tables import Table
-from variantgen.wording.formula import Formula
-from variantgen.wording.html import to_html
 from variantgen.wording.mathml import to_mathml
 
 MATHML, HTML = "mathml", "html"
 
 
 @dataclass(frozen=True)
-class Options:
+class PackageOptions:
     """``figures``: the form of pictures; ``formulas``: how those of solutions are written.
 
     ``drawn``: one test that draws a sheet for each student, not a test for each. ``names``: titles have the names of
@@ -29,26 +29,21 @@ class Options:
     drawn: bool = True
     names: bool = False
 
-    def style(self, figures: Figures) -> Style:
+    def writing(self, figures: UsedFigures) -> HtmlWriting:
         """How solutions are written."""
-        return Style(to_mathml if self.formulas == MATHML else in_text, figures.image)
-
-
-def in_text(formula: Formula, display: bool) -> str:
-    """A formula as letters, indices and powers, which every platform shows."""
-    return to_html(formula)
+        return HtmlWriting(to_mathml if self.formulas == MATHML else in_text, figures.image)
 
 
 def introduction(exam: Exam) -> str:
     """What the exam says to everybody, as HTML with formulas that every platform shows."""
-    return notices_html(exam.notices, exam.spoken, Style(in_text, _no_figure))
+    return notices_html(exam, HtmlWriting(in_text, _no_figure))
 
 
-def _no_figure(drawing: Drawing, millimetres: float) -> str:
+def _no_figure(drawing: Drawing, millimetres: float, caption: str) -> str:
     raise AssertionError("an introduction has no figures")
 
 
-def read_options(table: Table, key: str, words: tuple[str, str], usual: Options) -> Options:
+def read_options(table: Table, key: str, words: tuple[str, str], usual: PackageOptions) -> PackageOptions:
     """The options of a format; the first of the ``words`` of ``key`` is one test for all, the other one for each.
 
     Mistakes are noted in the table, which may have more keys.
@@ -61,4 +56,4 @@ def read_options(table: Table, key: str, words: tuple[str, str], usual: Options)
     if names and chosen != own:
         remedy = f'{key} = "{own}" makes one for each student'
         table.problem("students would read the names of others", "names", names, remedy)
-    return Options(figures, formulas, chosen == drawn, names)
+    return PackageOptions(figures, formulas, chosen == drawn, names)

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 from xml.parsers import expat
 from xml.sax.saxutils import XMLGenerator
 
-from variantgen.outputs.qti.tree import clean
+from variantgen.outputs.platforms.text import storable
 
 
 class Outline:
@@ -26,7 +26,7 @@ class Outline:
     @contextmanager
     def inside(self, tag: str, attributes: Mapping[str, str] | None = None) -> Iterator[None]:
         """What is written inside the block is inside this element."""
-        found = {name: clean(value) for name, value in (attributes or {}).items()}
+        found = {name: storable(value) for name, value in (attributes or {}).items()}
         self._out.startElement(tag, found)  # type: ignore[arg-type]  # any mapping will do
         yield
         self._out.endElement(tag)

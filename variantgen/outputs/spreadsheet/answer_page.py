@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.spreadsheet.blocks import PER_ANSWER, Block
-from variantgen.outputs.spreadsheet.book import ABSENT, CELL, HEAD, Page
 from variantgen.outputs.spreadsheet.identity import finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width
+from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns
+from variantgen.outputs.spreadsheet.workbook_writer import ABSENT, CELL, HEAD, Page
 from variantgen.wording.language import Language
 
 _TITLES, _QUANTITIES, _HEADS = range(3)
 FIRST = _HEADS + 1  # the row of the first student
 
 
-def write_answers(page: Page, blocks: Sequence[Block], sheets: Sequence[Sheet], language: Language) -> None:
+def write_answers(page: Page, blocks: Sequence[ProblemColumns], sheets: Sequence[Sheet], language: Language) -> None:
     """Write the sheet."""
     words = language.words("spreadsheet")
     for block in blocks:
@@ -36,12 +36,12 @@ def write_answers(page: Page, blocks: Sequence[Block], sheets: Sequence[Sheet], 
     page.printed((0, _HEADS), (FIRST + len(sheets) - 1, last - 1))
 
 
-def _columns(blocks: Sequence[Block]) -> list[tuple[int, tuple[str, str]]]:
+def _columns(blocks: Sequence[ProblemColumns]) -> list[tuple[int, tuple[str, str]]]:
     """The first column of each answer, and its names."""
     return [(block.answers + PER_ANSWER * k, names) for block in blocks for k, names in enumerate(block.names)]
 
 
-def _decimals(page: Page, block: Block, sheets: Sequence[Sheet]) -> list[int]:
+def _decimals(page: Page, block: ProblemColumns, sheets: Sequence[Sheet]) -> list[int]:
     """The decimals of each answer of a problem; their columns are made wide enough."""
     found = []
     for number in range(block.most):
@@ -52,7 +52,7 @@ def _decimals(page: Page, block: Block, sheets: Sequence[Sheet]) -> list[int]:
     return found
 
 
-def _write_numbers(page: Page, row: int, block: Block, sheet: Sheet, places: Sequence[int]) -> None:
+def _write_numbers(page: Page, row: int, block: ProblemColumns, sheet: Sheet, places: Sequence[int]) -> None:
     """The answers of a student in one problem; what only others are asked stays grey."""
     own = block.own(sheet)
     for number in range(block.most):

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.spreadsheet import answer_page, marking
-from variantgen.outputs.spreadsheet.asked import Headings
-from variantgen.outputs.spreadsheet.blocks import PER_ANSWER, Block, blocks
-from variantgen.outputs.spreadsheet.book import (
+from variantgen.outputs.spreadsheet.headings import Headings
+from variantgen.outputs.spreadsheet.identity import FROZEN, WHO, finish, write_heads, write_identity
+from variantgen.outputs.spreadsheet.numbers import width
+from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns, blocks
+from variantgen.outputs.spreadsheet.workbook_writer import (
     ABSENT,
     CELL,
     HEAD,
@@ -18,14 +20,12 @@ from variantgen.outputs.spreadsheet.book import (
     NOTE,
     TEXT,
     TITLE,
-    Book,
     Page,
     Style,
-    open_book,
+    Workbook,
+    open_workbook,
     quoted,
 )
-from variantgen.outputs.spreadsheet.identity import FROZEN, WHO, finish, write_heads, write_identity
-from variantgen.outputs.spreadsheet.numbers import width
 
 # The rows of the form above those of the students; the help speaks of the row of points by its number.
 _TITLE, _HELP, _SIGNS, _POINTS, _GROUPS, _HEADS, _FIRST = range(7)
@@ -46,7 +46,7 @@ def write_grading(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path,
     language = exam.spoken
     words, headings = language.words("spreadsheet"), Headings(language)
     found = blocks(exam, sheets, headings, _SUMS + len(exam.tasks), WHO)
-    with open_book(path, f"{words['grading']}: {exam.title}", len(sheets), folder) as book:
+    with open_workbook(path, f"{words['grading']}: {exam.title}", len(sheets), folder) as book:
         form, answers = book.page(words["grading"]), book.page(words["answers"])
         _Form(book, form, found, sheets, headings).write()
         answer_page.write_answers(answers, found, sheets, language)
@@ -59,7 +59,7 @@ class _Form:
     """The sheet that is filled in."""
 
     def __init__(
-        self, book: Book, page: Page, found: Sequence[Block], sheets: Sequence[Sheet], headings: Headings
+        self, book: Workbook, page: Page, found: Sequence[ProblemColumns], sheets: Sequence[Sheet], headings: Headings
     ) -> None:
         self.book, self.page, self.blocks, self.sheets, self.headings = book, page, found, sheets, headings
         self.language = headings.language
@@ -105,7 +105,7 @@ class _Form:
         self.page.sheet.repeat_columns(0, FROZEN - 1)
         self.page.sheet.set_v_pagebreaks([block.first for block in self.blocks])
 
-    def _asked(self, block: Block, sheet: Sheet) -> str:
+    def _asked(self, block: ProblemColumns, sheet: Sheet) -> str:
         """What a student is asked in a problem."""
         item = sheet.items[block.place]
         return "; ".join(self.headings.symbol(item, answer) for answer in item.answers)
@@ -124,7 +124,7 @@ class _Form:
                 page.number(_POINTS, column, points, self.free)
 
     def _head_row(self) -> list[float]:
-        """The heads of all columns; the widths of the first ones are told."""
+        """Write the heads of all columns; returns the widths of the first ones."""
         page, points = self.page, self.words["points"]
         page.sheet.set_row(_HEADS, 32)
         widths = write_heads(page, _HEADS, self.sheets, self.language)
@@ -157,7 +157,7 @@ class _Form:
             self._answers_of(row, block, block.own(sheet))
         page.formula(row, self.place, self.answers.place(marking.own(row, 0)), place)
 
-    def _answers_of(self, row: int, block: Block, own: Sequence[Answer]) -> None:
+    def _answers_of(self, row: int, block: ProblemColumns, own: Sequence[Answer]) -> None:
         """The cells of a student in one problem; what only others are asked stays grey."""
         for number in range(block.most):
             self.page.text(row, block.typed + number, "", INPUT if number < len(own) else ABSENT)
@@ -168,7 +168,7 @@ class _Form:
                 self.page.text(row, block.points + number, "", ABSENT)
         self.page.text(row, block.correction, "", self.free)
 
-    def _mark(self, row: int, block: Block, number: int, own: Sequence[Answer]) -> str:
+    def _mark(self, row: int, block: ProblemColumns, number: int, own: Sequence[Answer]) -> str:
         """The formula for the points of an answer."""
         typed, place = marking.own(row, block.typed + number), marking.own(row, self.place)
         column = block.answers + PER_ANSWER * number

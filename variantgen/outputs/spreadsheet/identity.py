@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from xlsxwriter.utility import xl_rowcol_to_cell
 
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.spreadsheet.book import CELL, HEAD, Page
 from variantgen.outputs.spreadsheet.numbers import width
+from variantgen.outputs.spreadsheet.workbook_writer import CELL, HEAD, Page
 from variantgen.wording.language import Language
 
 WHO = 4  # columns: code, id, name, group
@@ -23,7 +23,7 @@ def heads(language: Language) -> tuple[str, str, str, str]:
 
 
 def write_heads(page: Page, row: int, sheets: Sequence[Sheet], language: Language) -> list[float]:
-    """The heads of the columns, and their widths (in letters), which are told."""
+    """Write the heads of the columns; returns their widths (in letters)."""
     titles = heads(language)
     for column, head in enumerate(titles):
         page.text(row, column, head, HEAD)

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from variantgen.exam.blueprint import Exam
+from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
-from variantgen.outputs.spreadsheet.asked import Headings
-from variantgen.outputs.spreadsheet.book import CELL, HEAD, TEXT, Book, Page, open_book
+from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.outputs.spreadsheet.identity import WHO, finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width, width
+from variantgen.outputs.spreadsheet.workbook_writer import CELL, HEAD, TEXT, Page, Workbook, open_workbook
 from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
 
@@ -24,7 +24,7 @@ def write_key(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path) -> 
     """Write ``key.xlsx``; ``folder`` is where parts of a large one are kept meanwhile."""
     language = exam.spoken
     headings = Headings(language)
-    with open_book(path, f"{language.words('key')['title']}: {exam.title}", len(sheets), folder) as book:
+    with open_workbook(path, f"{language.words('key')['title']}: {exam.title}", len(sheets), folder) as book:
         rows = [_Row(sheet, item, answer) for sheet in sheets for item in sheet.items for answer in item.answers]
         title = language.words("spreadsheet")["key"]
         for number, first in enumerate(range(0, len(rows), MOST_ROWS), start=1):
@@ -113,7 +113,7 @@ class _Table:
     All are asked the same; of another type, or asked something else, students have a sheet of their own.
     """
 
-    def __init__(self, book: Book, place: int, sheets: Sequence[Sheet], headings: Headings) -> None:
+    def __init__(self, book: Workbook, place: int, sheets: Sequence[Sheet], headings: Headings) -> None:
         self.sheets, self.headings, self.language = sheets, headings, headings.language
         self.words = self.language.words("spreadsheet")
         self.items = [sheet.items[place] for sheet in sheets]

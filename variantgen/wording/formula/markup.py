@@ -12,20 +12,19 @@ from typing import ClassVar
 from variantgen.wording.formula import precedence
 from variantgen.wording.formula.precedence import Between
 from variantgen.wording.formula.tree import (
-    About,
     Absolute,
     Cross,
     Dotted,
     Equation,
     Formula,
+    FormulaList,
     Fraction,
     Function,
     Graph,
-    Group,
-    Listing,
     Measured,
     Number,
-    Place,
+    Parenthesised,
+    PointCoordinates,
     Power,
     Product,
     Relation,
@@ -33,6 +32,7 @@ from variantgen.wording.formula.tree import (
     Sum,
     Surd,
     Symbol,
+    SymbolProperty,
     UnitText,
     Vector,
 )
@@ -108,7 +108,7 @@ class Markup(ABC):
                 return self._power(base, exponent)
             case Root(radicand):
                 return self.root(self._part(radicand, precedence.as_radicand(radicand, self.flat)))
-            case Group(content):
+            case Parenthesised(content):
                 return self.parentheses(self.write(content))
             case Absolute(content):
                 return self.bars(self.write(content))
@@ -128,7 +128,7 @@ class Markup(ABC):
             case _:
                 return self._statement(formula)
 
-    def _statement(self, formula: Equation | Relation | About | Listing | Place | Graph) -> str:
+    def _statement(self, formula: Equation | Relation | SymbolProperty | FormulaList | PointCoordinates | Graph) -> str:
         """What says something about formulas instead of being a value."""
         match formula:
             case Equation(left, right):
@@ -138,12 +138,12 @@ class Markup(ABC):
                 return self.write(items[0]) + "".join(
                     self.signs.relations[sign] + self.write(item) for sign, item in rest
                 )
-            case About(what, symbol):
-                return self.about(what, self._symbol(symbol))
-            case Listing(items):
+            case SymbolProperty(what, symbol):
+                return self.symbol_property(what, self._symbol(symbol))
+            case FormulaList(items):
                 names = all(isinstance(item, Symbol) for item in items)
                 return (self.signs.comma if names else self.signs.semicolon).join(map(self.write, items))
-            case Place(point, x, y):
+            case PointCoordinates(point, x, y):
                 return self.place(
                     self._symbol(point), self.parentheses(self.write(x) + self.signs.semicolon + self.write(y))
                 )
@@ -196,7 +196,7 @@ class Markup(ABC):
 
     def _function(self, name: str, argument: Formula, exponent: int | None) -> str:
         parentheses = precedence.as_argument(argument)
-        enclosed = parentheses or isinstance(argument, Group)
+        enclosed = parentheses or isinstance(argument, Parenthesised)
         return self.function(name, exponent, self._part(argument, parentheses), enclosed)
 
     def _marked(self, formula: Vector | Dotted, exponent: int | None) -> str:
@@ -244,8 +244,8 @@ class Markup(ABC):
         """The words of a unit with their powers."""
 
     @abstractmethod
-    def about(self, what: str, symbol: str) -> str:
-        """What is asked of a symbol, see :class:`About`."""
+    def symbol_property(self, what: str, symbol: str) -> str:
+        """What is asked of a symbol, see :class:`SymbolProperty`."""
 
     @abstractmethod
     def fraction(self, numerator: str, denominator: str) -> str:

@@ -51,7 +51,7 @@ class _Plain(Markup):
             word + (str(power).translate(_SUPERSCRIPTS) if power != 1 else "") for word, power in unit.parts
         )
 
-    def about(self, what: str, symbol: str) -> str:
+    def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
 
     def fraction(self, numerator: str, denominator: str) -> str:

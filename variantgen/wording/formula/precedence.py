@@ -11,18 +11,17 @@ from collections.abc import Sequence
 from enum import Enum, IntEnum
 
 from variantgen.wording.formula.tree import (
-    About,
     Cross,
     Dotted,
     Equation,
     Formula,
+    FormulaList,
     Fraction,
     Function,
     Graph,
-    Group,
-    Listing,
     Measured,
     Number,
+    Parenthesised,
     Power,
     Product,
     Relation,
@@ -30,6 +29,7 @@ from variantgen.wording.formula.tree import (
     Sum,
     Surd,
     Symbol,
+    SymbolProperty,
     UnitText,
     Vector,
 )
@@ -57,7 +57,7 @@ class Between(Enum):
 def binding(formula: Formula, flat: bool) -> Binding:
     """The binding of a formula, signs apart (see :func:`starts_with_minus`)."""
     match formula:
-        case Equation() | Listing() | Relation() | Graph():
+        case Equation() | FormulaList() | Relation() | Graph():
             return Binding.RELATION
         case Sum(((sign, term),)):  # −π: nothing is added
             return Binding.PREFIX if as_term(sign, term, True, flat) else min(binding(term, flat), Binding.PREFIX)
@@ -75,7 +75,7 @@ def binding(formula: Formula, flat: bool) -> Binding:
             return _binding_of_surd(formula, flat)
         case Function():
             return Binding.PREFIX
-        case About(what):
+        case SymbolProperty(what):
             return Binding.PREFIX if what == "sense" else Binding.WHOLE
         case Root():
             return Binding.PREFIX if flat else Binding.WHOLE
@@ -154,13 +154,13 @@ def as_radicand(radicand: Formula, flat: bool) -> bool:
 
 
 def as_argument(argument: Formula) -> bool:
-    """The argument of a function: bare letters, numbers and angles in degrees; a :class:`Group` has its own."""
+    """The argument of a function: bare letters, numbers and angles in degrees; a :class:`Parenthesised` has its own."""
     match argument:
         case Measured(_, unit) if unit.parts and not unit.tight:
             return True
         case Number() | Measured():
             return starts_with_minus(argument, True)
-        case Symbol() | Vector() | Dotted() | Group():
+        case Symbol() | Vector() | Dotted() | Parenthesised():
             return False
         case _:
             return True

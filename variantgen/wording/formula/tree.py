@@ -74,7 +74,7 @@ class Equation:
 
 
 @dataclass(frozen=True)
-class About:
+class SymbolProperty:
     """What is asked of a symbol: its ``modulus``, its ``angle`` with the x axis, its ``sense``."""
 
     what: str
@@ -82,7 +82,7 @@ class About:
 
 
 @dataclass(frozen=True)
-class Listing:
+class FormulaList:
     """Formulas one after the other: points of a plan that coincide, the arguments of a function.
 
     Commas stand between symbols; semicolons where a number could have a decimal comma.
@@ -145,7 +145,7 @@ class Function:
 
 
 @dataclass(frozen=True)
-class Group:
+class Parenthesised:
     """Parentheses where the structure alone would not ask for them."""
 
     content: Formula
@@ -186,7 +186,7 @@ class Cross:
 
 
 @dataclass(frozen=True)
-class Place:
+class PointCoordinates:
     """``A(3; 4)``: a point with its coordinates."""
 
     point: Symbol
@@ -234,8 +234,8 @@ class Graph:
 
 
 Formula: TypeAlias = (
-    Symbol | Number | UnitText | Measured | Equation | About | Listing | Sum | Product | Fraction | Power | Root
-    | Function | Group | Absolute | Vector | Dotted | Cross | Place | Relation | Surd | Graph
+    Symbol | Number | UnitText | Measured | Equation | SymbolProperty | FormulaList | Sum | Product | Fraction | Power
+    | Root | Function | Parenthesised | Absolute | Vector | Dotted | Cross | PointCoordinates | Relation | Surd | Graph
 )  # fmt: skip
 
 

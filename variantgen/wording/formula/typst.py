@@ -60,7 +60,7 @@ class _Typst(Markup):
     def tight(self, number: Number, unit: UnitText) -> str:
         return _quoted(number.text + "".join(word for word, _ in unit.parts))
 
-    def about(self, what: str, symbol: str) -> str:
+    def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
 
     def fraction(self, numerator: str, denominator: str) -> str:

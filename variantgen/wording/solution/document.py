@@ -19,21 +19,21 @@ class Paragraph:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class FormulaLine:
     """A formula in pieces between which it may be broken: ``v_A``, ``= omega OA``, ``= 3 * 40``, ``= 120 cm/s``."""
 
     pieces: tuple[tuple[str, Formula], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Lines:
+class FormulaLines:
     """Formulas one after the other."""
 
-    lines: tuple[Line, ...]
+    lines: tuple[FormulaLine, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class VectorRow:
+class VectorTableRow:
     """A vector of an equation: itself, its direction in words, its magnitude (None: unknown)."""
 
     vector: Formula
@@ -47,7 +47,7 @@ class VectorTable:
 
     heads: tuple[str, str, str]
     unknown: str
-    rows: tuple[VectorRow, ...]
+    rows: tuple[VectorTableRow, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ class Program:
     code: str
 
 
-Block: TypeAlias = Paragraph | Lines | VectorTable | Program
+Block: TypeAlias = Paragraph | FormulaLines | VectorTable | Program
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,16 +10,16 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
-from variantgen.methods.steps.no_way import NO_WAY
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence, Solution
-from variantgen.variants.needed import shown_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.symbols import Symbols, centre_letters
+from variantgen.wording.solution.quantity_symbols import Symbols, centre_letters
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
@@ -48,7 +48,7 @@ def explain(
     task = task_of(variant, motion, index, asked)
     try:
         found = solution(task, options.methods)
-    except NO_WAY as error:
+    except NOT_APPLICABLE as error:
         what = ", ".join(quantity.name for quantity in asked)
         raise UnexplainedError(
             f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"

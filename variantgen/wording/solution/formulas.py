@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from variantgen.families.units import unit
-from variantgen.methods.algebra.algebra import vanishes
-from variantgen.methods.algebra.expression import (
+from variantgen.algebra.expression import (
     DRAWING_LENGTH,
     Applied,
     Constant,
@@ -20,6 +18,8 @@ from variantgen.methods.algebra.expression import (
     Total,
     Value,
 )
+from variantgen.algebra.substitution import vanishes
+from variantgen.families.units import unit
 from variantgen.wording.formula import (
     Absolute,
     Formula,
@@ -35,7 +35,7 @@ from variantgen.wording.formula import (
     UnitText,
 )
 from variantgen.wording.language import Language
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 
 class Formulas:

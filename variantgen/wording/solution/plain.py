@@ -8,7 +8,15 @@ from collections.abc import Iterator, Sequence
 
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language
-from variantgen.wording.solution.document import Block, Line, Lines, Paragraph, Program, SolutionText, VectorTable
+from variantgen.wording.solution.document import (
+    Block,
+    FormulaLine,
+    FormulaLines,
+    Paragraph,
+    Program,
+    SolutionText,
+    VectorTable,
+)
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.text import Text
 
@@ -44,7 +52,7 @@ def _blocks(blocks: Sequence[Block]) -> Iterator[str]:
         match block:
             case Paragraph(text):
                 yield _wrapped(plain_text(text))
-            case Lines(lines):
+            case FormulaLines(lines):
                 yield from (part for line in lines for part in _line(line))
             case VectorTable():
                 yield from _table(block)
@@ -52,7 +60,7 @@ def _blocks(blocks: Sequence[Block]) -> Iterator[str]:
                 yield textwrap.indent(code.strip("\n"), _INDENT)
 
 
-def _line(line: Line) -> Iterator[str]:
+def _line(line: FormulaLine) -> Iterator[str]:
     """A formula, broken before a sign where it is too long for a row."""
     row = _INDENT
     for number, (sign, formula) in enumerate(line.pieces):

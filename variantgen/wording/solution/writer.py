@@ -5,25 +5,25 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from variantgen.methods.algebra.expression import Constant, Expression, Value, rounded
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Value, rounded
+from variantgen.algebra.name import Name
 from variantgen.methods.steps.printed_digits import FEWEST
 from variantgen.methods.steps.step import (
     Body,
     CentreOf,
     ChainGraph,
     Derived,
+    EquationLine,
     Fact,
     Item,
     LinearSystem,
-    Listing,
     NumberOf,
     Point,
+    ProgramListing,
     Projection,
     Segment,
     Sentence,
     Share,
-    Statement,
     Step,
     Term,
     TermTable,
@@ -46,17 +46,17 @@ from variantgen.wording.formula import (
 )
 from variantgen.wording.solution.document import (
     Block,
-    Line,
-    Lines,
+    FormulaLine,
+    FormulaLines,
     Paragraph,
     Program,
     Section,
-    VectorRow,
     VectorTable,
+    VectorTableRow,
 )
 from variantgen.wording.solution.formulas import Formulas
-from variantgen.wording.solution.phrases import Field, Letter
-from variantgen.wording.solution.symbols import Symbols
+from variantgen.wording.solution.phrases import Letter, SentenceField
+from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.surds import surd
 from variantgen.wording.text import Text
 
@@ -98,23 +98,23 @@ class Writer:
             case Sentence():
                 return Paragraph(self.text(item, capital=True))
             case Derived():
-                return Lines((self._derived(item),))
+                return FormulaLines((self._derived(item),))
             case VectorLine(left, right):
                 sides = [self._sum([(1, self.vector(term.name)) for term in side]) for side in (left, right)]
-                return Lines((Line((("", sides[0]), (_EQUALS, sides[1]))),))
+                return FormulaLines((FormulaLine((("", sides[0]), (_EQUALS, sides[1]))),))
             case TermTable(terms):
                 return self._table(terms)
             case Projection():
                 return self._projection(item)
             case LinearSystem():
-                return Lines(tuple(self._equation(item, i) for i in range(len(item.rows))))
-            case Statement(left, right, numeric):
+                return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
+            case EquationLine(left, right, numeric):
                 write = self.formulas.numeric if numeric else self.formulas.symbolic
-                return Lines((Line((("", write(left)), (_EQUALS, write(right)))),))
-            case Listing(code, _):
+                return FormulaLines((FormulaLine((("", write(left)), (_EQUALS, write(right)))),))
+            case ProgramListing(code, _):
                 return Program(self._commented(code))
             case ChainGraph():
-                return Lines((Line((("", self._graph(item)),)),))
+                return FormulaLines((FormulaLine((("", self._graph(item)),)),))
 
     def _graph(self, chain: ChainGraph) -> Formula:
         """A chain of links as a graph: numbers above its arrows, angles below."""
@@ -127,12 +127,12 @@ class Writer:
 
     # Sentences.
 
-    def text(self, sentence: Sentence, capital: bool = False) -> Text:
-        """A sentence filled with its facts."""
+    def text(self, sentence: Sentence, capital: bool = False, form: str = "") -> Text:
+        """A sentence, or a form of it, filled with its facts."""
         parts: list[str | Formula] = []
-        for part in self.phrases.sentence(sentence.key):
-            if isinstance(part, Field):
-                parts += self._fact(sentence.facts[part.name], part.case)
+        for part in self.phrases.sentence(f"{sentence.key}.{form}" if form else sentence.key):
+            if isinstance(part, SentenceField):
+                parts += self._fact(sentence.facts[part.name], part.form)
             elif isinstance(part, Letter):
                 parts.append(Symbol(part.name))
             else:
@@ -141,10 +141,10 @@ class Writer:
             parts[0] = parts[0][:1].upper() + parts[0][1:]
         return tuple(parts)
 
-    def _fact(self, fact: Fact, case: str) -> Sequence[str | Formula]:
+    def _fact(self, fact: Fact, form: str) -> Sequence[str | Formula]:
         match fact:
             case Body(name):
-                return self.symbols.body(name, case)
+                return self.symbols.body(name, form)
             case Point(name):
                 return (Symbol(name),)
             case Segment(start, end, centre_of):
@@ -163,16 +163,16 @@ class Writer:
             case Name():
                 return (self.symbols.of(fact),)
             case Sentence():
-                return self.text(fact)
-        return self._list(fact, case)
+                return self.text(fact, form=form)
+        return self._list(fact, form)
 
-    def _list(self, facts: tuple[Fact, ...], case: str) -> Sequence[str | Formula]:
+    def _list(self, facts: tuple[Fact, ...], form: str) -> Sequence[str | Formula]:
         """Facts with commas, and a word before the last."""
         parts: list[str | Formula] = []
         for number, fact in enumerate(facts):
             if number:
                 parts.append(f" {self.phrases.words['and']} " if number == len(facts) - 1 else ", ")
-            parts += self._fact(fact, case)
+            parts += self._fact(fact, form)
         return parts
 
     # Formulas.
@@ -181,7 +181,7 @@ class Writer:
         """A vector with its arrow."""
         return Vector(self.symbols.letter(name))
 
-    def _derived(self, item: Derived) -> Line:
+    def _derived(self, item: Derived) -> FormulaLine:
         """``name = symbols = numbers = result``; what says the same twice is said once."""
         value, pieces = item.value, []
         assert value.name is not None
@@ -201,7 +201,7 @@ class Writer:
                 kept.append(piece)
         closed = self._closed_form(value)
         end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((_EQUALS, result),)
-        return Line((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in kept), *end))
+        return FormulaLine((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in kept), *end))
 
     def _closed_form(self, value: Value) -> Surd | None:
         """The root or fraction that a value is; none where its decimal, computed from rounded numbers, is another."""
@@ -220,9 +220,9 @@ class Writer:
             return _NOTHING
         return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Sum(tuple(terms))
 
-    def _projection(self, item: Projection) -> Lines:
+    def _projection(self, item: Projection) -> FormulaLines:
         sides = [self._sum([(share.sign, self._share(share)) for share in side]) for side in (item.left, item.right)]
-        return Lines((Line((("", sides[0]), (_EQUALS, sides[1]))),))
+        return FormulaLines((FormulaLine((("", sides[0]), (_EQUALS, sides[1]))),))
 
     def _share(self, share: Share) -> Formula:
         size = self.symbols.of(share.term.name)
@@ -230,7 +230,7 @@ class Writer:
             return size
         return Product((size, Function(self.phrases.functions["cos"], self.formulas.measured(share.angle))))
 
-    def _equation(self, system: LinearSystem, row: int) -> Line:
+    def _equation(self, system: LinearSystem, row: int) -> FormulaLine:
         """A row of a linear system with its numbers: ``9.63 omega_2 - 37.91 omega_3 = -84.85``."""
         terms: list[tuple[int, Formula]] = []
         for unknown, coefficient in zip(system.unknowns, system.rows[row], strict=True):
@@ -241,22 +241,22 @@ class Writer:
             term = symbol if size == 1 else Product((self.formulas.number(size), symbol))
             terms.append((1 if coefficient.shown > 0 else -1, term))
         right = self.formulas.number(system.right[row].shown)
-        return Line((("", self._sum(terms)), (_EQUALS, right)))
+        return FormulaLine((("", self._sum(terms)), (_EQUALS, right)))
 
     def _table(self, terms: Sequence[Term]) -> VectorTable:
         words = self.phrases.words
         rows = []
         for term in terms:
             magnitude = None if term.size is None else self.formulas.measured(term.size)
-            rows.append(VectorRow(self.vector(term.name), self.text(term.way), magnitude))
+            rows.append(VectorTableRow(self.vector(term.name), self.text(term.way), magnitude))
         return VectorTable((words["vector"], words["direction"], words["magnitude"]), words["unknown"], tuple(rows))
 
 
 def _append(blocks: list[Block], block: Block) -> None:
     """Add a block; formulas join formulas, and sentences sentences."""
     last = blocks[-1] if blocks else None
-    if isinstance(block, Lines) and isinstance(last, Lines):
-        blocks[-1] = Lines(last.lines + block.lines)
+    if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
+        blocks[-1] = FormulaLines(last.lines + block.lines)
     elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
         blocks[-1] = Paragraph((*last.text, " ", *block.text))
     else:

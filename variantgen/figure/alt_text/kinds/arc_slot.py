@@ -17,7 +17,7 @@ def _clause(alt_text: AltText, joint: ArcSlot) -> str:
     board = alt_text.board
     name, centre = alt_text.name(joint.point), alt_text.name(joint.centre)
     if joint.point in board.form.figure.bare and joint.body is not None:
-        disc = alt_text.disc(joint.centre, joint.body, "_of")
+        disc = alt_text.disc(joint.centre, joint.body)
         if board.is_disc(joint.point):
             first = alt_text.disc(joint.point, alt_text.owners(joint.point)[0])
             return alt_text.say("arc_slot_discs", first=first, second=disc)
@@ -25,4 +25,4 @@ def _clause(alt_text: AltText, joint: ArcSlot) -> str:
     hinged = alt_text.hinge(joint.point)
     if joint.body is None:
         return alt_text.say("arc_slot_fixed", point=name, hinged=hinged, centre=centre)
-    return alt_text.say("arc_slot", point=name, hinged=hinged, centre=centre, body=alt_text.part(joint.body, "_of"))
+    return alt_text.say("arc_slot", point=name, hinged=hinged, centre=centre, body=alt_text.part(joint.body))

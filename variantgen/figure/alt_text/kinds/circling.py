@@ -9,7 +9,7 @@ from variantgen.mechanism.drivers.circling import Circling
 
 
 def tell(alt_text: AltText, items: Sequence[Circling]) -> list[str]:
-    """Nothing: the arc is told as a joint."""
+    """Nothing: the arc is described as a joint."""
     return []
 
 

@@ -1,4 +1,4 @@
-"""Sliders in fixed guides, bearings of rods, ends on walls; a guide that is not drawn is not told."""
+"""Sliders in fixed guides, bearings of rods, ends on walls; a guide that is not drawn is not described."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SIDES = {"e": "right_of_it", "w": "left_of_it", "n": "above_it", "s": "below_it
 
 
 def tell(alt_text: AltText, items: Sequence[Guide]) -> list[str]:
-    """A clause for each guide; a load on a rope is told with its rope."""
+    """A clause for each guide; a load on a rope is described with its rope."""
     loads = alt_text.board.loads
     return [text for joint in items if joint.point not in loads and (text := _clause(alt_text, joint))]
 
@@ -33,7 +33,7 @@ def _clause(alt_text: AltText, joint: Guide) -> str:
         return alt_text.say("guide_bearing", body=body, where=where, line=line)
     if board.is_translated(point):
         alt_text.hinged.add(point)
-        bodies = alt_text.listed([alt_text.part(body, "_with") for body in alt_text.owners(point)])
+        bodies = alt_text.parts(alt_text.owners(point))
         return alt_text.say("guide_rigid", point=name, bodies=bodies, line=line)
     return alt_text.say("guide", point=name, hinged=alt_text.hinge(point), line=line)
 

@@ -10,7 +10,7 @@ from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 
 
 def tell(alt_text: AltText, items: Sequence[RelativeTravel]) -> list[str]:
-    """Nothing: the slot is told as a joint."""
+    """Nothing: the slot is described as a joint."""
     return []
 
 

@@ -16,7 +16,7 @@ def tell(alt_text: AltText, items: Sequence[Rolling]) -> list[str]:
 def _clause(alt_text: AltText, joint: Rolling) -> str:
     down = alt_text.at(joint.contact) - alt_text.at(joint.centre)
     contact = alt_text.say("contact", point=alt_text.name(joint.contact)) if alt_text.is_shown(joint.contact) else ""
-    disc = alt_text.disc(joint.centre, joint.body) + alt_text.rim(joint.body, abs(down))
+    disc = f"{alt_text.disc(joint.centre, joint.body)}{alt_text.rim(joint.body, abs(down))}"
     words = {"disc": disc, "side": alt_text.side(down), "contact": contact}
     line = alt_text.inclined(1j * down)
     if joint.on is None:

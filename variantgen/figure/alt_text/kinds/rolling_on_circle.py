@@ -14,10 +14,10 @@ def tell(alt_text: AltText, items: Sequence[RollingOnCircle]) -> list[str]:
 
 
 def _clause(alt_text: AltText, joint: RollingOnCircle) -> str:
-    disc = alt_text.disc(joint.centre, joint.body) + alt_text.rim(joint.body, _radius(alt_text, joint))
+    disc = f"{alt_text.disc(joint.centre, joint.body)}{alt_text.rim(joint.body, _radius(alt_text, joint))}"
     key = "rolling_on_circle" + ("_inside" if joint.inside else "")
     if joint.on is not None:
-        return alt_text.say(key + "_of_disc", disc=disc, other=alt_text.disc(joint.around, joint.on, "_of"))
+        return alt_text.say(key + "_of_disc", disc=disc, other=alt_text.disc(joint.around, joint.on))
     ray = alt_text.at(joint.centre) - alt_text.at(joint.around)
     wheel = alt_text.at(joint.centre) + (ray if joint.inside else -ray) / abs(ray) * _radius(alt_text, joint)
     touching = [

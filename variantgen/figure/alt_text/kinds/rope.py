@@ -82,7 +82,7 @@ def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
         if larger is None:
             return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
         key = "rope_larger_rim" if larger else "rope_smaller_rim"
-        return alt_text.say(key, disc=alt_text.disc(bend.point, bend.body, "_of"), touch=touch)
+        return alt_text.say(key, disc=alt_text.disc(bend.point, bend.body), touch=touch)
     if bend.fixed:
         return alt_text.say("rope_anchor", place=_place(alt_text, path, i))
     if alt_text.owners(bend.point):

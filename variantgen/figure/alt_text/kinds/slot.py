@@ -22,27 +22,25 @@ def _clause(alt_text: AltText, joint: Slot) -> str:
     if joint.point in figure.bare:
         if alt_text.board.is_disc(joint.point):
             disc = alt_text.disc(joint.point, alt_text.owners(joint.point)[0])
-            words = {"body": alt_text.body(joint.body), "line": line, "side": _side_of_face(alt_text, joint)}
-            return alt_text.say("slot_face", disc=disc, **words)
+            side = _side_of_face(alt_text, joint)
+            return alt_text.say("slot_face", disc=disc, body=alt_text.body(joint.body), line=line, side=side)
         shown = len(alt_text.shown(joint.along)) == 2
         edge = "".join(map(alt_text.name, joint.along)) if shown else alt_text.body(joint.body)
         return alt_text.say("slot_edge", point=name, edge=edge)
-    body = alt_text.part(joint.body, "_of")
     if any(_is_groove(alt_text, groove, start, end) for groove in figure.grooves):
         points = alt_text.listed([alt_text.name(point) for point in alt_text.shown(joint.along)])
         through = alt_text.say("slot_through", points=points) if points else ""
-        words = {"hinged": alt_text.hinge(joint.point), "through": through}
-        return alt_text.say("slot_groove", point=name, body=body, line=line, **words)
+        body, hinged = alt_text.part(joint.body), alt_text.hinge(joint.point)
+        return alt_text.say("slot_groove", point=name, hinged=hinged, body=body, line=line, through=through)
     words = {"point": name, "body": alt_text.body(joint.body), "where": _between(alt_text, joint)}
     if joint.body in figure.slotted:
         return alt_text.say("slot_arm", hinged=alt_text.hinge(joint.point), **words)
     if joint.sleeve is not None:
         alt_text.hinged.add(joint.point)
-        sleeve = alt_text.part(joint.sleeve, "_with")
-        return alt_text.say("slot_rigid", sleeve=sleeve, **words)
+        return alt_text.say("slot_rigid", sleeve=alt_text.part(joint.sleeve), **words)
     if not alt_text.owners(joint.point) and joint.point not in alt_text.fixed:
         return alt_text.say("slot_free", **words)
-    return alt_text.say("slot", hinged=alt_text.hinge(joint.point, "_she"), **words)
+    return alt_text.say("slot", hinged=alt_text.hinge(joint.point), **words)
 
 
 def _between(alt_text: AltText, joint: Slot) -> str:

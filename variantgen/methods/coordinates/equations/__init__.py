@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from variantgen.families.family import Template
+from variantgen.families.family import ComponentTemplate
 from variantgen.mechanism.rows import Constraint
 from variantgen.methods.coordinates.equations.body import state_body
 from variantgen.methods.coordinates.model import Model
@@ -39,7 +39,7 @@ def model_of(book: Book) -> Model:
     return model
 
 
-def _contribute(stage: str, model: Model, constraint: Constraint, template: Template | None) -> None:
+def _contribute(stage: str, model: Model, constraint: Constraint, template: ComponentTemplate | None) -> None:
     """Let a joint or driver say what it has to say at a stage. ImportError if it has no module."""
     stem = type(constraint).__module__.rpartition(".")[2]
     module: Any = importlib.import_module(f"{__name__}.{stem}")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from variantgen.algebra.normal_form import added
 from variantgen.mechanism.drivers.circling import Circling
-from variantgen.methods.algebra.algebra import added
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Fact, Point

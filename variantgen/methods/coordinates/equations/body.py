@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import Maybe, added, product
-from variantgen.methods.algebra.expression import Expression
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.coordinates.heading import fixed_number
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Fact, Point, Segment

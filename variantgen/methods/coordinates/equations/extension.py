@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.steps.step import Segment
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.mechanism.drivers.extension import Extension
     from variantgen.methods.coordinates.model import Model
 
 
-def state(model: Model, driver: Extension, template: Template) -> None:
+def state(model: Model, driver: Extension, template: ComponentTemplate) -> None:
     """``(x_E - x_S)^2 + (y_E - y_S)^2 = s(t)^2``."""
     start, end = driver.start, driver.end
     given = model.coordinate(Name("slide", start, end), "length", abs(model.now(start, end)))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import Maybe, added, product
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Fact

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
 from variantgen.methods.coordinates.heading import Heading, fixed_number
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Fact, Point

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from variantgen.methods.algebra.algebra import product
-from variantgen.methods.algebra.expression import Constant, Expression
-from variantgen.methods.vectors.given import amount
+from variantgen.algebra.expression import Constant, Expression
+from variantgen.algebra.normal_form import product
+from variantgen.methods.vectors.given_motion import amount
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.methods.coordinates.model import Model
 
 _ANGULAR = {"omega": "angular velocity", "epsilon": "angular acceleration"}
 _LINEAR = {"v": "velocity", "a": "acceleration"}
 
 
-def rates(model: Model, driver: Any, template: Template, sign: float | None = None) -> tuple[Expression, Expression]:
+def rates(
+    model: Model, driver: Any, template: ComponentTemplate, sign: float | None = None
+) -> tuple[Expression, Expression]:
     """First and second derivative of what a driver prescribes; ``sign`` +1 or -1 as it counts on paper.
 
     A rotation counts as the frame of the scene does, a way along a line by itself.

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import Maybe, added, product
-from variantgen.methods.algebra.expression import Expression
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Fact, Point
 
@@ -59,7 +59,7 @@ def _along_line(model: Model, joint: Rolling, radius: Expression, turn: Maybe, f
     shifts = [model.shift(start, centre, axis) if start else model.of(centre, axis) for axis in (0, 1)]
     base = model.now(start, centre) if start else model.task.now.z[centre]
     line = -1j * arm / abs(arm)
-    reach = model.offset((base * line.conjugate()).real)
+    along_line = model.offset((base * line.conjugate()).real)
     left = added(*((1, product(shift, way)) for shift, way in zip(shifts, direction, strict=True)))
-    right = added((1, reach), (-1, product(radius, turn)))
+    right = added((1, along_line), (-1, product(radius, turn)))
     model.add("rolling_along", left, right, **facts)

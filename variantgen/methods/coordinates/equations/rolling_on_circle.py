@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import added, product
-from variantgen.methods.algebra.expression import Ratio
+from variantgen.algebra.expression import Ratio
+from variantgen.algebra.normal_form import added, product
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Body, Fact, Point

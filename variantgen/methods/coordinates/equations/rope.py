@@ -5,10 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.mechanism.constructions.tangent import thread_direction
-from variantgen.methods.algebra.algebra import Maybe, added, product
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Point

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.algebra import added
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.steps.step import Body
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.mechanism.drivers.rotation import Rotation
     from variantgen.methods.coordinates.model import Model
 
 
-def prepare(model: Model, driver: Rotation, template: Template) -> None:
+def prepare(model: Model, driver: Rotation, template: ComponentTemplate) -> None:
     """The angle of the body is given."""
     if driver.relative_to is None:
         model.prescribe(model.angle(driver.body), *rates(model, driver, template))
 
 
-def state(model: Model, driver: Rotation, template: Template) -> None:
+def state(model: Model, driver: Rotation, template: ComponentTemplate) -> None:
     """``phi = phi_other + given angle`` (all from the given place on)."""
     if driver.relative_to is not None:
         given = model.coordinate(Name("swing", driver.body), "angle", 0.0)

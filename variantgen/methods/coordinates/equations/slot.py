@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.expression import Constant, Expression, Value
-from variantgen.methods.algebra.name import Name
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
 from variantgen.methods.coordinates.heading import fixed_number
 from variantgen.methods.geometry.geometry import degrees, normal_angle
 from variantgen.methods.steps.step import Body, Fact, Point

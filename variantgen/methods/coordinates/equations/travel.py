@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
 from variantgen.mechanism.joints.guide import Guide
-from variantgen.methods.algebra.algebra import added, product
-from variantgen.methods.algebra.name import Name
 from variantgen.methods.coordinates.equations.guide import direction
 from variantgen.methods.coordinates.equations.prescribed import rates
 from variantgen.methods.coordinates.heading import Heading
@@ -14,14 +14,14 @@ from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.steps.step import Point
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.mechanism.drivers.travel import Travel
     from variantgen.methods.coordinates.model import Model
 
 _LEVEL = 1e-12
 
 
-def state(model: Model, driver: Travel, template: Template) -> None:
+def state(model: Model, driver: Travel, template: ComponentTemplate) -> None:
     """Along an axis the coordinate is given; otherwise ``(x - x_0) cos alpha + (y - y_0) sin alpha = s(t)``."""
     way, point = direction(model, driver), driver.point
     for axis, (part, other) in enumerate(((way.real, way.imag), (way.imag, way.real))):

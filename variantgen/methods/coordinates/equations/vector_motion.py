@@ -5,20 +5,20 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from variantgen.methods.algebra.expression import Constant, Expression
+from variantgen.algebra.expression import Constant, Expression
 from variantgen.methods.coordinates.heading import Heading
 from variantgen.methods.geometry.geometry import degrees
-from variantgen.methods.vectors.given import amount
+from variantgen.methods.vectors.given_motion import amount
 
 if TYPE_CHECKING:
-    from variantgen.families.family import Template
+    from variantgen.families.family import ComponentTemplate
     from variantgen.mechanism.drivers.vector_motion import VectorMotion
     from variantgen.methods.coordinates.model import Model
 
 _KINDS = (("v", "angle", "velocity"), ("a", "a_angle", "acceleration"))
 
 
-def prepare(model: Model, driver: VectorMotion, template: Template) -> None:
+def prepare(model: Model, driver: VectorMotion, template: ComponentTemplate) -> None:
     """``x' = v cos alpha`` and so on; a component that is never there keeps its coordinate."""
     rays = [_vector(model.at(order), driver, template, *kind) for order, kind in enumerate(_KINDS, 1)]
     for axis in (0, 1):
@@ -30,7 +30,7 @@ def prepare(model: Model, driver: VectorMotion, template: Template) -> None:
 
 
 def _vector(
-    model: Model, driver: VectorMotion, template: Template, key: str, angle: str, measure: str
+    model: Model, driver: VectorMotion, template: ComponentTemplate, key: str, angle: str, measure: str
 ) -> tuple[Expression | None, Expression | None]:
     """The components of a given vector on paper."""
     number = float(getattr(driver, key))

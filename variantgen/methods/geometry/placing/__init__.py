@@ -1,4 +1,4 @@
 """Derivations of the places of points, one module per construction with the same stem as in the mechanism.
 
-Each module has one class ``Construction``, a :class:`variantgen.methods.geometry.placed.Placed`.
+Each module has one class ``Derivation``, a :class:`variantgen.methods.geometry.constructed_point.ConstructedPoint`.
 """

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Applied, Constant, Expression, Ratio
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import squared, summed
-from variantgen.methods.geometry.place import Pair
-from variantgen.methods.geometry.placed import Placed
-from variantgen.methods.steps.step import Point, Segment, Statement
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import squared, summed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
+from variantgen.methods.geometry.located_point import Pair
+from variantgen.methods.steps.step import EquationLine, Point, Segment
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """The point at ``first_distance`` from ``first`` and ``second_distance`` from ``second``."""
 
     def neighbours(self) -> tuple[str, ...]:
@@ -52,7 +52,7 @@ class Construction(Placed):
         )
         for centre in (first, second):
             squares = squared(geometry.differences(pair, geometry.coordinates(centre)))
-            geometry.items.append(Statement(squares, geometry.length(centre, self.point) ** 2))
+            geometry.items.append(EquationLine(squares, geometry.length(centre, self.point) ** 2))
         geometry.say("chosen", False)
         geometry.show(pair)
         return pair

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from variantgen.methods.geometry.angles import AngleForm
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import ORIGIN
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.located_point import ORIGIN
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """``z = x + i y`` in the scene, laid on paper."""
 
     def neighbours(self) -> tuple[str, ...]:

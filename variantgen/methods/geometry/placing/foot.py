@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.sums import positive, summed
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import positive, summed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """The foot of the perpendicular from ``of`` to the line through ``through``."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Constant, Expression, Ratio, Value
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import positive, summed
-from variantgen.methods.geometry.place import Pair, Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import positive, summed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
+from variantgen.methods.geometry.located_point import Pair, Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """``z = z_start + part * (z_end - z_start)``."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Applied, Expression, Ratio, SquareRoot
-from variantgen.methods.algebra.sums import Signed, positive, summed
+from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot
+from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.angles import between
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """The link ``centre`` - point of given length, whose end is led along a line.
 
     The distance h of its other end from the line gives its angle with the line, ``sin beta = h / r``, and the way along
@@ -64,6 +64,6 @@ class Construction(Placed):
         else:
             _, height = positive(summed(geometry.projected("sin", way, line)))
             flat = geometry.is_nothing(height)
-            reach = link if flat else SquareRoot(summed([(1, link**2), (-1, height**2)]))
-            parts.append((1 if self._is_ahead() else -1, reach))
+            along_line = link if flat else SquareRoot(summed([(1, link**2), (-1, height**2)]))
+            parts.append((1 if self._is_ahead() else -1, along_line))
         return positive(summed(parts))[1]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from variantgen.methods.algebra.expression import Expression, Ratio
-from variantgen.methods.algebra.sums import positive, summed
+from variantgen.algebra.expression import Expression, Ratio
+from variantgen.algebra.normal_form import positive, summed
 from variantgen.methods.geometry.angles import AngleForm
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """The crossing of the line through ``first`` and the line through ``second``."""
 
     def neighbours(self) -> tuple[str, ...]:

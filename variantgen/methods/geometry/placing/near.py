@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
+from variantgen.algebra.expression import Constant, Expression, Value, cos, sin
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import squared, summed
 from variantgen.mechanism.conditions.distance import Distance
-from variantgen.mechanism.conditions.line import Line
-from variantgen.methods.algebra.expression import Constant, Expression, Value, cos, sin
-from variantgen.methods.algebra.name import Name
-from variantgen.methods.algebra.sums import squared, summed
+from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.geometry.angles import AngleForm
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import ORIGIN, Pair
-from variantgen.methods.geometry.placed import Placed
-from variantgen.methods.steps.step import Derived, Point, Statement
+from variantgen.methods.geometry.located_point import ORIGIN, Pair
+from variantgen.methods.steps.step import Derived, EquationLine, Point
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """A point of a group of links that has no solution in closed form."""
 
     in_system: ClassVar[bool] = True
@@ -71,25 +71,29 @@ class Construction(Placed):
     def _axis(self, condition: Any, known: Mapping[str, Pair]) -> int | None:
         """Which coordinate (0 x, 1 y) a line along an axis keeps constant; None for other conditions."""
         fields = condition.fields
-        if condition.component is not Line or fields.get("towards") is not None or fields["through"] not in known:
+        if (
+            condition.component is not PointOnLine
+            or fields.get("towards") is not None
+            or fields["through"] not in known
+        ):
             return None
         angle = self.geometry.number(self.geometry.angles.on_paper(self.geometry.angles.read(fields.get("angle"))))
         return None if angle % 90.0 else (1 if angle % 180.0 == 0 else 0)
 
-    def _equation(self, condition: Any, at: Mapping[str, Pair]) -> Statement:
+    def _equation(self, condition: Any, at: Mapping[str, Pair]) -> EquationLine:
         """A distance as the equation of a circle, a line as proportional differences of coordinates."""
         geometry, fields = self.geometry, condition.fields
         if condition.component is Distance:
             squares = squared(_gap(at[fields["end"]], at[fields["start"]]))
-            return Statement(squares, geometry.read_length(fields["length"]) ** 2)
+            return EquationLine(squares, geometry.read_length(fields["length"]) ** 2)
         start = at[fields["through"]]
         right, up = _gap(at[fields["point"]], start)
         if fields.get("towards") is not None:
             run, rise = _gap(at[fields["towards"]], start)
-            return Statement(right * rise, up * run)
+            return EquationLine(right * rise, up * run)
         line = geometry.angles.on_paper(geometry.angles.read(fields.get("angle")))
         angle = geometry.angle(line)
-        return Statement(right * sin(angle), up * cos(angle))
+        return EquationLine(right * sin(angle), up * cos(angle))
 
 
 def _gap(second: Pair, first: Pair) -> tuple[Expression, Expression]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """``along`` the ray ``origin`` -> ``towards`` and ``across`` it, to its left."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Expression
-from variantgen.methods.algebra.sums import positive
-from variantgen.methods.geometry.place import Ray
-from variantgen.methods.geometry.placed import Placed
+from variantgen.algebra.expression import Expression
+from variantgen.algebra.normal_form import positive
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
+from variantgen.methods.geometry.located_point import Ray
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """``z = z_origin + distance * exp(i*angle)``, the angle counted from the x axis or from a ray."""
 
     def neighbours(self) -> tuple[str, ...]:

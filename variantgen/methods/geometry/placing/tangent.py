@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.methods.algebra.expression import Applied, Expression, Ratio
-from variantgen.methods.algebra.sums import Signed, positive, summed
-from variantgen.methods.geometry.placed import Placed
+from variantgen.algebra.expression import Applied, Expression, Ratio
+from variantgen.algebra.normal_form import Signed, positive, summed
+from variantgen.methods.geometry.constructed_point import ConstructedPoint
 
 
-class Construction(Placed):
+class Derivation(ConstructedPoint):
     """The tangent point on the drum (``centre``, ``radius``) of a thread to the drum (``to``, ``to_radius``)."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -1,0 +1,113 @@
+"""Derivatives and linear forms of expressions against hand calculation."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from variantgen.algebra.derivative import derivative
+from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Total, Value, cos, sin
+from variantgen.algebra.linear import linear, reduced
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added, product
+from variantgen.algebra.substitution import pruned, substituted
+
+
+def value(name: str, number: float, measure: str = "length") -> Value:
+    return Value(Name("parameter", name), measure, number)
+
+
+R, X, Y = value("r", 3.0), value("x", 2.0), value("y", -5.0)
+X_RATE, Y_RATE = value("vx", 7.0), value("vy", 11.0)
+PHI, OMEGA = value("phi", 30.0, "angle"), value("omega", 4.0, "angular velocity")
+RATES: dict[Value, Expression | None] = {X: X_RATE, Y: Y_RATE, PHI: OMEGA}
+
+
+def number(item: Expression | None) -> float:
+    assert item is not None
+    return item.number(True)
+
+
+@pytest.mark.parametrize(
+    ("item", "wanted"),
+    [
+        (X * Y, 7 * -5 + 2 * 11),
+        (X**2 + Y**2, 2 * 2 * 7 + 2 * -5 * 11),
+        (X**3, 3 * 4 * 7),
+        (R * cos(PHI), -3 * 4 * 0.5),
+        (R * sin(PHI), 3 * 4 * math.sqrt(3) / 2),
+        (X * sin(PHI), 7 * 0.5 + 2 * 4 * math.sqrt(3) / 2),
+        (sin(Constant(2.0) * PHI), 2 * 4 * 0.5),
+        (X / R, 7 / 3),
+        (X / Y, (7 * -5 - 2 * 11) / 25),
+        (SquareRoot(X**2 + Y**2), (2 * 7 - 5 * 11) / math.sqrt(29)),
+        (R - X, -7),
+    ],
+)
+def test_derivatives_by_hand(item: Expression, wanted: float) -> None:
+    assert number(derivative(item, RATES)) == pytest.approx(wanted, rel=1e-14)
+
+
+def test_what_does_not_change_has_no_derivative() -> None:
+    assert derivative(R * cos(Constant(20.0, "angle")), RATES) is None
+
+
+def test_an_absolute_value_has_no_derivative() -> None:
+    with pytest.raises(TypeError):
+        derivative(abs_of(X), RATES)
+
+
+def abs_of(item: Expression) -> Expression:
+    from variantgen.algebra.expression import Magnitude
+
+    return Magnitude(item)
+
+
+def test_second_derivative_of_a_circle_has_the_normal_term_once() -> None:
+    acceleration = value("epsilon", 0.5)
+    first = derivative(R * cos(PHI), RATES)
+    assert first is not None
+    second = derivative(first, {**RATES, OMEGA: acceleration})
+    assert second == Total(((-1, R * OMEGA**2 * cos(PHI)), (-1, R * acceleration * sin(PHI)))) or second == Total(
+        ((-1, R * acceleration * sin(PHI)), (-1, R * OMEGA**2 * cos(PHI)))
+    )
+    assert number(second) == pytest.approx(-3 * 16 * math.sqrt(3) / 2 - 3 * 0.5 * 0.5)
+
+
+def test_like_terms_are_put_together() -> None:
+    assert added((1, X * Y), (1, Constant(2.0) * X * Y)) == Constant(3.0) * X * Y
+    assert added((1, X), (-1, X)) is None
+    assert added((-1, X), (1, Y)) == Total(((1, Y), (-1, X)))
+
+
+def test_signs_and_numbers_come_to_the_front() -> None:
+    assert product(-X, Constant(2.0), -Y) == Constant(2.0) * X * Y
+    assert product(X, None) is None
+    assert product(X, X) == Raised(X, 2)
+    assert product(Total(((-1, X), (-1, Y))), R) == Total(((-1, (X + Y) * R),))
+
+
+def test_a_common_number_is_divided_out() -> None:
+    left, right = reduced(Constant(2.0) * X * Y, Constant(2.0) * R)
+    assert (left, right) == (X * Y, R)
+    assert reduced(Constant(2.0) * X, R) == (Constant(2.0) * X, R)
+
+
+def test_linear_form() -> None:
+    found, rest = linear((X - R) * (X_RATE - Y_RATE) + R * X_RATE, [X_RATE])
+    assert number(found[X_RATE]) == pytest.approx((2 - 3) + 3)
+    assert number(rest) == pytest.approx((2 - 3) * -11)
+    assert linear(Ratio(X_RATE, R), [X_RATE])[0] == {X_RATE: Ratio(Constant(1.0), R)}
+
+
+def test_a_square_of_an_unknown_is_not_linear() -> None:
+    with pytest.raises(TypeError):
+        linear(X_RATE**2, [X_RATE])
+
+
+def test_zero_values_and_replaced_ones() -> None:
+    zero = value("zero", 0.0)
+    assert pruned(X * zero + Y * R) == Y * R
+    assert pruned(zero**2) is None
+    assert substituted(X * cos(PHI), {X: R * Y}) == R * Y * cos(PHI)

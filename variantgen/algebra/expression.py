@@ -1,0 +1,295 @@
+"""Arithmetic that can be shown: values with names, and expressions of them.
+
+Every value has two numbers. ``exact`` is computed in full precision, so that a method can be compared with the solver;
+``shown`` is the printed one, computed from the printed numbers before it and rounded, so that a reader with a
+calculator gets the printed next number. Lengths, velocities and accelerations are in the printed units of the family,
+angles in degrees, rates of rotation in rad/s and rad/s^2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from variantgen.algebra.name import Name
+
+_ANGLE = "angle"
+DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
+_WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
+_SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
+_ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
+
+
+class Expression:
+    """Part of a formula with numbers behind it; arithmetic with the usual operators."""
+
+    __slots__ = ()
+
+    def number(self, exact: bool) -> float:
+        """Its number: in full precision, or from the printed numbers."""
+        raise NotImplementedError
+
+    def operands(self) -> Sequence[Expression]:
+        """The expressions that it is put together from; a value stands for itself."""
+        return ()
+
+    def __add__(self, other: Expression) -> Expression:
+        return Total(((1, self), (1, other)))
+
+    def __sub__(self, other: Expression) -> Expression:
+        return Total(((1, self), (-1, other)))
+
+    def __neg__(self) -> Expression:
+        if isinstance(self, Total):
+            return Total(tuple((-sign, term) for sign, term in self.terms))
+        return Total(((-1, self),))
+
+    def __mul__(self, other: Expression) -> Expression:
+        return Times((*_factors(self), *_factors(other)))
+
+    def __truediv__(self, other: Expression) -> Expression:
+        return Ratio(self, other)
+
+    def __pow__(self, exponent: int) -> Expression:
+        return Raised(self, exponent)
+
+
+def _factors(item: Expression) -> tuple[Expression, ...]:
+    return item.factors if isinstance(item, Times) else (item,)
+
+
+class Value(Expression):
+    """A number of the solution: given, or defined by an expression.
+
+    ``name`` None is a number that stands for itself (the angle in a projection). ``measure`` is what it measures, as
+    in :mod:`variantgen.families.units`. ``size`` is its natural scale: what is tiny beside it is zero. ``unit`` is the
+    name of a unit other than the usual one of its measure, in which it is given.
+    """
+
+    __slots__ = ("exact", "expression", "measure", "name", "shown", "size", "unit")
+
+    def __init__(
+        self,
+        name: Name | None,
+        measure: str,
+        exact: float,
+        expression: Expression | None = None,
+        size: float = 0.0,
+        unit: str = "",
+    ) -> None:
+        self.name = name
+        self.measure = measure
+        self.exact = 0.0 if abs(exact) <= _ZERO * size else exact
+        self.expression = expression
+        self.shown = self.exact
+        self.size = size
+        self.unit = unit
+
+    def number(self, exact: bool) -> float:
+        """The full or the printed number."""
+        return self.exact if exact else self.shown
+
+    def round_to(self, digits: int) -> None:
+        """Compute the printed number anew, with so many significant digits; a given one stays as it is.
+
+        Where the printed numbers miss a short result only by rounding, ``8.00001`` for 8, that is printed.
+        """
+        if self.expression is None:
+            return
+        number = 0.0 if self.exact == 0 else self.expression.number(exact=False)
+        self.shown = rounded(number, digits, self.measure)
+        if self.shown != self.exact and self.measure not in (DRAWING_LENGTH, _ANGLE):
+            short = rounded(self.exact, digits - 1)
+            last = 10.0 ** (math.floor(math.log10(abs(short))) - digits + 1) if short else 0.0
+            if abs(short - self.exact) <= _SAME * abs(short) and abs(number - short) < last:
+                self.shown = short
+
+    def __repr__(self) -> str:
+        return f"Value({self.name}, {self.exact:.6g})"
+
+
+def rounded(number: float, digits: int, measure: str = "") -> float:
+    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much,
+    a length on a drawing to 0.1 mm.
+    """
+    if number == 0 or not math.isfinite(number):
+        return 0.0 if number == 0 else number
+    if measure == DRAWING_LENGTH:
+        return round(number, 1) + 0.0
+    if measure == _ANGLE:
+        return round(number, digits - _WHOLE_DEGREES) + 0.0
+    return float(f"{number:.{digits - 1}e}")
+
+
+@dataclass(frozen=True, slots=True)
+class Constant(Expression):
+    """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` "angle" for degrees."""
+
+    value: float
+    measure: str = ""
+
+    def number(self, exact: bool) -> float:
+        """Itself."""
+        return float(self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Variable(Expression):
+    """A quantity that has only a name: the data of a family, whose numbers come with a variant."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pi(Expression):
+    """The number pi."""
+
+    def number(self, exact: bool) -> float:
+        """3.14159..."""
+        return math.pi
+
+
+@dataclass(frozen=True, slots=True)
+class Total(Expression):
+    """A sum of terms with signs."""
+
+    terms: tuple[tuple[int, Expression], ...]
+
+    def number(self, exact: bool) -> float:
+        """The sum."""
+        return sum(sign * term.number(exact) for sign, term in self.terms)
+
+    def operands(self) -> Sequence[Expression]:
+        """The terms."""
+        return [term for _, term in self.terms]
+
+
+@dataclass(frozen=True, slots=True)
+class Times(Expression):
+    """A product."""
+
+    factors: tuple[Expression, ...]
+
+    def number(self, exact: bool) -> float:
+        """The product."""
+        return math.prod(factor.number(exact) for factor in self.factors)
+
+    def operands(self) -> Sequence[Expression]:
+        """The factors."""
+        return self.factors
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio(Expression):
+    """A fraction."""
+
+    above: Expression
+    below: Expression
+
+    def number(self, exact: bool) -> float:
+        """The quotient."""
+        return self.above.number(exact) / self.below.number(exact)
+
+    def operands(self) -> Sequence[Expression]:
+        """What stands above and below."""
+        return (self.above, self.below)
+
+
+@dataclass(frozen=True, slots=True)
+class Raised(Expression):
+    """A whole power."""
+
+    base: Expression
+    exponent: int
+
+    def number(self, exact: bool) -> float:
+        """The power."""
+        result: float = self.base.number(exact) ** self.exponent
+        return result
+
+    def operands(self) -> Sequence[Expression]:
+        """The base."""
+        return (self.base,)
+
+
+@dataclass(frozen=True, slots=True)
+class SquareRoot(Expression):
+    """A square root."""
+
+    inner: Expression
+
+    def number(self, exact: bool) -> float:
+        """The root; of a square that rounding has made negative, zero."""
+        return math.sqrt(max(self.inner.number(exact), 0.0))
+
+    def operands(self) -> Sequence[Expression]:
+        """What stands under the root."""
+        return (self.inner,)
+
+
+@dataclass(frozen=True, slots=True)
+class Magnitude(Expression):
+    """An absolute value."""
+
+    inner: Expression
+
+    def number(self, exact: bool) -> float:
+        """The absolute value."""
+        return abs(self.inner.number(exact))
+
+    def operands(self) -> Sequence[Expression]:
+        """What stands between the bars."""
+        return (self.inner,)
+
+
+_FUNCTIONS: dict[str, Callable[[float], float]] = {
+    "cos": lambda x: math.cos(math.radians(x)),
+    "sin": lambda x: math.sin(math.radians(x)),
+    "tan": lambda x: math.tan(math.radians(x)),
+    "arctan": lambda x: math.degrees(math.atan(x)),
+    "arcsin": lambda x: math.degrees(math.asin(min(1.0, max(-1.0, x)))),
+    "arccos": lambda x: math.degrees(math.acos(min(1.0, max(-1.0, x)))),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Applied(Expression):
+    """A function of an angle in degrees (cos, sin, tan) or one with such a value (arctan, arcsin, arccos).
+
+    Only the data of a family have functions of a ``second`` argument (min, max, atan2).
+    """
+
+    function: str
+    argument: Expression
+    second: Expression | None = None
+
+    def number(self, exact: bool) -> float:
+        """The value of the function."""
+        return _FUNCTIONS[self.function](self.argument.number(exact))
+
+    def operands(self) -> Sequence[Expression]:
+        """The arguments."""
+        return (self.argument,) if self.second is None else (self.argument, self.second)
+
+
+def cos(angle: Expression) -> Expression:
+    """Cosine of an angle in degrees."""
+    return Applied("cos", angle)
+
+
+def sin(angle: Expression) -> Expression:
+    """Sine of an angle in degrees."""
+    return Applied("sin", angle)
+
+
+def total(parts: Sequence[Expression]) -> Expression:
+    """A sum; of a single part the part itself."""
+    return parts[0] if len(parts) == 1 else Total(tuple((1, part) for part in parts))
+
+
+def hypotenuse(parts: Sequence[Expression]) -> Expression:
+    """Root of the sum of squares; of a single part its absolute value."""
+    if len(parts) == 1:
+        return Magnitude(parts[0])
+    return SquareRoot(total([Raised(part, 2) for part in parts]))

@@ -1,0 +1,96 @@
+"""Expressions of a solution as text of a Python program."""
+
+from __future__ import annotations
+
+import keyword
+from collections.abc import Mapping
+
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Pi,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+)
+from variantgen.algebra.name import Name
+
+_FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
+_LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v", "a": "a", "radius": "r"}
+_KINDS = {
+    "direction": "phi",
+    "rotation": "psi",
+    "slide": "s",
+    "offset": "h",
+    "arc": "chi",
+    "swing": "theta",
+    **_LETTERS,
+}
+
+# What the programs call their own variables and functions.
+_OWN = ("q", "v", "a", "t", "f", "g", "e", "s", "np", "rate", "jacobian", "names", "circle", "bend", "Q", "V", "A")
+_TAKEN = {*_OWN, *keyword.kwlist}
+
+
+def identifier(name: Name) -> str:
+    """A variable for a quantity: ``x_A``, ``phi_OA``, ``OA``; ``v_0`` for a given v."""
+    if name.kind == "parameter":
+        return f"{name.of}_0" if name.of in _TAKEN else name.of
+    if name.kind == "length":
+        return name.of + name.about
+    return f"{_KINDS[name.kind]}_{name.of}{name.about}"
+
+
+def number(value: float, measure: str = "") -> str:
+    """A number; an angle in degrees becomes radians."""
+    if measure != "angle":
+        return repr(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+    return f"np.radians({number(value)})"
+
+
+def written(item: Expression, names: Mapping[Value, str]) -> str:
+    """An expression in Python; values without a variable in ``names`` are written as numbers.
+
+    Raises TypeError for an expression that Python has no operation for.
+    """
+    match item:
+        case Value():
+            return names[item] if item in names else number(item.exact, item.measure)
+        case Constant(value, measure):
+            return number(value, measure)
+        case Pi():
+            return "np.pi"
+        case Total(terms):
+            return _sum(terms, names)
+        case Times(factors):
+            return "*".join(enclosed(factor, names) for factor in factors)
+        case Ratio(above, below):
+            return f"{enclosed(above, names)}/{enclosed(below, names, tight=True)}"
+        case Raised(base, exponent):
+            return f"{enclosed(base, names, tight=True)}**{exponent}"
+        case SquareRoot(inner):
+            return f"np.sqrt({written(inner, names)})"
+        case Applied(function, argument) if function in _FUNCTIONS:
+            return f"{_FUNCTIONS[function]}({written(argument, names)})"
+    raise TypeError(f"no program for {item!r}")
+
+
+def _sum(terms: tuple[tuple[int, Expression], ...], names: Mapping[Value, str]) -> str:
+    text = ""
+    for sign, term in terms:
+        part = written(term, names)
+        if isinstance(term, Total) or part.startswith("-"):
+            part = f"({part})"
+        text += (" - " if text else "-") + part if sign < 0 else (" + " if text else "") + part
+    return text
+
+
+def enclosed(item: Expression, names: Mapping[Value, str], tight: bool = False) -> str:
+    """A factor, in parentheses where it needs them; ``tight`` for a base or a divisor."""
+    text = written(item, names)
+    loose = isinstance(item, Total) or text.startswith("-") or (tight and isinstance(item, Times | Ratio))
+    return f"({text})" if loose else text

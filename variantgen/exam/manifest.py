@@ -1,0 +1,246 @@
+"""The manifest of a finished exam, read and checked: who got which variant, with which answers, made with what."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam import printable
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import is_code
+from variantgen.exam.tolerance import LARGEST, Tolerance
+from variantgen.families.files import family_hash
+from variantgen.resources import folder_hash, templates_dir
+from variantgen.tables import Table, read_limited
+from variantgen.version import VERSION
+
+SCHEMA = 2
+NAME = "manifest.json"
+_MAX_BYTES = 2_000_000_000
+_WORDS = {
+    "program": "the version of variantgen",
+    "engine": "the version of the typesetting engine",
+    "templates": "the templates of the program",
+}
+
+
+@dataclass(frozen=True)
+class RecordedAnswer:
+    """An answer of the key: the name of its quantity, value and tolerance in the unit of that name."""
+
+    quantity: str
+    value: float
+    unit: str
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class RecordedProblem:
+    """A variant as it was handed out; ``parameters`` are printed values with their units, or words with none."""
+
+    number: int
+    family: str
+    form: str
+    parameters: Mapping[str, tuple[str, str]]
+    mirrored: bool
+    quarter_turns: int
+    attempt: int
+    answers: tuple[RecordedAnswer, ...]
+
+
+@dataclass(frozen=True)
+class RecordedSheet:
+    """What a student got."""
+
+    student: Student
+    code: str
+    problems: tuple[RecordedProblem, ...]
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
+
+    ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been
+    changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
+    of students who drew again.
+    """
+
+    path: Path
+    made_with: Mapping[str, str]
+    exam_text: str
+    exam_hash: str
+    solutions: Mapping[str, str] | None
+    formats: tuple[str, ...]
+    seed: str
+    sheets: tuple[RecordedSheet, ...]
+    files: Mapping[str, str]
+    exam_id: str = ""
+    tolerance: Tolerance = Tolerance()
+    floors: Mapping[int | None, float] = field(default_factory=dict)
+    redrawn: tuple[str, ...] = ()
+
+    def differences(self, exam: Exam) -> list[str]:
+        """What a sheet depends on and is not as it was when the exam was made, in words."""
+        now = made_with(exam)
+        found = []
+        for name in sorted(self.made_with.keys() | now.keys()):
+            then, here = self.made_with.get(name, "nothing"), now.get(name, "nothing")
+            if then != here:
+                what = _WORDS.get(name) or f"the folder of the {name.replace(':', ' ')}"
+                found.append(f"{what}: {then} when the exam was made, {here} now")
+        return found
+
+
+def made_with(exam: Exam) -> dict[str, str]:
+    """What the sheets of an exam depend on besides the manifest: versions, and hashes of templates and families."""
+    used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
+    found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
+    return {**found, **{f"family:{name}": family_hash(used[name]) for name in sorted(used)}}
+
+
+def read_manifest(folder: Path) -> Manifest:
+    """The manifest of an output folder. Raises InputError with every problem found."""
+    path = folder / NAME
+    problems: list[Problem] = []
+    record = _manifest(Table(_json(path), "", problems), path)
+    if problems:
+        raise InputError(problem.located(str(path)) for problem in problems)
+    return record
+
+
+def _json(path: Path) -> Any:
+    if path.exists() and not path.is_file():
+        raise InputError(Problem("expected a file", file=str(path), remedy="restore the manifest from a copy"))
+    try:
+        return json.loads(read_limited(path, _MAX_BYTES), parse_float=Decimal, parse_constant=Decimal)
+    except FileNotFoundError:
+        remedy = "name the folder that  variantgen build  has made"
+        raise InputError(Problem("there is no manifest", file=str(path), remedy=remedy)) from None
+    except OSError as error:
+        raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
+    except (ValueError, ArithmeticError, RecursionError) as error:
+        remedy = "it has been changed since the build; restore it from a copy"
+        raise InputError(Problem(f"is not valid JSON: {error}", file=str(path), remedy=remedy)) from None
+
+
+def _manifest(top: Table, path: Path) -> Manifest:
+    schema = top.need("schema", int, SCHEMA)
+    if schema != SCHEMA:
+        top.problem(
+            f"expected schema {SCHEMA}", "schema", schema, "the exam was made by another version of the program"
+        )
+        return Manifest(path, {}, "", "", None, (), "", (), {})
+    exam = top.table("exam")
+    solutions = top.table("solutions") if top.data.get("solutions") is not None else None
+    top.expect("solutions", "program", "notation")
+    return Manifest(
+        path,
+        _strings(top.table("made_with")),
+        exam.need("text", str, ""),
+        exam.need("hash", str, ""),
+        _strings(solutions) if solutions else None,
+        top.strings("formats"),
+        top.need("seed", str, ""),
+        tuple(_sheet(table) for table in top.tables("students")),
+        _strings(top.table("files")),
+        exam.take("id", str, ""),
+        _tolerance(exam),
+        _floors(exam.table("problem_tolerances")),
+        top.strings("redrawn"),
+    )
+
+
+def _tolerance(exam: Table) -> Tolerance:
+    """The marking; that of the usual tolerance where it is not recorded."""
+    usual = Tolerance()
+    floor = _floor(exam, "tolerance", usual.floor)
+    ceiling = exam.data.get("tolerance_ceiling")
+    return Tolerance(
+        floor,
+        None if ceiling is None else float(exam.number("tolerance_ceiling", 0)),
+        exam.take("mistakes_screened", bool, usual.mistakes),
+    )
+
+
+def _floors(table: Table) -> dict[int | None, float]:
+    """The least tolerances of problems with one of their own, by their numbers."""
+    return {int(name): _floor(table, name) for name in table.data if name.isascii() and name.isdigit()}
+
+
+def _floor(table: Table, name: str, usual: float = Tolerance().floor) -> float:
+    """A least tolerance; one that cannot be is noted."""
+    found = float(table.number(name, Decimal(str(usual))))
+    if not 0 < found <= LARGEST:
+        table.problem(f"expected a number between 0 and {LARGEST:g}", name, found)
+        return usual
+    return found
+
+
+def _strings(table: Table) -> dict[str, str]:
+    return {name: table.take(name, str, "") for name in table.data}
+
+
+def _sheet(table: Table) -> RecordedSheet:
+    student = Student(*(_name(table, key) for key in ("id", "name", "group")))
+    problems = tuple(_problem(problem) for problem in table.tables("problems"))
+    code = table.need("code", str, "")
+    if not is_code(code):
+        table.problem("expected the code of a sheet, like 7Q4-K2M: files are named by it", "code", code)
+    found = RecordedSheet(student, code, problems)
+    table.finish()
+    return found
+
+
+def _name(table: Table, key: str) -> str:
+    """A name as class lists have it: nothing in it that cannot be seen."""
+    text = table.need(key, str, "")
+    table.problems += printable.problems(text, f"the {key}", table.key(key))
+    return text
+
+
+def _problem(table: Table) -> RecordedProblem:
+    pose = table.table("pose")
+    parameters = table.table("parameters")
+    turns = pose.need("quarter_turns", int, 0)
+    if turns not in range(4):
+        pose.problem("expected 0 to 3", "quarter_turns", turns)
+    found = RecordedProblem(
+        table.need("problem", int, 0),
+        table.need("family", str, ""),
+        table.need("form", str, ""),
+        {name: _value(parameters.table(name)) for name in parameters.data},
+        pose.need("mirrored", bool, False),
+        turns,
+        table.need("attempt", int, 1),
+        tuple(_answer(answer) for answer in table.tables("answers")),
+    )
+    table.expect("nice", "methods")
+    table.finish()
+    pose.finish()
+    return found
+
+
+def _value(table: Table) -> tuple[str, str]:
+    found = table.need("value", str, ""), table.take("unit", str, "")
+    table.finish()
+    return found
+
+
+def _answer(table: Table) -> RecordedAnswer:
+    found = RecordedAnswer(
+        table.need("quantity", str, ""),
+        float(table.number("value", 0)),
+        table.need("unit", str, ""),
+        float(table.number("tolerance", 0)),
+    )
+    table.expect("relative_tolerance", "unnoticed")
+    table.finish()
+    return found

@@ -1,0 +1,16 @@
+"""A table of a class list as it stands in its file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+Row = tuple[int, Sequence[str]]  # its number in the file, its cells
+
+
+@dataclass(frozen=True)
+class Worksheet:
+    """A table with the rows that are not empty; ``title`` is that of a worksheet."""
+
+    rows: tuple[Row, ...]
+    title: str = ""

@@ -1,0 +1,131 @@
+"""The figures of a solution: that of the statement and those which its steps name, in rows, with captions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from variantgen.errors import InputError
+from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
+from variantgen.figure.drawing import Drawing
+from variantgen.figure.views import view
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.graphical.plan_scale import MILLIMETRES
+from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Formula
+from variantgen.wording.language import Language
+from variantgen.wording.solution.document import SolutionText
+from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.text import Text
+from variantgen.wording.words import MissingWordError
+
+STATEMENT = "statement"
+_MOST = 3  # figures in a row
+_UNIT, _SMALLEST = 0.62, 0.5  # mm per unit of a figure of the mechanism: usual, and beside others at least
+_PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
+_WIDTH, _GUTTER = 180.0, 4.0  # mm
+
+
+@dataclass(frozen=True)
+class SolutionFigure:
+    """A figure of a solution: its kind, the drawing, its caption and, for paper, millimetres per figure unit."""
+
+    name: str
+    drawing: Drawing
+    caption: Text
+    unit: float
+
+
+def view_order(text: SolutionText) -> list[str]:
+    """The kinds of figures that a solution needs, each once, in the order of the steps; the statement's first."""
+    return list(dict.fromkeys([STATEMENT, *(name for section in text.sections for name in section.views)]))
+
+
+class SolutionFigures:
+    """The figures of one problem, drawn once each; ``place`` is its motion and its index in that batch.
+
+    ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement, where
+    it has been drawn before; the others show the vectors and centres of the solution ``text`` (none: the natural one).
+    """
+
+    def __init__(
+        self,
+        variant: Variant,
+        asked: Sequence[Quantity],
+        language: Language,
+        place: tuple[Motion, int],
+        known: Drawing | None = None,
+        text: SolutionText | None = None,
+    ) -> None:
+        self.variant, self.asked, self.language = variant, asked, language
+        self.numbers: dict[str, int] = {}
+        self._place, self._vectors = place, text.vectors if text else ()
+        self._shown = (*asked, *(text.centres if text else ()))
+        self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
+
+    def draw(self, names: Sequence[str]) -> None:
+        """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
+        for name in names:
+            if name not in self._drawn:
+                try:
+                    self._drawn[name] = self._figure(name)
+                except MissingWordError:
+                    raise
+                except InputError:
+                    if name == STATEMENT:
+                        raise
+                    continue  # there is nothing of the kind to draw (all velocities zero): the text says so
+            self.numbers.setdefault(name, len(self.numbers) + 1)
+
+    def _figure(self, name: str) -> Drawing:
+        if name == STATEMENT:
+            return statement_figure(self.variant, *self._place, self.asked, self.language)
+        drawn: Drawing = view(name).draw(self.variant, *self._place, self._shown, self.language, self._vectors)
+        return drawn
+
+    def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
+        """Rows of figures as they fit beside each other on paper."""
+        rows: list[list[str]] = [[]]
+        for name in self.numbers:
+            if rows[-1] and not self._fit([*rows[-1], name]):
+                rows.append([])
+            rows[-1].append(name)
+        return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
+
+    def _one(self, name: str, shared: float) -> SolutionFigure:
+        unit = _PLAN_UNIT if _is_plan(name) else round(shared, 3)
+        return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
+
+    def _caption(self, name: str) -> Text:
+        """The number and title of a figure, and which centres lie outside it."""
+        phrases = load_phrases(self.language.name)
+        found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
+        found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
+        letters = self._drawn[name].beyond if name != STATEMENT else ()
+        if letters:
+            listed = [part for letter in letters for part in (", ", letter)][1:]
+            found.append(" ")
+            for part in phrases.sentence("figures.beyond"):
+                found += [part] if isinstance(part, str) else listed
+        return tuple(found)
+
+    def _shared(self, row: Sequence[str]) -> float:
+        """The scale of the figures of the mechanism in a row, mm per unit."""
+        plans = sum(_PLAN_UNIT * self._width(name) for name in row if _is_plan(name))
+        free = sum(self._width(name) for name in row if not _is_plan(name))
+        room = _WIDTH - _GUTTER * (len(row) - 1) - plans
+        return min(_UNIT, room / free) if free else (_UNIT if room >= 0 else 0.0)
+
+    def _fit(self, row: Sequence[str]) -> bool:
+        """Whether figures have room beside each other."""
+        return len(row) <= _MOST and self._shared(row) >= _SMALLEST
+
+    def _width(self, name: str) -> float:
+        """The width of a figure in its units, as it is written out."""
+        return round(self._drawn[name].width, 2)
+
+
+def _is_plan(name: str) -> bool:
+    """Whether lengths are read from a figure, so that its scale is not free."""
+    return name.endswith("_plan")

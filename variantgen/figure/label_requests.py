@@ -1,0 +1,163 @@
+"""Labels that are wanted: what they name and where they may stand."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.figure.drawing import LETTER
+from variantgen.figure.lettering import typeset
+from variantgen.wording.formula import Formula
+
+Places = NDArray[np.complex128]
+Costs = NDArray[np.float64]
+_WIDE = math.radians(50)
+
+
+def label_size(formula: Formula) -> tuple[float, float]:
+    """Width and height of the ink of a label (u)."""
+    found = typeset(formula)
+    return LETTER * found.width, LETTER * (found.top - found.bottom)
+
+
+@dataclass(eq=False)
+class LabelRequest:
+    """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
+
+    ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
+    ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``vector`` says that it names a
+    straight arrow, which must not be read with the letter of another one. ``box`` are half width and half
+    height (u), ``own`` are all points of what it names.
+    """
+
+    formula: Formula
+    anchor: complex
+    places: Places
+    costs: Costs
+    extent: tuple[complex, ...] = ()
+    clear: float = 0.0
+    vector: bool = False
+    box: tuple[float, float] = field(init=False)
+    own: tuple[complex, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        width, height = label_size(self.formula)
+        self.box = (0.5 * width, 0.5 * height)
+        self.own = (self.anchor, *self.extent)
+
+
+# Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.
+_OFF = 1.0
+_WAYS = np.exp(1j * (math.tau * np.arange(16) / 16 + math.pi / 4))
+_RINGS = np.array([0.0, 1.2, 2.6, 4.4])
+_AROUND_COSTS = (
+    np.array([0.0, 1.5, 4.0, 7.0])[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]
+).ravel()
+_FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
+_FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
+_PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
+# Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
+# leader is better.
+_ASIDE = np.array([_OFF, 3.5, 7.0])[:, None]
+_SIDES = np.array([1.0, -1.0])[:, None]
+_AHEAD = np.array([1.0, 2.5, 5.0, 8.0, 11.0])
+_ARROW_COSTS = np.concatenate(
+    (
+        (
+            np.array([0.0, 7.0, 35.0])[:, None, None]
+            + np.array([0.0, 0.2])[None, :, None]
+            + (10 * np.abs(_PARTS - 0.5) + 2 * np.abs(_PARTS - 0.6))[None, None, :]
+        ).ravel(),
+        [1.5, 3.0, 8.0, 40.0, 50.0],
+    )
+)
+_ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
+_ARC_RINGS = np.array([0.0, 1.1, 2.5, 4.3]) + _OFF
+_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
+
+
+def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
+    """How far the centre of a box must be from a point that it touches in each direction (u)."""
+    with np.errstate(divide="ignore"):
+        result: NDArray[np.float64] = np.minimum(box[0] / np.abs(ways.real), box[1] / np.abs(ways.imag))
+    return result
+
+
+def around(formula: Formula, point: complex, clear: float) -> LabelRequest:
+    """Candidates around a point, whose symbol has the radius ``clear`` (u)."""
+    return LabelRequest(formula, point, point + _offsets(formula, clear), _AROUND_COSTS, clear=clear)
+
+
+@lru_cache(maxsize=1000)
+def _offsets(formula: Formula, clear: float) -> Places:
+    """From a point to the candidates around it."""
+    width, height = label_size(formula)
+    support = _support((0.5 * width, 0.5 * height), _WAYS)
+    found: Places = (_WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])).ravel()
+    return found
+
+
+def far_from(request: LabelRequest) -> tuple[Places, Costs]:
+    """Candidates far from what is named, which need a leader, with their distances as costs: shape (P,) each."""
+    support = _support(request.box, _FAR_WAYS)
+    places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
+    costs = _FAR_RINGS[:, None] + 0.01 * np.arange(24)[None, :]
+    return places.ravel(), costs.ravel()
+
+
+def along_line(formula: Formula, start: complex, end: complex, clear: float = _OFF) -> LabelRequest:
+    """Candidates on both sides of a line, best near its middle."""
+    width, height = label_size(formula)
+    normal = 1j * (end - start) / abs(end - start)
+    support = clear + 0.5 * (width * abs(normal.real) + height * abs(normal.imag))
+    middle = start + _PARTS * (end - start)
+    costs = 10 * np.abs(_PARTS - 0.5)
+    places = np.concatenate((middle + support * normal, middle - support * normal))
+    extent = (start + 0.25 * (end - start), start + 0.75 * (end - start))
+    return LabelRequest(formula, 0.5 * (start + end), places, np.concatenate((costs, costs + 0.2)), extent)
+
+
+def along_radius(formula: Formula, centre: complex, rim: complex, start: complex) -> LabelRequest:
+    """Candidates beside a radius from ``start`` on, and before its head outside the rim."""
+    beside = along_line(formula, start, rim)
+    way = (rim - centre) / abs(rim - centre)
+    half_width, half_height = beside.box
+    support = half_width * abs(way.real) + half_height * abs(way.imag)
+    ahead = rim + way * (np.array([_OFF, 2.4]) + support)
+    places = np.concatenate((beside.places, ahead))
+    return LabelRequest(formula, rim, places, np.concatenate((beside.costs, [3.0, 5.0])), (0.5 * (start + rim),))
+
+
+def along_arrow(formula: Formula, start: complex, end: complex) -> LabelRequest:
+    """Candidates beside an arrow, best near its head, and before its head; less good ones farther aside."""
+    width, height = label_size(formula)
+    step = end - start
+    way = step / abs(step)
+    aside = 0.5 * (width * abs(way.imag) + height * abs(way.real))
+    ahead = end + way * (_AHEAD + 0.5 * (width * abs(way.real) + height * abs(way.imag)))
+    beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
+    places = np.concatenate((beside.ravel(), ahead))
+    extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
+    return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True)
+
+
+def along_arc(
+    formula: Formula, centre: complex, radius: float, start: float, sweep: float, inner: bool = False
+) -> LabelRequest:
+    """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
+    width, height = label_size(formula)
+    ways = np.exp(1j * (start + _ARC_PARTS * sweep))
+    support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
+    places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
+    middle = centre + cmath.rect(radius, start + 0.5 * sweep)
+    extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
+    found, costs = places.ravel(), _ARC_COSTS
+    if inner and abs(sweep) > _WIDE:
+        found = np.concatenate((found, centre + 0.6 * radius * ways))
+        costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
+    return LabelRequest(formula, middle, found, costs, extent)

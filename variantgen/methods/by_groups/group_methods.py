@@ -1,0 +1,53 @@
+"""The methods for groups of links, among which a solution chooses: the table in which a new one is entered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from variantgen.methods.by_groups import closed_chain
+from variantgen.methods.centres import acceleration_centre, known_centre, projections, velocity_centre
+from variantgen.methods.groups.group import Dyad, TwoPointBody
+from variantgen.methods.solution.book import Book
+
+Applies = Callable[[Book, Any], bool]
+Solve = Callable[[Book, Any], None]
+
+
+@dataclass(frozen=True)
+class GroupMethod:
+    """A method for groups of links.
+
+    ``orders``: whether it is chosen for velocities (1) or accelerations (2), or neither, where nothing takes its place.
+    ``sentences``: how the keys of its sentences begin. ``solvers``: the groups that it solves by an equation of its own
+    where that applies; all others are solved by vector equations. ``carry`` finds a further point of a body whose rate
+    is known; without it that is done by a vector equation, too.
+    """
+
+    orders: tuple[int, ...]
+    sentences: tuple[str, ...] = ()
+    solvers: Mapping[type, tuple[Applies, Solve]] = field(default_factory=dict)
+    carry: Callable[[Book, str, str, str], None] | None = None
+
+
+GROUP_METHODS: dict[str, GroupMethod] = {
+    "velocity_centre": GroupMethod(
+        (1,),
+        ("velocity_centre.", "contact.wheel", "known_centre."),
+        {
+            Dyad: (velocity_centre.applies, velocity_centre.solve_dyad),
+            TwoPointBody: (known_centre.is_divided, known_centre.solve_divided),
+        },
+        velocity_centre.carry,
+    ),
+    "projections": GroupMethod(
+        (1,), ("projections.",), {Dyad: (projections.applies, projections.solve_dyad)}, velocity_centre.carry
+    ),
+    "velocity_pole": GroupMethod((1,), ("pole.choose_v", "pole.crossing_v", "points.sum_v")),
+    "acceleration_pole": GroupMethod((2,), ("pole.choose_a", "pole.crossing_a", "points.sum_a", "points.sum_wheel")),
+    "acceleration_centre": GroupMethod((2,), ("acceleration_centre.",), carry=acceleration_centre.carry),
+    "relative_motion": GroupMethod((), ("relative.",)),
+    # The groups of the method for whole problems (three_rates.py), which has sentences of its own.
+    "three_rates": GroupMethod((1, 2), (), {Dyad: (closed_chain.applies, closed_chain.solve_dyad)}),
+}

@@ -1,0 +1,67 @@
+"""A point as the geometry of a solution sees it: what is known of its place, whatever construction it has."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from variantgen.algebra.expression import Expression, Value
+from variantgen.methods.geometry.angles import AngleForm
+from variantgen.methods.geometry.legs import Leg
+
+Pair = tuple[Value, Value]
+
+ORIGIN = ""  # the origin of the scene, among names of points
+
+
+@dataclass(frozen=True)
+class Ray:
+    """The ray from one point to another with its direction on paper."""
+
+    start: str
+    end: str
+    form: AngleForm
+
+
+class LocatedPoint(ABC):
+    """A point that was placed after others; by default its construction gives nothing but the way here."""
+
+    in_system: ClassVar[bool] = False  # placed together with other points, by a system of equations
+
+    def neighbours(self) -> tuple[str, ...]:
+        """Points (or the origin) from which the way here is known or can be worked out, the plainest first."""
+        return ()
+
+    def rays(self) -> tuple[Ray, ...]:
+        """Segments of which the construction gives the direction."""
+        return ()
+
+    def reference(self) -> tuple[str, str] | None:
+        """The ray from which the construction counts its angle, if that is one of the mechanism."""
+        return None
+
+    def lengths(self) -> Mapping[tuple[str, str], Expression]:
+        """Distances that the construction gives."""
+        return {}
+
+    def direction(self, other: str) -> Expression | None:
+        """The direction of the ray from a neighbour here (degrees), where it has to be worked out."""
+        return None
+
+    def share(self, other: str) -> Expression | None:
+        """The distance from a neighbour as a part of a given segment."""
+        return None
+
+    def length(self, other: str) -> Expression | None:
+        """The distance from a neighbour, where it has to be worked out."""
+        return None
+
+    @abstractmethod
+    def legs(self, other: str) -> tuple[Leg, ...]:
+        """The way from a neighbour here."""
+
+    def coordinates(self) -> Pair | None:
+        """Both coordinates, where they are not found by the way from a neighbour."""
+        return None

@@ -1,0 +1,55 @@
+"""The values of the position and the lines and sentences of a solution that derive them."""
+
+from __future__ import annotations
+
+from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.geometry.layout import Layout
+from variantgen.methods.geometry.located_point import Pair
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.steps.step import Derived, Fact, Item, Sentence
+
+
+class PositionLines(Layout):
+    """The given geometry of one variant; ``items`` are the lines that derive further values, in order."""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(task)
+        self.items: list[Item] = []
+
+    def located(self, name: Name, expression: Expression) -> Value:
+        """A coordinate by an expression; zero is a plain number."""
+        number = expression.number(True)
+        return Value(name, "length", number, None if self.is_nothing(expression) else expression, self.task.size)
+
+    def solution(self, name: Name, number: float) -> Value:
+        """A coordinate found by solving equations: its printed number is rounded like all others."""
+        return Value(name, "length", number, Constant(number), self.task.size)
+
+    def show(self, pair: Pair) -> None:
+        """Add the lines of coordinates other than zero; what is a number already is written once."""
+        for value in pair:
+            if value.exact != 0:
+                plain = isinstance(value.expression, Constant)
+                self.items.append(Derived(value, symbolic=not plain, numeric=not plain))
+
+    def say(self, key: str, detail: bool = True, /, **facts: Fact) -> None:
+        """Add a sentence of the file ``position``; a short solution leaves out a ``detail``."""
+        self.items.append(Sentence(f"position.{key}", facts, detail))
+
+    def _entered(self, name: Name, measure: str, expression: Expression) -> Value:
+        """A value by its expression with the line that shows it; what is given or a plain number needs none."""
+        if isinstance(expression, Value):
+            return self._taken(expression)
+        number = expression.number(True)
+        if isinstance(expression, Constant):
+            return Value(name, measure, number)
+        value = Value(name, measure, number, expression, self.task.size if measure == "length" else 0.0)
+        self.items.append(Derived(value))
+        return value
+
+    def _taken(self, value: Value) -> Value:
+        """A given value; one in another unit is converted first."""
+        if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
+            self.items.append(Derived(value))
+        return value

@@ -1,0 +1,35 @@
+"""The contacts and threads of a scene, by the modules of :mod:`variantgen.methods.groups.contact_laws`."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+from collections.abc import Callable
+from functools import cache
+
+from variantgen.methods.groups.contact import NoSlipContact
+from variantgen.methods.linkage.problem import Task
+
+_HOME = "variantgen.methods.groups.contact_laws"
+
+
+@cache
+def _law(stem: str) -> Callable[[Task, int], NoSlipContact | None] | None:
+    """The function ``touch(task, number)`` of a kind of joint."""
+    if importlib.util.find_spec(f"{_HOME}.{stem}") is None:
+        return None
+    found: Callable[[Task, int], NoSlipContact | None] = importlib.import_module(f"{_HOME}.{stem}").contact
+    return found
+
+
+def contact_of(task: Task, number: int) -> NoSlipContact | None:
+    """The contact or thread of a joint of the scene (its number), if the joint is one that its law can treat."""
+    joint = task.scene.joints[number]
+    law = _law(type(joint).__module__.rpartition(".")[2])
+    return None if law is None else law(task, number)
+
+
+def contacts_of_scene(task: Task) -> dict[int, NoSlipContact]:
+    """All contacts and threads of a scene, by the number of the joint."""
+    found = {number: contact_of(task, number) for number in range(len(task.scene.joints))}
+    return {number: contact for number, contact in found.items() if contact is not None}

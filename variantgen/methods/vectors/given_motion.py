@@ -1,0 +1,140 @@
+"""What the statement gives: rates of driven bodies, vectors of driven points."""
+
+from __future__ import annotations
+
+from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import simplified
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.family import ComponentTemplate
+from variantgen.mechanism.drivers.circling import Circling
+from variantgen.mechanism.drivers.extension import Extension
+from variantgen.mechanism.drivers.relative_travel import RelativeTravel
+from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.linkage import driven_body, driven_point
+from variantgen.mechanism.scene import label
+from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
+from variantgen.methods.groups.route import Route
+from variantgen.methods.linkage.time_laws import law_behind
+from variantgen.methods.solution.book import Book, Known, Rate, resultant
+from variantgen.methods.steps.step import Body, Fact, Point
+from variantgen.methods.vectors.point_paths import on_path
+from variantgen.methods.vectors.points import sum_up
+
+_IN_GROUPS = (Rotation, Extension, RelativeTravel, Circling)  # relative motion: given with a group of the route
+_REST = 1e-12  # of the natural scale: a vector below it is none
+
+
+def enter_given_motion(book: Book) -> None:
+    """Enter what the drivers give at the order that is being worked out; what has to be worked out is a step.
+
+    Raises LookupError for a driver of a kind that neither this step nor a group knows.
+    """
+    with book.step(f"given.{book.measure}") as made:
+        for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
+            if body := driven_body(driver):
+                value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)
+                book.rates[body] = Rate(value, _sign(book.exact_rate(body)))
+            elif (point := driven_point(driver)) and len(driver.shapes()) == 2:
+                book.vectors[point] = _straight(book, template, point)
+            elif point:
+                _enter_travel(book, template, point)
+            elif not isinstance(driver, _IN_GROUPS):
+                raise LookupError(f"no step takes what is given by {label(driver)}")
+    if not made.items:
+        book.steps.remove(made)
+
+
+def _enter_travel(book: Book, template: ComponentTemplate, point: str) -> None:
+    """A given vector along a path; on a circle the given acceleration is the tangential one, the normal one follows."""
+    point_path = Route(book).point_path(point)
+    if book.order == 1 or point_path is None or point_path.straight:
+        book.vectors[point] = _straight(book, template, point)
+        return
+    normal, path = on_path(book, point_path)
+    rest = book.exact(point) - resultant(normal)
+    if abs(rest) < _REST * book.scale:
+        book.vectors[point] = normal
+        return
+    size = amount(book, template, book.letter, book.measure)
+    if as_stated(path.name, size) != path.name:
+        size = book.derive(path.name, book.measure, size)  # what has a letter of its own is named by its point too
+    ahead = abs(normal_angle(path.angle.exact - degrees(rest))) < 90.0
+    angle = path.angle if ahead else Geometry.turned(path.angle, 180.0)
+    book.vectors[point] = (*normal, book.term(path.name, size, angle, "given", point=Point(point)))
+    sum_up(book, point)
+
+
+def _straight(book: Book, template: ComponentTemplate, point: str) -> Known:
+    """A given vector of a point: its magnitude by the data, its direction as the figure shows it."""
+    vector = book.exact(point)
+    if abs(vector) <= _REST * book.scale:
+        return ()
+    size = amount(book, template, book.letter, book.measure)
+    angle = Value(None, "angle", degrees(vector))
+    return (book.term(as_stated(Name(book.letter, point), size), size, angle, "given", point=Point(point)),)
+
+
+def as_stated(name: Name, size: Value) -> Name:
+    """The name of a given vector: the symbol that the statement gives to its magnitude, if that is another one."""
+    stated = size.name
+    if stated is None or stated.kind != "parameter":
+        return name
+    usual = {f"{name.kind}_{name.of}", f"{name.kind}_{name.part}_{name.of}"}
+    return name if stated.of in usual else stated
+
+
+def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> Value:
+    """The magnitude of a given rate: the given parameter itself, or a value worked out from the data."""
+    source = template.fields.get(key)
+    if not isinstance(source, FamilyExpression):
+        return Value(None, measure, 0.0)
+    expression = unsigned(book.task.expressed(source))
+    if isinstance(expression, Value):
+        return expression
+    number = abs(book.task.read(source))
+    if measure in ("velocity", "acceleration"):
+        number /= book.task.length_unit
+    if number == 0 or expression is None or isinstance(expression, Constant):
+        return Value(None, measure, number)
+    if book.order == 1:
+        _say_law(book, template, source)
+    simple = unsigned(simplified(expression))
+    assert simple is not None
+    expression = simple if simple.number(True) >= 0 else -simple  # a magnitude: the figure shows the sense
+    return book.derive(_name_of(book, template, key), measure, expression)
+
+
+def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) -> None:
+    """The law of time of which a given rate is the derivative, if it is one."""
+    law = law_behind(book.task, source)
+    if law is None:
+        return
+    point = template.fields.get("point")
+    name, measure = ("s", "length") if isinstance(point, str) else ("phi", "number")
+    facts: dict[str, Fact] = (
+        {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
+    )
+    book.say(f"given.law_{name}", False, **facts)
+    book.derive(Name("parameter", name), measure, law)
+
+
+def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
+    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
+    fields = template.fields
+    if key in ("omega", "epsilon"):
+        return Name(key, fields["body"])
+    is_relative = template.component in (RelativeTravel, Circling, Extension)
+    target = fields["end"] if template.component is Extension else fields["point"]
+    return Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+
+
+def unsigned(expression: Expression | None) -> Expression | None:
+    """An expression without a leading sign."""
+    if isinstance(expression, Total) and len(expression.terms) == 1:
+        return unsigned(expression.terms[0][1])
+    return expression
+
+
+def _sign(number: float) -> int:
+    return (number > 0) - (number < 0)

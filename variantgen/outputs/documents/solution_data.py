@@ -1,0 +1,75 @@
+"""Worked solutions as data for ``solutions.typ``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from variantgen.exam.content import Content, SolvedProblem
+from variantgen.exam.solution_figures import SolutionFigure
+from variantgen.outputs.documents.sheet_data import exam_data, statement_data, student_data
+from variantgen.outputs.documents.solution_blocks import blocks_data
+from variantgen.outputs.documents.writing import Writing
+from variantgen.wording.language import Language
+from variantgen.wording.solution.document import Section
+from variantgen.wording.solution.phrases import load_phrases
+
+_WORDS = ("plan", "answer", "check", "solutions")
+Problem = dict[str, Any]
+
+
+def solutions_data(
+    content: Content, number: int, writing: Writing, figures: dict[int, Any] | None = None
+) -> dict[str, Any]:
+    """Data for templates of documents with the solutions of one student.
+
+    ``figures`` are drawings that have been made data before, by their ids.
+    """
+    exam, sheet = content.exam, content.sheets[number]
+    language = exam.explained
+    problems = [
+        {"number": str(item.task.number), **problem_data(solved, language, writing, figures)}
+        for item, solved in zip(sheet.items, content.solved[number], strict=True)
+    ]
+    return {
+        **exam_data(exam, language),
+        "words": solution_words(language),
+        "students": [{**student_data(sheet, problems, language), "last": True}],
+    }
+
+
+def solution_words(language: Language) -> dict[str, str]:
+    """The fixed words of a document with solutions."""
+    words = load_phrases(language.name).words
+    return {**language.words("sheet"), **{name: words[name] for name in _WORDS}}
+
+
+def problem_data(
+    solved: SolvedProblem, language: Language, writing: Writing, figures: dict[int, Any] | None = None
+) -> dict[str, Any]:
+    """One problem with its figures and its solution."""
+    text = solved.text
+    return {
+        "title": solved.variant.family.title(language.name),
+        **statement_data(solved.statement, writing),
+        "figures": [[_shown(shown, figures or {}, writing) for shown in row] for row in solved.rows],
+        "plan": writing.text(text.plan),
+        "sections": [_section(section, solved, language, writing) for section in text.sections],
+        "answer": writing.text(text.answer),
+        "check": blocks_data(text.check, writing),
+    }
+
+
+def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
+    drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing, shown.caption)
+    return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
+
+
+def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
+    """A numbered step; ``see`` has the numbers of the figures that go with it, in parentheses."""
+    numbers = [str(solved.numbers[name]) for name in section.views if name in solved.numbers]
+    word = load_phrases(language.name).words["see"]
+    return {
+        "heading": writing.text(section.heading),
+        "see": f"({word}\N{NO-BREAK SPACE}{', '.join(numbers)})" if numbers else "",
+        "blocks": blocks_data(section.blocks, writing),
+    }

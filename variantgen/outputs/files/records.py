@@ -1,0 +1,180 @@
+"""Files for machines: the key as CSV and the manifest as JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.manifest import NAME, SCHEMA
+from variantgen.exam.sheets import Item, Sheet
+from variantgen.outputs.files.folder import file_hashes
+from variantgen.version import VERSION
+
+# Where a spreadsheet would begin a formula: at the start of a cell, be there blanks or not. Where the decimal mark is a
+# comma, spreadsheets part cells at semicolons, and some do at tabs, whatever the quotes are.
+_FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－＠]|[\t\r])")
+
+
+_COLUMNS = ("id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed")
+RECORDS = "records"  # the name of the pieces of both files among those of the formats
+
+
+def write_records(
+    folder: Path,
+    exam: Exam,
+    made_with: Mapping[str, str],
+    redrawn: Sequence[str],
+    pieces: Mapping[str, Sequence[Path]],
+) -> None:
+    """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
+    write_key_csv(folder / "key.csv", pieces["key.csv"])
+    write_manifest(folder / NAME, manifest_frame(exam, made_with, redrawn, file_hashes(folder)), pieces[NAME])
+
+
+def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
+    """Write the key from the pieces of all students."""
+    with path.open("wb") as file:
+        file.write(("\ufeff" + _rows([_COLUMNS])).encode())
+        for piece in pieces:
+            file.write(piece.read_bytes())
+        _keep(file)
+
+
+def write_manifest(path: Path, frame: tuple[str, str], pieces: Iterable[Path]) -> None:
+    """Write the manifest from its frame (see :func:`manifest_frame`) and the pieces of all students."""
+    with path.open("wb") as file:
+        file.write(frame[0].encode())
+        for number, piece in enumerate(pieces):
+            file.write((b",\n" if number else b"\n") + piece.read_bytes())
+        file.write(f"\n{frame[1]}".encode())
+        _keep(file)
+
+
+def _keep(file: BinaryIO) -> None:
+    """See to it that a file is on the disk."""
+    file.flush()
+    os.fsync(file.fileno())
+
+
+def key_rows(sheets: Sequence[Sheet]) -> str:
+    """The key of some students as CSV, one row per answer; text that a spreadsheet would run gets an apostrophe.
+
+    Commas part the cells and numbers have points, in every language: it is a file for programs. A spreadsheet that
+    guesses what cells are takes ids like ``007`` and ``1E5`` for numbers.
+    """
+    return _rows(
+        (
+            *map(_safe, (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)),
+            item.task.number,
+            *map(_safe, (item.variant.family.name, answer.quantity.name)),
+            repr(answer.value),
+            _safe(answer.unit.name),
+            repr(answer.tolerance),
+            _safe("; ".join(answer.unnoticed)),
+        )
+        for sheet in sheets
+        for item in sheet.items
+        for answer in item.answers
+    )
+
+
+def _rows(rows: Iterable[Sequence[object]]) -> str:
+    out = io.StringIO(newline="")
+    csv.writer(out, lineterminator="\r\n").writerows(rows)
+    return out.getvalue()
+
+
+def _safe(text: str) -> str:
+    return _FORMULA.sub(r"\1'", text)
+
+
+def manifest_frame(
+    exam: Exam, made_with: Mapping[str, str], redrawn: Sequence[str], files: Mapping[str, str]
+) -> tuple[str, str]:
+    """What stands in the manifest before the lines of the students, and after them.
+
+    The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
+    depends on besides this file; ``files`` has the SHA-256 of the other files.
+    """
+    content = {
+        "schema": SCHEMA,
+        "program": {"name": "variantgen", "version": VERSION},
+        "made_with": dict(made_with),
+        "exam": {
+            "title": exam.title,
+            "id": exam.build_id,
+            "hash": exam.hash,
+            "text": exam.text,
+            "language": exam.language,
+            "tolerance": exam.tolerance.floor,
+            "tolerance_ceiling": exam.tolerance.ceiling,
+            "mistakes_screened": exam.tolerance.mistakes,
+            "problem_tolerances": {
+                str(task.number): task.tolerance.floor for task in exam.tasks if task.tolerance is not None
+            },
+        },
+        "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
+        "notation": asdict(exam.notation),
+        "formats": list(exam.formats),
+        "seed": exam.seed,
+        "redrawn": list(redrawn),
+        "files": dict(files),
+    }
+    text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")
+    return f'{text},\n "students": [', " ]\n}\n"
+
+
+def manifest_lines(exam: Exam, sheets: Sequence[Sheet]) -> str:
+    """The entries of some students in the manifest, a line for each."""
+    return ",\n".join(
+        json.dumps(
+            {
+                "id": sheet.student.id,
+                "name": sheet.student.name,
+                "group": sheet.student.group,
+                "code": sheet.code,
+                "problems": [_problem(exam, item) for item in sheet.items],
+            },
+            ensure_ascii=False,
+        )
+        for sheet in sheets
+    )
+
+
+def _problem(exam: Exam, item: Item) -> dict[str, Any]:
+    variant = item.variant
+    return {
+        "problem": item.task.number,
+        "family": variant.family.name,
+        "form": variant.form.name,
+        **({"nice": True} if item.task.nice else {}),
+        "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
+        "attempt": variant.attempt,
+        "methods": list(item.task.methods or variant.family.solution) if exam.solutions.wanted else [],
+        "parameters": {
+            name: {"value": str(value), "unit": parameter.unit.name}
+            if parameter.unit
+            else {"value": variant.word(name)}
+            for name, value in variant.printed.items()
+            for parameter in (variant.form.parameters[name],)
+        },
+        "answers": [
+            {
+                "quantity": a.quantity.name,
+                "value": a.value,
+                "unit": a.unit.name,
+                "tolerance": a.tolerance,
+                "relative_tolerance": round(a.relative_tolerance, 6),
+                **({"unnoticed": list(a.unnoticed)} if a.unnoticed else {}),
+            }
+            for a in item.answers
+        ],
+    }

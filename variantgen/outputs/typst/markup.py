@@ -1,0 +1,63 @@
+"""Formulas for the typesetting templates: markup that knows how the formula reads in plain text.
+
+Tagged documents have the plain text beside the markup, for programs that read aloud; others never ask for it.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+from variantgen.wording.formula import Formula, UnitText, to_plain, to_typst
+
+
+class TypstMarkup(str):
+    """Typst math markup of one formula, or of several after each other."""
+
+    __slots__ = ("formulas",)
+    formulas: tuple[Formula, ...]
+
+    def __new__(cls, text: str, *formulas: Formula) -> TypstMarkup:
+        """Markup that says the formulas."""
+        made = super().__new__(cls, text)
+        made.formulas = formulas
+        return made
+
+    @property
+    def plain(self) -> str:
+        """The same as plain text."""
+        return ", ".join(map(to_plain, self.formulas))
+
+
+@lru_cache(maxsize=10_000)
+def markup(formula: Formula) -> TypstMarkup:
+    """A formula."""
+    return TypstMarkup(to_typst(formula), formula)
+
+
+def heading(symbol: Formula, unit: UnitText) -> TypstMarkup:
+    """The head of a column of answers: ``v_B, cm/s``."""
+    if not unit.parts:
+        return markup(symbol)
+    return TypstMarkup(f"{to_typst(symbol)}, thin {to_typst(unit)}", symbol, unit)
+
+
+def alternatives(data: Any) -> dict[str, str]:
+    """All markup in the data of a document, with the plain text of each."""
+    return {str(found): found.plain for found in marked(data)}
+
+
+def marked(data: Any) -> list[TypstMarkup]:
+    """All markup in the data of a document, each once."""
+    found: dict[TypstMarkup, None] = {}
+    waiting: list[Any] = [data]
+    while waiting:
+        item = waiting.pop()
+        kind = type(item)  # most pieces are plain text and numbers
+        if kind is TypstMarkup:
+            found.setdefault(item)
+        elif kind is dict:
+            waiting.extend(item.values())
+        elif kind is list or kind is tuple:
+            waiting.extend(item)
+    return list(found)

@@ -1,0 +1,94 @@
+"""What templates of the typesetting engine get: markup of formulas, runs of text, the paths of figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+from typing import Any
+
+import numpy as np
+
+from variantgen.figure.curves import DASHES, Curve, curves
+from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.outputs.qr import qr_rows, qr_svg
+from variantgen.outputs.typst.markup import heading, markup
+from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
+from variantgen.wording.text import Text
+
+_STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
+
+
+class TypstWriting:
+    """Fulfils :class:`variantgen.outputs.documents.writing.Writing` for the engine."""
+
+    def formula(self, formula: Formula) -> str:
+        """The markup, which templates evaluate."""
+        return markup(formula)
+
+    def text(self, text: Text) -> list[Any]:
+        """Runs of text: strings as they are, formulas as one-element lists."""
+        return [part if isinstance(part, str) else [markup(part)] for part in text]
+
+    def equals(self, equation: Equation, exact: Surd | None = None) -> dict[str, Any]:
+        """Data for ``equals`` of ``common.typ``; a unit without a space is put to the value."""
+        right = equation.right
+        if not isinstance(right, Measured):
+            raise TypeError("expected an equation with a measured value")
+        tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
+        return {
+            "symbol": markup(equation.left),
+            "exact": markup(exact) if exact else "",
+            "value": right.number.text + tight,
+            "unit": "" if tight else markup(right.unit),
+        }
+
+    def heading(self, symbol: Formula, unit: UnitText) -> str:
+        """The markup, which templates evaluate."""
+        return heading(symbol, unit)
+
+    def piece(self, sign: str, formula: Formula) -> list[str]:
+        """The sign as text and the markup."""
+        return [sign, markup(formula)]
+
+    def figure(self, drawing: Drawing, caption: Text = ()) -> dict[str, Any]:
+        """Data for ``figure.typ``."""
+        return figure_data(drawing)
+
+    def code(self, text: str) -> str:
+        """An image as SVG."""
+        return qr_svg(qr_rows(text))
+
+
+TYPST = TypstWriting()
+
+
+def figure_data(drawing: Drawing) -> dict[str, Any]:
+    """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
+
+    A curve is weight, fill, dashes and the path, as SVG writes it. The drawing itself stands for its words, which are
+    made when they are needed.
+    """
+    drawn = curves(drawing.lines)
+    points = [point for curve in drawn for _, ends in curve.steps for point in ends]
+    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
+    return {
+        "w": round(drawing.width, 2),
+        "h": round(drawing.height, 2),
+        "letter": LETTER,
+        "alt": drawing,
+        "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
+        "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
+    }
+
+
+def _path(curve: Curve, places: Iterator[int]) -> str:
+    """The steps of a curve with the next places."""
+    form = "".join([_STEPS[kind] for kind, _ in curve.steps])
+    return form % tuple(islice(places, form.count("%")))
+
+
+def _hundredths(points: Sequence[complex], height: float) -> list[int]:
+    """Coordinates in turn, y down from a height."""
+    at = np.array(points, dtype=complex)
+    found: list[int] = np.rint(100 * np.stack((at.real, height - at.imag), axis=-1)).astype(int).ravel().tolist()
+    return found

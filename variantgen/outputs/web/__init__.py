@@ -1,1 +1,0 @@
-"""Problems and solutions as fragments of HTML, for pages and for learning platforms."""
