@@ -15,7 +15,7 @@ from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Measured, to_plain
 from variantgen.wording.language import languages, load_language
-from variantgen.wording.solution.document import Lines, Paragraph, SolutionText, VectorTable
+from variantgen.wording.solution.document import FormulaLine, FormulaLines, Paragraph, SolutionText, VectorTable
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.text import Text
 
@@ -44,18 +44,28 @@ def shown(
     }
 
 
+def formula_lines(text: SolutionText) -> list[FormulaLine]:
+    """The lines of formulas of all steps."""
+    blocks = [block for section in text.sections for block in section.blocks]
+    return [line for block in blocks if isinstance(block, FormulaLines) for line in block.lines]
+
+
 def formulas(text: SolutionText) -> list[str]:
     """All formulas of a solution as they are read, without the arrows above vectors."""
     blocks = [block for section in text.sections for block in section.blocks]
     parts: list[Text] = [block.text for block in blocks if isinstance(block, Paragraph)]
     parts += [(row.vector,) for block in blocks if isinstance(block, VectorTable) for row in block.rows]
-    parts += [tuple(f for _, f in line.pieces) for block in blocks if isinstance(block, Lines) for line in block.lines]
+    parts += [
+        tuple(f for _, f in line.pieces) for block in blocks if isinstance(block, FormulaLines) for line in block.lines
+    ]
     return [to_plain(part).replace(ARROW, "") for run in parts for part in run if not isinstance(part, str)]
 
 
 def equations(text: SolutionText, letter: str) -> list[tuple[list[str], list[str]]]:
     """The vector equations of one letter: the vectors on their two sides."""
-    lines = [line for section in text.sections for b in section.blocks if isinstance(b, Lines) for line in b.lines]
+    lines = [
+        line for section in text.sections for b in section.blocks if isinstance(b, FormulaLines) for line in b.lines
+    ]
     sides = [[to_plain(formula) for _, formula in line.pieces] for line in lines]
     vectors = [pair for pair in sides if len(pair) == 2 and ARROW in pair[1]]
     return [
@@ -68,7 +78,9 @@ def equations(text: SolutionText, letter: str) -> list[tuple[list[str], list[str
 def magnitudes(text: SolutionText) -> dict[str, float]:
     """The numbers that lines of a solution end with, without signs, by what stands on the left."""
     found = {}
-    for line in (line for section in text.sections for b in section.blocks if isinstance(b, Lines) for line in b.lines):
+    for line in (
+        line for section in text.sections for b in section.blocks if isinstance(b, FormulaLines) for line in b.lines
+    ):
         if isinstance(last := line.pieces[-1][1], Measured):
             found[to_plain(line.pieces[0][1])] = abs(float(re.sub("[^0-9.]", "", last.number.text.replace(",", "."))))
     return found
