@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
-from variantgen.exam.confirm import confirm
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, answers_of, solve_all
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import read_ask
+from variantgen.methods.hand.confirmation import UnconfirmedError
+from variantgen.variants.attempts import VerificationError
 from variantgen.variants.distinct import DistinctDraws, More, TooFewError, assign_distinct
 from variantgen.variants.draw import FamilySampler, next_draws, too_few
 from variantgen.variants.seeding import digest
@@ -98,12 +99,16 @@ class ProblemSampler:
         return next_draws(drawings, keys, used)
 
     def items(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> list[Item]:
-        """The problems with their answers. Raises VerificationError if a method disagrees with the solver."""
+        """The problems with their answers. Raises VerificationError for one to which its steps do not lead."""
         tasks = [self.exam.tasks[request.place] for request in requests]
         asked = [read_ask(variant.form, task.ask) for variant, task in zip(variants, tasks, strict=True)]
         solved = solve_all(variants, asked)
-        confirm(variants, asked, solved, [self._key(request) for request in requests])
-        answers = answers_of(variants, asked, solved, self._margins, [self._tolerances[w.place] for w in requests])
+        try:
+            answers = answers_of(variants, asked, solved, self._margins, [self._tolerances[w.place] for w in requests])
+        except UnconfirmedError as error:
+            request = next(request for request, own in zip(requests, variants, strict=True) if own is error.variant)
+            key = ", ".join(map(str, self._key(request)))
+            raise VerificationError(f"{error} (seed, student, problem: {key})") from error
         self.forget()
         return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
 
