@@ -61,7 +61,7 @@ class BuildSpec:
             _tasks(exam),
         )
 
-    @cached_property
+    @property
     def name(self) -> str:
         """A name that no other exam has."""
         parts = (self.path, self.text, repr(self.settings), repr(self.families), self.tasks)

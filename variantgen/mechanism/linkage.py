@@ -20,7 +20,7 @@ class Linkage:
 
     scene: Scene
 
-    @cached_property
+    @property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
@@ -30,7 +30,7 @@ class Linkage:
         """Points at rest: fixed hinges, and what joints say to rest besides, as centres of fixed circles."""
         return self.hinged | {name for joint in self.scene.joints for name in joint.resting()}
 
-    @cached_property
+    @property
     def translating(self) -> frozenset[str]:
         """Bodies that a single joint keeps from turning."""
         shapes = (shape for joint in self.scene.joints for shape in joint.shapes())

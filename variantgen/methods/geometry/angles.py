@@ -11,7 +11,6 @@ import cmath
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeAlias
 
 from variantgen.algebra.expression import Value
@@ -100,7 +99,7 @@ class Angles:
             return law[0] if law else 0
         return int(parameter.unit.measures == "angle")
 
-    @cached_property
+    @property
     def silent(self) -> frozenset[str]:
         """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
         parameters = self._task.form.parameters
