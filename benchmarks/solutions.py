@@ -21,10 +21,10 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import exams, processes
-from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
+from benchmarks.exams import FIVE_FAMILIES
 from benchmarks.measure import Clock, machine_line, write_beside
+from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build
-from variantgen.exam.confirm import confirm
 from variantgen.exam.content import Content, PosedProblem, SolvedProblem
 from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
@@ -141,7 +141,6 @@ def class_table(students: int) -> list[str]:
         measure_solutions(exam, sheets[:1], Clock())
         with clock.measuring("drawing variants, answers, confirmation"):
             drawn_sheets(replace(exam, seed="0"), numbered(students))
-        _confirm(sheets, clock)
         with clock.measuring("text and figures of the sheets"):
             sheets_data(Content(exam, sheets), TYPST)
         measure_solutions(exam, sheets, clock)
@@ -159,14 +158,6 @@ def class_table(students: int) -> list[str]:
         f"but for Typst take {clock['solutions but for Typst'] / clock[STATEMENT]:.1f} statement figures a student.",
     ]
     return ["| stage | CPU per student, ms |", "|---|---|", *rows, *ratios]
-
-
-def _confirm(sheets: Sequence[Sheet], clock: Clock) -> None:
-    items = [item for sheet in sheets for item in sheet.items]
-    variants, asked = [item.variant for item in items], [item.asked for item in items]
-    solved = solve_all(variants, asked)
-    with clock.measuring("of these: confirmation by all methods"):
-        confirm(variants, asked, solved, [()] * len(items))
 
 
 def family_row(family: str, variants: int) -> str:

@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from tests.own_scenes import SCENES
+from tests.scene_texts import CRANK
 from variantgen.cli import main
 from variantgen.families.load import family_names
 from variantgen.resources import catalog_dir
@@ -153,32 +154,18 @@ def test_check_finds_what_solve_and_explain_refuse(name, tmp_path, capsys):
         assert (codes[2] == 0) == (codes[0] == codes[1] == 0), (what, codes)
 
 
-BASE = """
-length_unit = "cm"
-[points]
-O = { coordinates = { x = 0, y = 0 } }
-A = { polar = { origin = "O", distance = 20, angle = 30 } }
-[bodies]
-OA = ["O", "A"]
-[[joints]]
-pivot = { point = "O" }
-[[drivers]]
-rotation = { body = "OA", omega = 2 }
-"""
-
-
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "output"),
     [
-        (BASE.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 1000 digits in line 11"),
-        (BASE.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 1000 digits in line 11"),
-        (f"{'.'.join('a' * 3000)} = 1\n{BASE}", "a key of more than 50 parts in line 1"),
-        (BASE + '[[joints]]\npivot = { point = "O" }\n' * 2500, "joints: expected at most 200 entries (got 2501)"),
+        (CRANK.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 1000 digits in line 11"),
+        (CRANK.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 1000 digits in line 11"),
+        (f"{'.'.join('a' * 3000)} = 1\n{CRANK}", "a key of more than 50 parts in line 1"),
+        (CRANK + '[[joints]]\npivot = { point = "O" }\n' * 2500, "joints: expected at most 200 entries (got 2501)"),
         (
-            BASE + "[derived]\n" + "".join(f'a{i} = "a{i - 1} + 1"\n' for i in range(2500, 0, -1)) + 'a0 = "1"\n',
+            CRANK + "[derived]\n" + "".join(f'a{i} = "a{i - 1} + 1"\n' for i in range(2500, 0, -1)) + 'a0 = "1"\n',
             "derived: expected at most 200 entries (got 2501)",
         ),
-        (BASE + "[[joints]]\nrope.path = []\n", "joints.rope of nothing: a rope needs at least two bends: its ends"),
+        (CRANK + "[[joints]]\nrope.path = []\n", "joints.rope of nothing: a rope needs at least two bends: its ends"),
     ],
 )
 def test_overgrown_and_empty_parts(text, output, tmp_path, capsys):
@@ -195,7 +182,7 @@ def test_many_joints_within_the_bound(count, tmp_path, capsys):
     guides = "".join(f'[[joints]]\nguide = {{ point = "P{i}", angle = 0 }}\n' for i in range(count))
     drives = "".join(f'[[drivers]]\ntravel = {{ point = "P{i}", v = 1 }}\n' for i in range(count))
     path = tmp_path / "scene.toml"
-    text = 'ask = ["omega_OA"]\n' + BASE.replace("[bodies]", points + "[bodies]").replace(
+    text = 'ask = ["omega_OA"]\n' + CRANK.replace("[bodies]", points + "[bodies]").replace(
         "[[drivers]]", guides + "[[drivers]]"
     )
     path.write_text(text + drives, encoding="utf-8")

@@ -6,6 +6,9 @@ import os
 
 import pytest
 
+# The long run (see conftest.py).
+NIGHTLY = os.environ.get("HYPOTHESIS_PROFILE") == "nightly"
+
 
 def need(found: bool, what: str, packages: str) -> None:
     """Skip a test on a machine that lacks a program; fail where CI runs. ``packages`` are those of Debian."""

@@ -7,10 +7,23 @@ import math
 import pytest
 
 from variantgen.algebra.derivative import derivative
-from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Total, Value, cos, sin
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Total,
+    Value,
+    Variable,
+    cos,
+    sin,
+)
 from variantgen.algebra.linear import linear, reduced
 from variantgen.algebra.name import Name
-from variantgen.algebra.normal_form import added, product
+from variantgen.algebra.normal_form import added, product, simplified
 from variantgen.algebra.substitution import pruned, substituted
 
 
@@ -43,6 +56,12 @@ def number(item: Expression | None) -> float:
         (X / Y, (7 * -5 - 2 * 11) / 25),
         (SquareRoot(X**2 + Y**2), (2 * 7 - 5 * 11) / math.sqrt(29)),
         (R - X, -7),
+        (Applied("tan", PHI), 4 * 4 / 3),
+        (Applied("arcsin", X / R), 7 / 3 / math.sqrt(1 - 4 / 9)),
+        (Applied("arccos", X / R), -7 / 3 / math.sqrt(1 - 4 / 9)),
+        (Applied("arctan", X), 7 / 5),
+        (X**1, 7),
+        (Magnitude(R) * X, 3 * 7),
     ],
 )
 def test_derivatives_by_hand(item: Expression, wanted: float) -> None:
@@ -55,13 +74,7 @@ def test_what_does_not_change_has_no_derivative() -> None:
 
 def test_an_absolute_value_has_no_derivative() -> None:
     with pytest.raises(TypeError):
-        derivative(abs_of(X), RATES)
-
-
-def abs_of(item: Expression) -> Expression:
-    from variantgen.algebra.expression import Magnitude
-
-    return Magnitude(item)
+        derivative(Magnitude(X), RATES)
 
 
 def test_second_derivative_of_a_circle_has_the_normal_term_once() -> None:
@@ -73,6 +86,18 @@ def test_second_derivative_of_a_circle_has_the_normal_term_once() -> None:
         ((-1, R * acceleration * sin(PHI)), (-1, R * OMEGA**2 * cos(PHI)))
     )
     assert number(second) == pytest.approx(-3 * 16 * math.sqrt(3) / 2 - 3 * 0.5 * 0.5)
+
+
+def test_by_one_of_its_names() -> None:
+    t, k = Variable("t"), Variable("k")
+    assert derivative(k * t**3, {t: Constant(1.0)}) == Constant(3.0) * k * t**2
+    assert derivative(k**2, {t: Constant(1.0)}) is None
+
+
+def test_a_product_of_fractions_is_one_fraction() -> None:
+    assert simplified(X * (Constant(2.0) * Y) * Constant(2.0) / Constant(2.0) ** 2) == X * Y
+    assert simplified(-(X / Y) * (Y / R)) == Total(((-1, Ratio(X, R)),))
+    assert simplified(X * Y / Constant(4.0)) == Ratio(X * Y, Constant(4.0))
 
 
 def test_like_terms_are_put_together() -> None:

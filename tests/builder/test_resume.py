@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import random
 import signal
 import subprocess
@@ -15,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
+from tests.tools import NIGHTLY
 from variantgen.builder import build, unfinished_folder
 from variantgen.builder.jobs import DrawJob, RenderJob
 from variantgen.builder.unfinished import Unfinished
@@ -25,7 +25,7 @@ from variantgen.exam.roster import Student, numbered
 
 STUDENTS = 50  # a job of drawing for each problem, four parts, four overviews
 JOBS = 8
-KILLS = 20 if os.environ.get("HYPOTHESIS_PROFILE") == "nightly" else 5
+KILLS = 20 if NIGHTLY else 5
 
 
 class StoppedError(Exception):
@@ -212,7 +212,7 @@ def test_two_builds_of_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
-    from benchmarks.exams import drawn_sheets
+    from benchmarks.sheets import drawn_sheets
 
     found = exam(tmp_path)
     items = drawn_sheets(replace(found, seed="1"), numbered(3))[1].items

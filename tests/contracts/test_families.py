@@ -164,7 +164,7 @@ def sources(derived: Mapping[str, FamilyExpression], names: Iterable[str]) -> se
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(name: str) -> None:
-    for variant, figure in drawn(name, 60):
+    for variant, figure in drawn(name, 20):
         arcs = {to_plain(label.formula): arc for arc, label in arcs_and_labels(figure)}
         rates = given_rates(variant)
         assert set(arcs) == {symbol for symbol, rate in rates.items() if rate != 0}

@@ -1,96 +1,134 @@
-"""Every method is evaluated for every variant on paper; one that deviates stops the build."""
+"""Answers are confirmed by the steps that a solution would print; where they lead elsewhere, nothing is built."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from tests.methods.damaged import damage_formulas
+from variantgen.algebra.expression import Constant, Expression
 from variantgen.builder import build
-from variantgen.exam.confirm import confirm
+from variantgen.cli import main
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import solve_all
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
+from variantgen.families.quantities import parse_quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand import evaluation
+from variantgen.methods.hand.confirmation import UnconfirmedError, confirm_answers
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def drawn() -> list[Variant]:
     return FamilySampler(load_family("sleeve_on_crank"), None).after([("confirm", i) for i in range(4)], [0] * 4)
 
 
-def spoiled(motion: Motion, **changes: object) -> Motion:
-    tables = {key: {**getattr(motion, key), **value} for key, value in changes.items()}
-    return replace(motion, **tables)
-
-
-def deviating(variants: list[Variant], motion: Motion) -> str:
-    asked = [read_ask(v.form) for v in variants]
-    with pytest.raises(VerificationError) as caught:
-        confirm(variants, asked, [(motion, i) for i in range(len(variants))], [("7", f"s{i}", 2) for i in range(4)])
-    return str(caught.value)
+def solved(variants: list[Variant]) -> Motion:
+    return solve_all(variants, [read_ask(v.form) for v in variants])[0][0]
 
 
 def test_good_variants_pass(drawn: list[Variant]) -> None:
-    asked = [read_ask(v.form) for v in drawn]
-    confirm(drawn, asked, solve_all(drawn, asked), [("7", f"s{i}", 2) for i in range(4)])
+    confirm_answers(drawn, read_ask(drawn[0].form), solved(drawn), range(4))
 
 
-def test_one_wrong_velocity_stops_the_build_and_names_the_seed(drawn: list[Variant]) -> None:
-    motion, _ = solve_all(drawn, [read_ask(v.form) for v in drawn])[0]
-    v = motion.v["B"].copy()
-    v[2] *= 1 + 1e-7
-    message = deviating(drawn, spoiled(motion, v={"B": v}))
-    assert "sleeve_on_crank: the method" in message
-    assert "(seed, student, problem: 7, s2, 2)" in message
-    assert f"OA={drawn[2].printed['OA']}" in message
+# Both signs of what is asked: an answer that is right but for its sign is wrong.
+@pytest.mark.parametrize("factor", [1 + 1e-6, -1.0])
+@pytest.mark.parametrize(
+    ("asked", "table", "name"),
+    [
+        ("omega_BD", "omega", "BD"),
+        ("epsilon_BD", "epsilon", "BD"),
+        ("v_A.x", "v", "A"),
+        ("a_B.angle", "a", "B"),
+        ("omega_BD.sense", "omega", "BD"),
+    ],
+)
+def test_one_wrong_number_is_noticed_in_its_variant(
+    drawn: list[Variant], asked: str, table: str, name: str, factor: float
+) -> None:
+    if factor > 0 and asked.endswith(("sense", "angle")):
+        factor = -1.0  # neither depends on a magnitude
+    quantities, motion = [parse_quantity(asked, drawn[0].form.sample)], solved(drawn)
+    confirm_answers(drawn, quantities, motion, range(4))
+    values = getattr(motion, table)[name].copy()
+    values[0] *= factor
+    wrong = replace(motion, **{table: {**getattr(motion, table), name: values}})
+    with pytest.raises(UnconfirmedError, match="sleeve_on_crank: the steps of its solution lead to other") as caught:
+        confirm_answers(drawn, quantities, wrong, range(4))
+    assert caught.value.variant is drawn[0]
+    assert f"OA={drawn[0].printed['OA']}" in str(caught.value)
+
+
+def test_a_mirrored_scene_turns_the_other_way(drawn: list[Variant]) -> None:
+    """The steps of one variant confirm the others that have its senses, mirrored ones included."""
+    pair = [replace(drawn[0], sense=1), replace(drawn[0], sense=-1)]
+    asked, motion = [parse_quantity("omega_BD", pair[0].form.sample)], solved(pair)
+    assert motion.omega["BD"][0] == pytest.approx(-motion.omega["BD"][1])
+    confirm_answers(pair, asked, motion, range(2))
+    with pytest.raises(UnconfirmedError):
+        confirm_answers(pair, asked, replace(motion, omega={**motion.omega, "BD": np.abs(motion.omega["BD"])}), [0, 1])
+
+
+def exam(folder: Path, depth: str) -> Path:
+    path = folder / "exam.toml"
+    text = f'title = "Quiz"\nlanguage = "en"\n[solutions]\ndepth = "{depth}"\n[[problem]]\nfamily = "slider_crank"\n'
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def doubled(expression: Expression) -> Expression:
+    return Constant(2.0) * expression
+
+
+def opposite(expression: Expression) -> Expression:
+    return -expression
+
+
+@pytest.mark.parametrize("damage", [doubled, opposite])
+@pytest.mark.parametrize("depth", ["none", "full"])
+def test_a_wrong_formula_stops_a_build_and_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, depth: str, damage: Callable[[Expression], Expression]
+) -> None:
+    damage_formulas(monkeypatch, "omega", damage)
+    with pytest.raises(VerificationError) as caught:
+        build(exam(tmp_path, depth), numbered(2), tmp_path / "out", seed="97")
+    message = str(caught.value)
+    assert message.startswith("slider_crank: ")
+    assert "for OA=" in message
+    assert "(seed, student, problem: 97, 1, 1) (seed 97)" in message
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_wrong_printed_number_stops_a_build(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing but the solution itself shows it: the answers are right."""
+    monkeypatch.setattr("variantgen.methods.agreement.deviation", lambda book: 1e-6)
+    with pytest.raises(VerificationError) as caught:
+        build(exam(tmp_path, "short"), numbered(2), tmp_path / "out", seed="97")
+    assert "slider_crank: the solution by velocity_centre, acceleration_pole deviates from the solver" in str(
+        caught.value
+    )
+    assert "(student 1, problem 1) (seed 97)" in str(caught.value)
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.parametrize(
-    ("table", "name"), [("omega", "AB"), ("omega", "BD"), ("epsilon", "BD"), ("a", "B"), ("a", "D"), ("v", "C")]
+    "arguments",
+    [
+        ("solve", "slider_crank"),
+        ("solve", "slider_crank", "--json"),
+        ("solve", "slider_crank", "--explain"),
+    ],
 )
-def test_whatever_is_wrong_is_noticed(drawn: list[Variant], table: str, name: str) -> None:
-    motion, _ = solve_all(drawn, [read_ask(v.form) for v in drawn])[0]
-    values = getattr(motion, table)[name].copy()
-    values[0] *= 1 + 1e-6
-    assert "(seed, student, problem: 7, s0, 2)" in deviating(drawn, spoiled(motion, **{table: {name: values}}))
-
-
-def test_each_method_notices_a_wrong_rate_by_itself(drawn: list[Variant]) -> None:
-    from variantgen.methods.by_groups.solve_groups import velocities
-    from variantgen.methods.linkage.problem import task_of
-    from variantgen.methods.solution.book import Book
-
-    asked = read_ask(drawn[0].form)
-    motion, place = solve_all(drawn, [read_ask(v.form) for v in drawn])[0]
-    groups = velocities(Book(task_of(drawn[0], motion, place, asked)))
-    good = evaluation.deviations(motion, groups)
-    assert max(float(worst.max()) for worst in good.values()) < 1e-12
-    wrong = spoiled(
-        motion,
-        omega={name: 1.001 * rate for name, rate in motion.omega.items()},
-        epsilon={name: 1.001 * rate for name, rate in motion.epsilon.items()},
-    )
-    found = evaluation.deviations(wrong, groups)
-    noticed = {name for name, worst in found.items() if float(worst.max()) > 1e-9}
-    # Equal projections speak of no rate.
-    assert noticed == set(found) - {"projections"}
-
-
-def test_a_solution_that_disagrees_stops_the_build_and_leaves_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_single_variant_is_confirmed_too(
+    arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("variantgen.methods.agreement.deviation", lambda book: 1e-6)
-    exam = tmp_path / "exam.toml"
-    exam.write_text('title = "Quiz"\nlanguage = "en"\n[[problem]]\nfamily = "spool"\n', encoding="utf-8")
-    with pytest.raises(VerificationError) as caught:
-        build(exam, numbered(2), tmp_path / "out", seed="97")
-    assert "spool: the solution deviates from the solver by 1.0e-06 for r=" in str(caught.value)
-    assert "(student 1, problem 1) (seed 97)" in str(caught.value)
-    assert not (tmp_path / "out").exists()
+    damage_formulas(monkeypatch, "omega", doubled)
+    assert main(list(arguments)) == 1
+    assert "slider_crank: the s" in capsys.readouterr().err

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -75,9 +76,20 @@ def test_everything_else_is_refused(text: str) -> None:
 def test_arbitrary_text_is_refused_or_evaluated_but_never_crashes(text: str) -> None:
     try:
         expression = parse(text)
-        expression.value(dict.fromkeys(expression.names, 0.5))
-    except InputError:
-        pass
+        value = expression.value(dict.fromkeys(expression.names, 0.5))
+    except InputError as error:
+        assert error.problems[0].message
+    else:
+        assert isinstance(value, float | int), value
+
+
+@pytest.mark.parametrize(
+    "text", ["-" * 198 + "OA", "(" * 60 + "OA" + ")" * 60, "sin(" * 39 + "OA" + ")" * 39, "OA" + "+OA" * 66]
+)
+def test_deeply_nested_expressions_reach_other_processes(text: str) -> None:
+    expression = pickle.loads(pickle.dumps(parse(text)))
+    assert expression.text == text
+    assert expression.value({"OA": 0.5}) == pytest.approx(eval(text, {"OA": 0.5, "sin": math.sin}))
 
 
 def test_units_convert_exactly() -> None:

@@ -52,6 +52,17 @@ def test_functions_without_a_derivative_are_refused(text: str) -> None:
         parse(text).derivative("t")
 
 
+@pytest.mark.parametrize("text", ["t * (1e11**8)**8", "t**2 * (1e11**8)**4"])
+def test_numbers_beyond_measure_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match="number this large"):
+        parse(text).derivative("t")
+
+
+def test_a_law_of_a_hundred_equal_factors_stays_short() -> None:
+    rate = parse("*".join("t" * 100)).derivative("t")
+    assert float(rate.value({"t": 1.0})) == 100.0
+
+
 def test_constants_under_such_functions_are_fine() -> None:
     assert float(parse("abs(R) * t").derivative("t").value({"R": -2.0, "t": 1.0})) == 2.0
 

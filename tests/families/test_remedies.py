@@ -6,20 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_texts import CRANK
 from variantgen.cli import main
 
-CRANK = """
-length_unit = "cm"
-[points]
-O = { coordinates = { x = 0, y = 0 } }
-A = { polar = { origin = "O", distance = 20, angle = 30 } }
-[bodies]
-OA = ["O", "A"]
-[[joints]]
-pivot = { point = "O" }
-[[drivers]]
-rotation = { body = "OA", omega = 2 }
-"""
 PLANET = """
 length_unit = "cm"
 [points]

@@ -6,19 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_texts import FREE_CRANK
 from variantgen.errors import InputError, Problem
 from variantgen.families.load import read_family
 
-BASE = """
-length_unit = "cm"
-[points]
-O = { coordinates = { x = 0, y = 0 } }
-A = { polar = { origin = "O", distance = 20, angle = 30 } }
-[bodies]
-OA = ["O", "A"]
-[[joints]]
-pivot = { point = "O" }
-"""
 FORM = '[forms.f%d]\ndrivers = [{ rotation = { body = "OA", omega = %d } }]\n'
 
 
@@ -32,7 +23,7 @@ def problems(folder: Path, text: str) -> list[Problem]:
 
 def test_seventeen_forms_with_one_mistake(tmp_path: Path) -> None:
     forms = "".join(FORM % (number, number) for number in range(1, 18))
-    (found,) = problems(tmp_path, BASE.replace('"O", "A"]', '"O", "X"]') + forms)
+    (found,) = problems(tmp_path, FREE_CRANK.replace('"O", "A"]', '"O", "X"]') + forms)
     assert (found.key, found.message, found.value) == ("bodies.OA", "unknown point", "X")
 
 
@@ -40,19 +31,19 @@ def test_a_mistake_of_some_forms_names_them(tmp_path: Path) -> None:
     """The family's body has a point that only the first of the forms has."""
     forms = "".join(FORM % (number, number) for number in range(1, 7))
     forms += '[forms.f1.points]\nX = { polar = { origin = "O", distance = 10, angle = 60 } }\n'
-    (found,) = problems(tmp_path, BASE.replace('"O", "A"]', '"O", "X"]') + forms)
+    (found,) = problems(tmp_path, FREE_CRANK.replace('"O", "A"]', '"O", "X"]') + forms)
     assert found.key == "bodies.OA"
     assert found.message == "unknown point, in the forms f2, f3, f4 and 2 more forms"
 
 
 def test_copies_in_the_forms_themselves_are_one(tmp_path: Path) -> None:
     forms = "".join(FORM % (number, number) for number in range(1, 4)).replace('body = "OA"', 'body = "XY"')
-    (found,) = problems(tmp_path, BASE + forms)
+    (found,) = problems(tmp_path, FREE_CRANK + forms)
     assert found.key == "forms.f1.drivers.rotation of XY"
     assert found.message == "unknown body, also in the forms f2, f3"
 
 
 def test_mistakes_of_single_forms_keep_their_place(tmp_path: Path) -> None:
     forms = FORM % (1, 2) + (FORM % (2, 3)).replace("omega = 3", "omega = true")
-    (found,) = problems(tmp_path, BASE + forms)
+    (found,) = problems(tmp_path, FREE_CRANK + forms)
     assert found.key == "forms.f2.drivers[1].rotation.omega"

@@ -10,7 +10,8 @@ from typing import ClassVar
 import pytest
 
 from tests.calculator import evaluate
-from tests.figure.reading import FORMS, arrows, variants_of
+from tests.figure.reading import arrows, variants_of
+from tests.methods.applying import APPLYING
 from tests.solved_cases import case_of, task
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -47,16 +48,12 @@ VIEWS = (
 )
 RULER = 0.15  # mm
 TENTH = 0.1  # mm, the last digit of a length on paper
-# Groups of the third class: no two lines cross in them before all is known.
-# Groups of the third class have no such construction; of a body in translation there is nothing to construct.
-WITHOUT_PLAN = frozenset({"three_rod_plate", "guided_plate", "parallelogram_with_disc"})
 
 
 @cache
 def tasks(name: str, form: str) -> list[Task]:
     variants, motion, asked = variants_of(name, form, SEEDS)
-    found = [task_of(variant, motion, i, asked) for i, variant in enumerate(variants)]
-    return [item for item in found if graphical.applies(item)]
+    return [task_of(variant, motion, i, asked) for i, variant in enumerate(variants)]
 
 
 def readings(found: Solution) -> list[Value]:
@@ -110,18 +107,16 @@ class TestProblem28:
         assert "a_B = 380\N{NO-BREAK SPACE}cm/s" in text
 
 
-@pytest.mark.parametrize(("name", "form"), FORMS)
+@pytest.mark.parametrize(("name", "form"), APPLYING["graphical"])
 def test_plans_agree_with_the_solver(name: str, form: str) -> None:
-    found = tasks(name, form)
-    assert found or name in WITHOUT_PLAN
-    for item in found:
+    for item in tasks(name, form):
         book = Book(item)
         graphical.solve(book)
         assert book.velocity
         assert deviation(book) < 1e-9
 
 
-@pytest.mark.parametrize(("name", "form"), FORMS)
+@pytest.mark.parametrize(("name", "form"), APPLYING["graphical"])
 def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) -> None:
     for item in tasks(name, form):
         variants, motion, asked = variants_of(name, form, SEEDS)
@@ -161,7 +156,7 @@ def symbol_of(symbols: Symbols, name: Name | None) -> Symbol:
     return symbols.of(name._replace(kind=name.body, body=""))
 
 
-@pytest.mark.parametrize(("name", "form"), FORMS)
+@pytest.mark.parametrize(("name", "form"), APPLYING["graphical"])
 def test_text_and_figure_have_one_scale(name: str, form: str) -> None:
     for item in tasks(name, form):
         variants, motion, asked = variants_of(name, form, SEEDS)
@@ -178,7 +173,7 @@ def test_text_and_figure_have_one_scale(name: str, form: str) -> None:
         assert [float(e.right.number.text) for e in texts if isinstance(e.right, Measured)] == [scale]
 
 
-@pytest.mark.parametrize(("name", "form"), FORMS)
+@pytest.mark.parametrize(("name", "form"), APPLYING["graphical"])
 def test_a_calculator_follows_the_numbers(name: str, form: str) -> None:
     for item in tasks(name, form):
         writer = writer_of(item)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_texts import CRANK
 from variantgen.cli import main
 from variantgen.methods import compose
 from variantgen.methods.steps.not_applicable import NotApplicableError
@@ -55,19 +56,7 @@ travel = { point = "T", v = 30, angle = 90 }
 [[drivers]]
 travel = { point = "C", v = 5, angle = 90 }
 """
-TWO_NAMES = """
-length_unit = "cm"
-[points]
-O = { coordinates = { x = 0, y = 0 } }
-Q = { coordinates = { x = 0, y = 0 } }
-A = { polar = { origin = "O", distance = 20, angle = 30 } }
-[bodies]
-OA = ["O", "Q", "A"]
-[[joints]]
-pivot = { point = "O" }
-[[drivers]]
-rotation = { body = "OA", omega = 2 }
-"""
+TWO_NAMES = CRANK.replace('["O", ', '["O", "Q", ').replace("A = {", "Q = { coordinates = { x = 0, y = 0 } }\nA = {")
 PARAMETERS = """
 [parameters]
 v_A = { unit = "cm/s", from = 5, to = 15, step = 1 }

@@ -14,9 +14,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.tools import NIGHTLY
 from variantgen.outputs.formats import FORMATS
 
-KILLS = 20 if os.environ.get("HYPOTHESIS_PROFILE") == "nightly" else 6
+KILLS = 20 if NIGHTLY else 6
 EXAM = f"""
 title = "Quiz"
 language = "ru"

@@ -124,7 +124,11 @@ def value(formula: Formula) -> int:
     raise AssertionError(formula)
 
 
-@settings(max_examples=1500)
+# Small trees are quickly read: some more of them than usual.
+MANY = settings(max_examples=8 * settings.default.max_examples)
+
+
+@MANY
 @given(st.recursive(LEAVES, arithmetic, max_leaves=10))
 def test_what_is_printed_has_the_value_of_the_tree(formula: Formula) -> None:
     try:
@@ -215,7 +219,6 @@ def test_the_engine_takes_anything(formulas: list[Formula]) -> None:
         assert engine.compile("any.typ", [markup(formula) for formula in formulas])
 
 
-@settings(max_examples=300)
 @given(ANYTHING)
 def test_matplotlib_takes_anything(formula: Formula) -> None:
     markup = to_mathtext(formula)
@@ -224,7 +227,6 @@ def test_matplotlib_takes_anything(formula: Formula) -> None:
         assert MathTextParser("path").parse(markup).width > 0
 
 
-@settings(max_examples=300)
 @given(ANYTHING)
 def test_the_strict_reader_of_html_takes_anything(formula: Formula) -> None:
     page = f"<!DOCTYPE html><title>x</title><p>{to_html(formula)}</p>"

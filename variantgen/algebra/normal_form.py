@@ -14,7 +14,7 @@ from variantgen.algebra.expression import Applied, Constant, Expression, Raised,
 
 Maybe: TypeAlias = Expression | None
 Signed: TypeAlias = tuple[int, Expression]
-Powers = dict[Expression, int]  # exponents of factors
+Powers = dict[Expression, int]  # exponents by factor
 _ONE = Constant(1.0)
 
 
@@ -53,7 +53,7 @@ def added(*terms: tuple[int, Maybe]) -> Maybe:
 
 
 def summed(terms: Iterable[tuple[int, Maybe]]) -> Expression:
-    """The same, with the number 0 for nothing."""
+    """The sum of terms as :func:`added` makes it, the number 0 where nothing is left."""
     return added(*terms) or Constant(0.0)
 
 
@@ -151,6 +151,7 @@ def _multiplied(number: float, powers: Powers) -> Expression:
 
 
 def _signed_by(number: float, size: Expression) -> Expression:
+    """A magnitude with the sign of a number."""
     return size if number >= 0 else Total(((-1, size),))
 
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
-from variantgen.exam.confirm import confirm
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, answers_of, solve_all
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import read_ask
+from variantgen.methods.hand.confirmation import UnconfirmedError
+from variantgen.variants.attempts import VerificationError
 from variantgen.variants.distinct import DistinctDraws, More, TooFewError, assign_distinct
 from variantgen.variants.draw import FamilySampler, next_draws, too_few
 from variantgen.variants.seeding import digest
@@ -87,7 +88,7 @@ class ProblemSampler:
         )
 
     def cut(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> int:
-        """How many of the requests would have another variant if the exam set no ceiling to tolerances."""
+        """The number of requests that would have another variant without the exam's ceiling of tolerances."""
         if all(tolerance.ceiling is None for tolerance in self._tolerances):
             return 0
         first = self._drawn(requests, [request.used for request in requests])
@@ -98,12 +99,16 @@ class ProblemSampler:
         return next_draws(drawings, keys, used)
 
     def items(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> list[Item]:
-        """The problems with their answers. Raises VerificationError if a method disagrees with the solver."""
+        """The problems with their answers. Raises VerificationError for one to which its steps do not lead."""
         tasks = [self.exam.tasks[request.place] for request in requests]
         asked = [read_ask(variant.form, task.ask) for variant, task in zip(variants, tasks, strict=True)]
         solved = solve_all(variants, asked)
-        confirm(variants, asked, solved, [self._key(request) for request in requests])
-        answers = answers_of(variants, asked, solved, self._margins, [self._tolerances[w.place] for w in requests])
+        try:
+            answers = answers_of(variants, asked, solved, self._margins, [self._tolerances[w.place] for w in requests])
+        except UnconfirmedError as error:
+            request = next(request for request, own in zip(requests, variants, strict=True) if own is error.variant)
+            key = ", ".join(map(str, self._key(request)))
+            raise VerificationError(f"{error} (seed, student, problem: {key})") from error
         self.forget()
         return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
 
@@ -113,7 +118,7 @@ class ProblemSampler:
             answer_tolerances.forget()
 
     def traits(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> Traits:
-        """What is compared of drawn variants."""
+        """The traits of drawn variants, by which equal and nearly equal ones are found."""
         asked = [self.drawing(request).asked[v.form.name] for request, v in zip(requests, variants, strict=True)]
         return traits(variants, asked, [request.student.group for request in requests])
 
@@ -155,7 +160,7 @@ def _standing_traits(exam: Exam, standing: Sequence[HandedOutSheet]) -> list[Tra
 
 
 def near_duplicates_of(drawer: ProblemSampler, requests: Sequence[DrawRequest], alike: Iterable[int]) -> dict[str, int]:
-    """How many sheets have nearly the data of another, by problem and family."""
+    """The number of sheets that have nearly the data of another, by problem and family."""
     found: dict[str, int] = {}
     for i in alike:
         where = drawer.drawing(requests[i]).where

@@ -17,6 +17,7 @@ from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.mechanism.closed_form import square_fractions
 from variantgen.mechanism.motion import Field, Motion
+from variantgen.methods.hand.confirmation import confirm_answers
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Surd
@@ -185,7 +186,10 @@ def batches_of(
 def answer_variants(
     variants: Sequence[Variant], asks: Sequence[Ask], tolerances: Sequence[Tolerance], marked: bool = False
 ) -> list[tuple[Answer, ...]]:
-    """The answers of variants in printed units, with absolute tolerances and, ``marked``, unnoticed mistakes."""
+    """The answers of variants in printed units, with absolute tolerances and, ``marked``, unnoticed mistakes.
+
+    Raises UnconfirmedError for one to which the steps of a solution do not lead.
+    """
     asked = [read_ask(variant.form, ask) for variant, ask in zip(variants, asks, strict=True)]
     solved, found = solve_all(variants, asked), dict[int, tuple[Answer, ...]]()
     if marked:
@@ -215,11 +219,13 @@ def _answers(
     found: dict[int, tuple[Answer, ...]] = {}
     for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
-        needed = answer_tolerances.tolerances([variants[i] for i in members], quantities, motion, places)
+        own = [variants[i] for i in members]
+        confirm_answers(own, quantities, motion, places)
+        needed = answer_tolerances.tolerances(own, quantities, motion, places)
         length = variants[members[0]].family.length_unit
         table = [
-            _column(quantity, quantity.unit(length), quantity.value(motion)[places], own)
-            for quantity, own in zip(quantities, needed, strict=True)
+            _column(quantity, quantity.unit(length), quantity.value(motion)[places], by_hand)
+            for quantity, by_hand in zip(quantities, needed, strict=True)
         ]
         found.update(zip(members, zip(*table, strict=True), strict=True))
     return [found[i] for i in range(len(variants))]

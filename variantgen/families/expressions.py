@@ -121,7 +121,7 @@ class FamilyExpression:
     def inlined(self, definitions: Mapping[str, FamilyExpression]) -> FamilyExpression:
         """With defined names replaced by what they stand for (definitions without each other's names)."""
         used = {Variable(name): definitions[name].tree for name in self.names if name in definitions}
-        return self._made(substituted(self.tree, used)) if used else self
+        return self._made(lambda: substituted(self.tree, used)) if used else self
 
     def derivative(self, name: str) -> FamilyExpression:
         """The derivative by one of its names, as an expression of the same names.
@@ -134,10 +134,13 @@ class FamilyExpression:
             if function in _ROUGH and name in _names(item):
                 said = f"{function} of the time has no derivative here"
                 raise InputError(Problem(said, value=self.text, remedy="use a smooth function"))
-        return self._made(derivative(self.tree, {Variable(name): Constant(1.0)}))
+        return self._made(lambda: derivative(self.tree, {Variable(name): Constant(1.0)}))
 
-    def _made(self, tree: Expression | None) -> FamilyExpression:
-        tree = tree or Constant(0.0)
+    def _made(self, work_out: Callable[[], Expression | None]) -> FamilyExpression:
+        try:
+            tree = work_out() or Constant(0.0)
+        except OverflowError:
+            raise _refuse(self.text, "a number this large") from None
         if sum(1 for _ in walk(tree)) > _MAX_NODES:
             raise InputError(Problem("too long for a law of motion", value=self.text, remedy="write it more simply"))
         return FamilyExpression(self.text, tree)
@@ -186,7 +189,10 @@ def _read(node: ast.expr, text: str) -> Expression:
         case ast.Name(id=name):
             return Variable(name)
         case ast.UnaryOp(op=ast.USub(), operand=operand):
-            return Total(((-1, _read(operand, text)),))
+            inner = _read(operand, text)
+            if isinstance(inner, Total) and len(inner.terms) == 1:
+                return inner.terms[0][1]
+            return Total(((-1, inner),))
         case ast.UnaryOp(op=ast.UAdd(), operand=operand):
             return _read(operand, text)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):

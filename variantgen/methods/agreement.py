@@ -1,8 +1,14 @@
-"""Comparison of a method with the solver: every vector and rate that a book has found, against the solved motion."""
+"""Confirmation of solutions: what a book has found and what is printed, against the solved motion."""
 
 from __future__ import annotations
 
-from variantgen.methods.solution.book import Book, resultant
+from collections.abc import Iterator, Mapping, Sequence
+
+from variantgen.algebra.expression import Value
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.printed_numbers import PrintedNumbers
+from variantgen.methods.solution.book import Book, Known, resultant
+from variantgen.methods.steps.step import Sentence, Solution, Step
 from variantgen.variants.attempts import VerificationError
 
 AGREES = 1e-9  # of the natural scale: rounding of the arithmetic
@@ -20,16 +26,53 @@ def deviation(book: Book) -> float:
         for point, terms in book.vectors.items():
             if point in task.now.v:
                 worst = max(worst, abs(resultant(terms) - book.exact(point)) / scale)
+        for terms, right in _relative_motion(book):
+            worst = max(worst, abs(resultant(terms) - right) / max(scale, abs(right)))
         for body, rate in book.rates.items():
             worst = max(worst, abs(rate.sense * rate.size.exact - book.exact_rate(body)) * task.size / scale)
     return worst
 
 
-def confirm(book: Book) -> None:
-    """Raise VerificationError, naming the data, if the steps of a solution lead to other numbers than the solver's."""
+def _relative_motion(book: Book) -> Iterator[tuple[Known, complex]]:
+    """What was found of points that slide on bodies, and what the solver has for it; nothing of what was not sought."""
+    now = book.task.now
+    tables = [(book.relative, now.relative_velocity)]
+    if book.order == 2:
+        tables = [(book.relative_acceleration, now.relative_acceleration), (book.coriolis, now.coriolis)]
+    for table, right in tables:
+        for (point, body), terms in table.items():
+            if terms and body in book.task.scene.bodies:
+                yield terms, right(point, body)
+
+
+def confirm(book: Book, solution: Solution, methods: Sequence[str]) -> None:
+    """Raise VerificationError where a solution, or the book in which it was found, deviates from the solver.
+
+    All that is printed is checked: each number, each equation, each answer with its sign. The message names the family,
+    the methods, the step and the data.
+    """
     found = deviation(book)
     if not found <= AGREES:
-        variant = book.task.variant
-        data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
-        what = f"the solution deviates from the solver by {found:.1e}"
-        raise VerificationError(f"{variant.family.name}: {what}" + (f" for {data}" if data else ""))
+        raise _error(book.task, methods, "what was found for points and bodies", found)
+    printed = PrintedNumbers(book.task, measured=solution.approximate > 0)
+    for step in (*solution.steps, Step(Sentence("check"), list(solution.check))):
+        for what, off in printed.step(step):
+            if not off <= AGREES:
+                raise _error(book.task, methods, f"{what} in the step {step.heading.key}", off)
+    confirm_answers(book.task, dict(solution.answers), methods)
+
+
+def confirm_answers(task: Task, answers: Mapping[str, Value], methods: Sequence[str]) -> None:
+    """Raise VerificationError where an answer (by the name of its quantity) is not the solver's, sign included."""
+    printed = PrintedNumbers(task)
+    for quantity in task.asked:
+        off = printed.answer(quantity, answers[quantity.name])
+        if not off <= AGREES:
+            raise _error(task, methods, f"the answer {quantity.name}", off)
+
+
+def _error(task: Task, methods: Sequence[str], what: str, off: float) -> VerificationError:
+    variant, by = task.variant, ", ".join(methods)
+    data = ", ".join(f"{name}={value}" for name, value in variant.printed.items())
+    said = f"{variant.family.name}: the solution by {by} deviates from the solver: {what} is off by {off:.1e}"
+    return VerificationError(said + (f" for {data}" if data else ""))

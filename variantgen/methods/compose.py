@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 from variantgen.algebra.expression import Value
 from variantgen.families.quantities import Quantity
-from variantgen.methods.agreement import confirm
+from variantgen.methods.agreement import confirm, confirm_answers
 from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.choice import WHOLE, Choice, WholeMethod, choose
+from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.result_check import all_constraints, by_links, equal_projections
 from variantgen.methods.solution.book import Book
@@ -18,9 +19,9 @@ from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.printed_digits import DIGITS, choose_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution
-from variantgen.variants.attempts import VerificationError
 
-_NOT_LED: tuple[type[Exception], ...] = (*NOT_APPLICABLE, VerificationError)
+Made = TypeVar("Made")
+
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
 
 
@@ -28,29 +29,53 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
 
     A mechanism that cannot be gone through link by link is solved by the coordinate method. Raises InputError for a
-    method that does not apply, one of NO_WAY where no method leads to what is asked, VerificationError where the
-    methods lead to other numbers than the solver.
+    method that does not apply, one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where
+    anything that is printed deviates from the solver.
     """
-    choice = choose(task, wished)
+    return _by_choice(task, choose(task, wished), bool(wished), _written)
+
+
+def natural_answers(task: Task) -> dict[str, Value]:
+    """The answers to which the natural solution leads, by the names of the quantities, without writing it.
+
+    Raises one of NOT_APPLICABLE where no method leads to what is asked.
+    """
+    return _by_choice(task, choose(task), False, _found)
+
+
+def _by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, str], Made]) -> Made:
+    """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
     try:
-        return _chosen(task, choice)
-    except _NOT_LED:
+        return make(Book(task, style=choice.style), choice.whole)
+    except NOT_APPLICABLE:
         if wished or choice.whole == _FOR_ALL:
             raise
         try:
-            return _by_one_method(Book(task), WHOLE[_FOR_ALL])
-        except _NOT_LED:
+            return make(Book(task), _FOR_ALL)
+        except NOT_APPLICABLE:
             pass  # what is said is why the natural methods fail
         raise
 
 
-def _chosen(task: Task, choice: Choice) -> Solution:
-    """The solution by the methods of a choice."""
-    book = Book(task, style=choice.style)
-    if choice.whole:
-        return _by_one_method(book, WHOLE[choice.whole])
-    found = work_out(book)
-    confirm(book)
+def _found(book: Book, whole: str) -> dict[str, Value]:
+    """The answers by a method for the whole problem if one is named, else group by group."""
+    if not whole:
+        return work_out(book)
+    WHOLE[whole].solve(book)
+    return {quantity.name: answer(book.at(quantity.order), quantity) for quantity in book.task.asked}
+
+
+def _written(book: Book, whole: str) -> Solution:
+    """The solution with its printed numbers, confirmed."""
+    found = _found(book, whole)
+    written = _by_one_method(book, whole, found) if whole else _by_groups(book, found)
+    confirm(book, written, (whole,) if whole else (book.style.velocities, book.style.accelerations))
+    return written
+
+
+def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
+    """The solution group by group."""
+    task = book.task
     check = (*equal_projections(book), *all_constraints(task, found))
     results = [*found.values(), *items_values(check)]
     steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
@@ -64,20 +89,16 @@ def _acceleration_centres(book: Book) -> tuple[Quantity, ...]:
     return tuple(Quantity("Q", centre.body, point) for centre in centres for point in centre.rays)
 
 
-def _by_one_method(book: Book, method: WholeMethod) -> Solution:
+def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     """The solution by a method for the whole problem; one by measuring has the digits that a ruler gives."""
-    method.solve(book)
-    found = {}
-    for quantity in book.task.asked:
-        found[quantity.name] = answer(book.at(quantity.order), quantity)
-    confirm(book)
+    measured = WHOLE[name].digits
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
-    digits = (method.digits + 1,) if method.digits else DIGITS
+    digits = (measured + 1,) if measured else DIGITS
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
-    return Solution(tuple(steps), tuple(found.items()), check, method.digits)
+    return Solution(tuple(steps), tuple(found.items()), check, measured)
 
 
 def _checked_by_links(task: Task) -> list[Item]:
@@ -85,9 +106,9 @@ def _checked_by_links(task: Task) -> list[Item]:
     book = Book(task)
     try:
         found = work_out(book)
-        confirm(book)
-    except _NOT_LED:
+    except NOT_APPLICABLE:
         return []
+    confirm_answers(task, found, (book.style.velocities, book.style.accelerations))
     return by_links(found)
 
 

@@ -1,1 +1,1 @@
-"""Output formats, one module each; none of them computes an answer."""
+"""Outputs of an exam (``formats``, one module each) and what they are made of; none of them computes an answer."""

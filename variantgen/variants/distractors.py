@@ -45,7 +45,7 @@ def wrong_answers(
 
 
 def distances(right: Array, wrong: Array, asked: Sequence[Quantity]) -> Array:
-    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (..., answers, N).
+    """Relative distances of wrong answers from the right ones (angles in radians), shape (..., answers, N).
 
     Infinite where the mistake does not touch an answer, or leads to no mechanism.
     """

@@ -342,7 +342,7 @@ def test_same_laws_and_same_numbers_as_the_source(reading: Reading) -> None:
     assert set(reading.projections) <= equations
 
 
-@pytest.mark.parametrize("reading", READINGS, ids=lambda r: f"{r.case}-{r.method}")
+@pytest.mark.parametrize("reading", [r for r in READINGS if r.laws], ids=lambda r: f"{r.case}-{r.method}")
 def test_laws_come_in_the_order_of_the_source(reading: Reading) -> None:
     family, case = case_of(reading.family, reading.case)
     task = task_of(variant_of(family, case), case.motion(), 0, quantities(case, reading.ask))

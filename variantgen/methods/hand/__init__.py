@@ -1,3 +1,5 @@
-"""What a careful hand calculation makes of the answers (the tolerance that rounding needs), and every method a second
-time on arrays of variants, compared with the solver.
+"""Steps of solutions repeated on arrays of variants.
+
+What a careful hand calculation makes of the answers (the tolerance that rounding needs), and the confirmation of
+answers without a printed solution.
 """

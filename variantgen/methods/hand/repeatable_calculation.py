@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from variantgen.algebra.expression import Total, Value
 from variantgen.algebra.values import in_order
 from variantgen.algebra.vectorised import Operations, rounded_at
+from variantgen.families.family import Form
 from variantgen.methods.choice import natural
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
+from variantgen.variants.variant import Variant
 
 Array = NDArray[np.float64]
 Numbers = dict[str, Array]  # printed, by parameter
@@ -51,9 +53,12 @@ class RepeatableCalculation:
         self._angles = [row for row, measure in enumerate(measures) if measure == "angle"]
 
     @staticmethod
-    def of(task: Task) -> RepeatableCalculation:
-        """That of a task. Raises LookupError where the methods do not lead to what is asked."""
-        found = work_out(Book(task, style=natural(task)))
+    def of(task: Task, answers: Mapping[str, Value] | None = None) -> RepeatableCalculation:
+        """That of a task, with its ``answers`` by the names of the quantities or else group by group.
+
+        Raises one of NOT_APPLICABLE where the methods do not lead to what is asked.
+        """
+        found = work_out(Book(task, style=natural(task))) if answers is None else answers
         # A datum in an unusual unit is converted first: the printed number is what that starts from.
         printed = {name: in_order([v])[0] if v.expression else v for name, v in task.given.items()}
         given = {id(leaf): name for name, leaf in printed.items()}
@@ -65,7 +70,7 @@ class RepeatableCalculation:
         return _rows([numbers[place] for place in self.answers], _size(data))
 
     def errors(self, data: Numbers, exact: Mapping[int, Array] | None = None) -> Array:
-        """What rounding makes of the answers, in their units, shape (answers, N).
+        """The errors of the answers by rounding, in their units, shape (answers, N).
 
         ``exact`` are the numbers of answers and of what is rounded, by place, where they are known already.
         """
@@ -102,6 +107,16 @@ class RepeatableCalculation:
         numbers = self.operations.begin(data)
         self.operations.run(numbers, self.operations.listed)
         return numbers
+
+
+def printed_data(form: Form, variants: Sequence[Variant]) -> Numbers:
+    """The printed numbers by parameter, shape (N,), magnitudes of rates as a solution has them."""
+    found = {}
+    for name, parameter in form.parameters.items():
+        if parameter.unit is not None:
+            column = np.array([float(variant.printed[name]) for variant in variants])
+            found[name] = np.abs(column) if parameter.is_rate else column
+    return found
 
 
 def _rows(rows: Sequence[Array], size: int) -> Array:

@@ -27,7 +27,7 @@ from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut
+from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
@@ -52,8 +52,9 @@ class HandCalculation:
         self._tried = 0  # models that have been worked out
         self._worked: list[_Model] = []
         self._common = Operations()
-        for name in self._printed:
-            self._common.named(name)
+        for name, parameter in form.parameters.items():
+            if parameter.unit is not None:
+                self._common.named(name)
 
     def errors(self, variants: Sequence[Variant], motion: Motion, places: Sequence[int]) -> Array:
         """Absolute errors of the answers in their printed units (degrees for angles), shape (answers, N).
@@ -63,7 +64,7 @@ class HandCalculation:
         found = np.full((len(self._asked), len(variants)), np.inf)
         length, chosen = variants[0].family.length_unit, list(places)
         exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
-        data = self._data(variants)
+        data = printed_data(self._form, variants)
         numbers, left = self._common.begin(data), np.ones(len(variants), dtype=bool)
         with np.errstate(all="ignore"):
             for model in self._models():
@@ -119,18 +120,6 @@ class HandCalculation:
             return RepeatableCalculation.of(task_of(variants[number], motion, number, self._asked))
         except NOT_APPLICABLE:
             return None
-
-    @property
-    def _printed(self) -> list[str]:
-        return [name for name, parameter in self._form.parameters.items() if parameter.unit is not None]
-
-    def _data(self, variants: Sequence[Variant]) -> Numbers:
-        """The printed numbers by parameter, magnitudes of rates as a solution has them."""
-        found = {}
-        for name in self._printed:
-            column = np.array([float(variant.printed[name]) for variant in variants])
-            found[name] = np.abs(column) if self._form.parameters[name].is_rate else column
-        return found
 
     def _matches_solver(self, model: _Model, numbers: list[Any], exact: Array, left: Flags) -> Flags:
         """Which of the variants that are ``left`` the steps of a model lead to the answers of the solver, but for their

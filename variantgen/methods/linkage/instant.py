@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.scene import Scene
@@ -24,7 +23,7 @@ class Instant:
     omega: Mapping[str, float]
     epsilon: Mapping[str, float]
 
-    @cached_property
+    @property
     def accelerated(self) -> bool:
         """Whether accelerations are known."""
         return bool(self.a)
@@ -49,9 +48,13 @@ class Instant:
         turn = 1j * self.epsilon[body] - self.omega[body] ** 2
         return self.a[pole] + turn * (self.z[point] - self.z[pole])
 
+    def relative_velocity(self, point: str, body: str) -> complex:
+        """The velocity (m/s) of a point relative to a body."""
+        return self.v[point] - self.transport_velocity(point, body)
+
     def coriolis(self, point: str, body: str) -> complex:
         """The Coriolis acceleration (m/s^2) of a point that slides on a body."""
-        return 2j * self.omega[body] * (self.v[point] - self.transport_velocity(point, body))
+        return 2j * self.omega[body] * self.relative_velocity(point, body)
 
     def relative_acceleration(self, point: str, body: str) -> complex:
         """The acceleration (m/s^2) of a point relative to a body."""

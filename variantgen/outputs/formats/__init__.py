@@ -35,6 +35,7 @@ from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS
+from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group
 from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
@@ -84,6 +85,12 @@ class Chunk:
         """The sheets of these students."""
         return self.content.sheets
 
+    def key_parts(self, grouped: bool) -> list[tuple[Sequence[Sheet], bool]]:
+        """These students, or those of each of their groups, and whether the document of a key begins with them."""
+        if grouped:
+            return [(own, group in self.beginning) for group, own in by_group(self.sheets).items()]
+        return [(self.sheets, self.first)]
+
 
 @dataclass(frozen=True)
 class WholeExam:
@@ -101,6 +108,13 @@ class WholeExam:
     engine: Typesetter
     pieces: dict[str, list[Path]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+
+    def of_groups(self, target: str, groups: GroupFiles) -> dict[str, list[Path]]:
+        """The pieces of each group, of sheets, of solutions or of a key by student and by problem."""
+        pieces = self.pieces[target]
+        if target == "key":
+            return both_halves(pieces, groups, STUDENTS_PER_OVERVIEW)
+        return groups.of_students(pieces) if target == "solutions" else groups.of_parts(pieces, STUDENTS_PER_PART)
 
 
 class Format(Protocol):

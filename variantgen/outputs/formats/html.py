@@ -63,20 +63,15 @@ def make(part: Chunk) -> Iterator[Fragment]:
 
 def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
-    for sheets in _key_parts(part):
+    for sheets, _ in part.key_parts(_files(part.exam) == GROUPS):
         yield Fragment("key", student_key(part.exam, sheets), ".html")
 
 
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem: rows of each table."""
-    for sheets in _key_parts(part):
+    for sheets, _ in part.key_parts(_files(part.exam) == GROUPS):
         for where, rows in problem_keys(part.exam, sheets):
             yield Fragment(_rows(where), rows, ".html")
-
-
-def _key_parts(part: Chunk) -> list[Sequence[Sheet]]:
-    """The students of a part, or those of each of its groups."""
-    return list(by_group(part.sheets).values()) if _files(part.exam) == GROUPS else [part.sheets]
 
 
 def _files(exam: Exam) -> str:

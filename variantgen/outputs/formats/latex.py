@@ -11,15 +11,12 @@ from typing import Any, cast, get_args
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.documents.solution_data import solution_words, solutions_data
-from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, both_halves, by_group, documents
+from variantgen.outputs.files.student_groups import GROUPS, GroupFiles, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
-    STUDENTS_PER_OVERVIEW,
-    STUDENTS_PER_PART,
     Chunk,
     Fragment,
     WholeExam,
@@ -112,7 +109,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
 def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
     writing = _writing(part.exam, part.exam.language)
-    for sheets, first in _key_parts(part):
+    for sheets, first in part.key_parts(_options(part.exam).files == GROUPS):
         data = key_by_student(part.exam, sheets, first, writing)
         yield Fragment("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
 
@@ -120,16 +117,9 @@ def _student_key(part: Chunk) -> Iterator[Fragment]:
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
     writing = _writing(part.exam, part.exam.language)
-    for sheets, first in _key_parts(part):
+    for sheets, first in part.key_parts(_options(part.exam).files == GROUPS):
         data = key_by_problem(part.exam, sheets, first, writing)
         yield Fragment("key", fill("key.tex.j2", data, writing.alphabet).encode(), ".tex")
-
-
-def _key_parts(part: Chunk) -> list[tuple[Sequence[Sheet], bool]]:
-    """The students of a part, or of each of its groups, and whether their document begins with them."""
-    if _options(part.exam).files == GROUPS:
-        return [(own, group in part.beginning) for group, own in by_group(part.sheets).items()]
-    return [(part.sheets, part.first)]
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
@@ -178,14 +168,8 @@ def _sources(whole: WholeExam, folder: Path) -> Iterator[_Source]:
             yield _Source(folder / f"{kind}.tex", kind, pieces, len(whole.sheets))
         return
     groups = GroupFiles.of(sheet.student.group for sheet in whole.sheets)
-    for kind, pieces in whole.pieces.items():
-        if kind == "key":
-            found = both_halves(pieces, groups, STUDENTS_PER_OVERVIEW)
-        elif kind == "solutions":
-            found = groups.of_students(pieces)
-        else:
-            found = groups.of_parts(pieces, STUDENTS_PER_PART)
-        for group, own in found.items():
+    for kind in whole.pieces:
+        for group, own in whole.of_groups(kind, groups).items():
             yield _Source(folder / kind / f"{groups.stems[group]}.tex", kind, own, len(groups.places[group]))
 
 

@@ -14,11 +14,9 @@ from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import group_text, sheets_data, who
 from variantgen.outputs.files.file_names import file_stem
-from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group, documents
+from variantgen.outputs.files.student_groups import GroupFiles, documents
 from variantgen.outputs.formats import (
     PARTS_PER_OVERVIEW,
-    STUDENTS_PER_OVERVIEW,
-    STUDENTS_PER_PART,
     Chunk,
     Fragment,
     WholeExam,
@@ -77,20 +75,14 @@ def _piece(part: Chunk, target: str, data: Mapping[str, Any], handed_out: bool =
 
 def _student_key(part: Chunk) -> Iterator[Fragment]:
     """The key by student."""
-    if _options(part.exam).for_groups:
-        for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_student(part.exam, own, group in part.beginning, TYPST))
-    else:
-        yield _piece(part, "key", key_by_student(part.exam, part.sheets, part.first, TYPST))
+    for sheets, first in part.key_parts(_options(part.exam).for_groups):
+        yield _piece(part, "key", key_by_student(part.exam, sheets, first, TYPST))
 
 
 def _problem_key(part: Chunk) -> Iterator[Fragment]:
     """The key by problem."""
-    if _options(part.exam).for_groups:
-        for group, own in by_group(part.sheets).items():
-            yield _piece(part, "key", key_by_problem(part.exam, own, group in part.beginning, TYPST))
-    else:
-        yield _piece(part, "key", key_by_problem(part.exam, part.sheets, part.first, TYPST))
+    for sheets, first in part.key_parts(_options(part.exam).for_groups):
+        yield _piece(part, "key", key_by_problem(part.exam, sheets, first, TYPST))
 
 
 SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_key))
@@ -134,16 +126,9 @@ def _join_groups(whole: WholeExam, targets: Sequence[str], names: Sequence[Bookm
 
     exam, groups = whole.exam, GroupFiles.of(sheet.student.group for sheet in whole.sheets)
     for target in targets:
-        paths = whole.pieces[target]
         (whole.folder / target).mkdir(exist_ok=True)
         language = exam.solutions.language if target == "solutions" else exam.language
-        if target == "key":
-            found = both_halves(paths, groups, STUDENTS_PER_OVERVIEW)
-        elif target == "solutions":
-            found = groups.of_students(paths)
-        else:
-            found = groups.of_parts(paths, STUDENTS_PER_PART)
-        for group, own in found.items():
+        for group, own in whole.of_groups(target, groups).items():
             path, even = whole.folder / target / f"{groups.stems[group]}.pdf", exam.duplex and target != "key"
             titles = None if target == "key" else [replace(names[place], group="") for place in groups.places[group]]
             join_pdfs(own, path, exam.title, language, even, titles)

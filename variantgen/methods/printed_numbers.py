@@ -1,0 +1,266 @@
+"""By how much the numbers of a solution are off: values against the solved motion, equations against themselves.
+
+A value whose name the motion knows is compared with it, and what a printed formula gives with the number behind it. A
+vector of an equation is compared with its direction. Everything is relative to a natural scale: the largest velocity or
+acceleration, the size of the mechanism, one radian.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import product
+
+from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
+from variantgen.families.quantities import Quantity
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solved_motion import SolvedMotion
+from variantgen.methods.steps.printed_digits import items_values
+from variantgen.methods.steps.step import (
+    Derived,
+    EquationLine,
+    Item,
+    LinearSystem,
+    Projection,
+    Share,
+    Step,
+    Term,
+    TermTable,
+    VectorLine,
+)
+
+_ANYWHERE = "ways.unknown"  # the way of a vector of which not even the direction is known
+Off = tuple[str, float]  # what it is, and by how much it is off
+
+
+@dataclass
+class PrintedNumbers:
+    """The numbers of a solution; ``measured``: vectors were read from drawings, with their directions."""
+
+    task: Task
+    measured: bool = False
+    _checked: set[Value] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.solved = SolvedMotion(self.task)
+
+    def step(self, step: Step) -> Iterator[Off]:
+        """By how much each number and each equation of a step is off."""
+        unknown: dict[Name, Term] = {}
+        projections = []
+        for item in step.items:
+            for value in in_order(items_values([item]), self._checked):
+                self._checked.add(value)
+                yield _text(value.name), self._value(value)
+            yield from self._equation(item)
+            for term in _terms(item):
+                yield _text(term.name), self._term(term)
+                if term.size is None and term.way.key != _ANYWHERE:
+                    unknown[term.name] = term
+            if isinstance(item, Derived) and item.value.name is not None:
+                # A negative number is opposite to the direction that was assumed.
+                if item.value.name in unknown and not self.measured:
+                    yield _text(item.value.name), self._term(replace(unknown[item.value.name], size=item.value))
+                if self.measured and item.value.exact < 0 and _is_magnitude(item.value.name):
+                    yield f"the sign of {_text(item.value.name)}", math.inf
+                if item.value.name.kind == "projection":
+                    projections.append(item.value.exact)
+        if projections:
+            yield "equal projections", _relative(max(projections) - min(projections), self.task.largest_speed)
+
+    def answer(self, quantity: Quantity, value: Value) -> float:
+        """By how much an answer is off, with its sign."""
+        right = self.solved.answer(quantity)
+        if quantity.is_angle:
+            whole = abs(self.solved.answer(quantity.whole)) if quantity.component == "angle" else math.inf
+            nothing = whole <= 1e-9 * self._scale(quantity.order)  # a vector that is zero has no direction
+            return 0.0 if nothing else _turn(value.exact - right)
+        if not math.isfinite(right) or not math.isfinite(value.exact):
+            return 0.0 if value.exact == right else math.inf
+        scale = self._measure_scale(value.measure) or 1.0
+        far = (1.0 + abs(right) / scale) ** 2 if quantity.is_centre else 1.0
+        return abs(value.exact - right) / scale / far
+
+    def _value(self, value: Value) -> float:
+        """A value: what its formula gives, and what the motion says of its name."""
+        off = 0.0
+        if value.expression is not None:
+            gap = value.expression.number(True) - value.exact
+            if value.measure == "angle":
+                off = _turn(gap)
+            else:
+                off = _relative(gap, max(abs(value.exact), value.size, _largest(value.expression)))
+        return off if value.name is None else max(off, self._named(value, value.name))
+
+    def _named(self, value: Value, name: Name) -> float:
+        """A value beside what the motion says of its name; zero where it says nothing."""
+        exact = value.exact
+        if name.kind in ("v", "a"):
+            return self._size_of_vector(exact, name)
+        if name.kind == "heading":
+            return min((_turn(exact - _degrees(v)) for v in self.solved.vectors(_headed(name)) if v), default=0.0)
+        if name.kind == "parameter":  # signs of laws of time are left to the figure, as those of rates
+            found = self.solved.derived(name, value.measure)
+            return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
+        if name.kind == "mu":
+            return _turn(abs(exact) - self.solved.answer(Quantity("mu", name.of)))
+        if (rate := self.solved.rate(name)) is not None:
+            # The magnitude is never negative, so that a negative number has a sign.
+            gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)
+            return _relative(gap, self._measure_scale(value.measure))
+        if (coordinate := self.solved.coordinate(name)) is not None:
+            gap = abs(exact) - abs(coordinate) if _is_opposite(value) else exact - coordinate
+            return _relative(gap, max(self._measure_scale(value.measure), abs(coordinate)))
+        return self._measured(exact, name)
+
+    def _size_of_vector(self, exact: float, name: Name) -> float:
+        """The magnitude of a vector, or a component along an axis with its sign."""
+        word = name.part.rpartition(" ")[2]
+        offs = []
+        for vector in self.solved.vectors(name):
+            number = {"x": vector.real, "y": vector.imag}.get(word)
+            gap = abs(exact) - abs(vector) if number is None else exact - number
+            offs.append(_relative(gap, max(self._scale(1 if name.kind == "v" else 2), abs(vector))))
+        return min(offs, default=0.0)
+
+    def _measured(self, exact: float, name: Name) -> float:
+        """A length, the direction of a ray, or a corner of a triangle; far from the mechanism that is coarser."""
+        arms, size = self.solved.arms(name), self.task.size
+        if not arms:
+            return 0.0
+        lengths = [abs(arm) for arm in arms]
+        coarse = (1.0 + max(lengths) / size) ** 2
+        if name.kind == "length":
+            return abs(exact - lengths[0]) / size / coarse
+        if min(lengths) == 0:
+            return 0.0
+        right = _degrees(arms[0]) if name.kind == "direction" else abs(_degrees(arms[1] / arms[0]))
+        return _turn(exact - right) * min(lengths) / size / coarse
+
+    def _term(self, term: Term) -> float:
+        """A vector of an equation with its direction; one of unknown magnitude lies along its line."""
+        offs = []
+        for vector in self.solved.vectors(term.name):
+            if term.size is not None:
+                gap = abs(_vector(term.size.exact, term) - vector)
+            else:
+                gap = 0.0 if term.way.key == _ANYWHERE else abs((vector / _vector(1.0, term)).imag)
+            offs.append(_relative(gap, max(self._scale(1 if term.name.kind == "v" else 2), abs(vector))))
+        return min(offs, default=0.0)
+
+    def _equation(self, item: Item) -> Iterator[Off]:
+        """By how much the sides of an equation differ."""
+        match item:
+            case VectorLine(left, right):
+                terms = [*((1.0, term) for term in left), *((-1.0, term) for term in right)]
+                yield "the vector equation", _closing([[sign * v for v in self._meant(term)] for sign, term in terms])
+            case Projection(_, left, right):
+                shares = [*((1.0, share) for share in left), *((-1.0, share) for share in right)]
+                yield "the projected equation", _closing([self._projections(side, share) for side, share in shares])
+            case LinearSystem(unknowns, rows, right_side):
+                for row, end in zip(rows, right_side, strict=True):
+                    products = [factor.exact * value.exact for factor, value in zip(row, unknowns, strict=True)]
+                    largest = max(abs(end.exact), *map(abs, products))
+                    yield "an equation of the system", _relative(sum(products) - end.exact, largest)
+            case EquationLine(left, right):
+                gap = left.number(True) - right.number(True)
+                yield "an equation", _relative(gap, max(_largest(left), _largest(right)))
+
+    def _meant(self, term: Term) -> list[complex]:
+        """The vector of a term: the known one, or what the solver has for it."""
+        return self.solved.vectors(term.name) if term.size is None else [_vector(term.size.exact, term)]
+
+    def _projections(self, side: float, share: Share) -> list[complex]:
+        """What stands in a projected equation, with the sign of its side."""
+        cosine = 1.0 if share.angle is None else math.cos(math.radians(share.angle.exact))
+        sizes = [(vector / _vector(1.0, share.term)).real for vector in self._meant(share.term)]
+        return [complex(side * share.sign * size * cosine) for size in sizes]
+
+    def _scale(self, order: int) -> float:
+        return self.task.largest_speed if order == 1 else self.task.largest_acceleration
+
+    def _measure_scale(self, measure: str) -> float:
+        """The natural scale of a measure."""
+        task = self.task
+        scales = {"length": task.size, "velocity": task.largest_speed, "acceleration": task.largest_acceleration}
+        scales["angular velocity"] = task.largest_speed / task.size
+        scales["angular acceleration"] = task.largest_acceleration / task.size
+        return scales.get(measure, 1.0)
+
+
+def _terms(item: Item) -> Sequence[Term]:
+    """The vectors in an item."""
+    match item:
+        case TermTable(terms):
+            return terms
+        case VectorLine(left, right):
+            return (*left, *right)
+        case Projection(_, left, right):
+            return [share.term for share in (*left, *right)]
+    return ()
+
+
+def _vector(size: float, term: Term) -> complex:
+    return cmath.rect(size, math.radians(term.angle.exact))
+
+
+def _closing(terms: Sequence[Sequence[complex]]) -> float:
+    """By how much a sum is not zero; of terms for which there are several numbers, by those that fit best."""
+    sums = (_relative(abs(sum(numbers)), max(map(abs, numbers), default=0.0)) for numbers in product(*terms))
+    return min(sums, default=0.0)
+
+
+def _largest(item: Expression) -> float:
+    """The number of an expression if its terms did not cancel: beside it rounding is small."""
+    match item:
+        case Total(terms):
+            return sum(_largest(term) for _, term in terms)
+        case Times(factors):
+            return math.prod(map(_largest, factors))
+        case Ratio(above, below):
+            return _largest(above) / abs(below.number(True))
+        case Raised(base, exponent) if exponent > 0:
+            return float(_largest(base) ** exponent)
+        case Applied("cos" | "sin"):
+            return 1.0  # that of a right angle is rounding
+    return abs(item.number(True))
+
+
+def _is_opposite(value: Value) -> bool:
+    """Whether a value is the magnitude of a negative one of its name."""
+    match value.expression:
+        case Total(((-1, Value() as other),)):
+            return other.name == value.name
+    return False
+
+
+def _is_magnitude(name: Name) -> bool:
+    """Whether it is the name of a vector that is no component along an axis."""
+    return name.kind in ("v", "a") and not name.part.endswith(("x", "y"))
+
+
+def _headed(name: Name) -> Name:
+    """The vector of which a name is the direction."""
+    return name._replace(kind=name.body, body="")
+
+
+def _relative(gap: float, scale: float) -> float:
+    return abs(gap) / scale if gap else 0.0
+
+
+def _degrees(vector: complex) -> float:
+    return math.degrees(cmath.phase(vector))
+
+
+def _turn(degrees: float) -> float:
+    """An angle between two directions in radians, without whole turns."""
+    return abs(math.remainder(math.radians(degrees), math.tau))
+
+
+def _text(name: Name | None) -> str:
+    """A name in a message."""
+    return "a number" if name is None else " ".join(filter(None, (f"{name.kind}_{name.of}", name.about, name.part)))
