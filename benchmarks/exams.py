@@ -2,19 +2,8 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-
-from variantgen.builder.build_spec import BuildSpec, preloaded
-from variantgen.builder.draw_stage import draw_all
-from variantgen.builder.stored import StoredSheets
-from variantgen.builder.unfinished import unfinished
-from variantgen.builder.workers import InlineWorkers
-from variantgen.exam.exam_file import Exam
-from variantgen.exam.roster import Student
-from variantgen.exam.sheets import Sheet
-from variantgen.outputs.typst.typesetter import typesetter
 
 _HEAD = 'title = "T"\nlanguage = "ru"\n'
 FIVE_FAMILIES = ("four_bar", "slider_crank", "sleeve_on_crank", "rolling_wheel", "spool")
@@ -43,16 +32,3 @@ def build_arguments(exam: Path, students: int, solutions: bool, out: Path, jobs:
     """The arguments of the program that build an exam."""
     arguments = ["build", str(exam), "--variants", str(students), "--out", str(out), "--jobs", str(jobs), "--force"]
     return arguments if solutions else [*arguments, "--no-solutions"]
-
-
-def drawn_sheets(exam: Exam, students: Sequence[Student]) -> tuple[Sheet, ...]:
-    """The sheets of some students as a build draws them, without any output."""
-    spec = BuildSpec.of(exam)
-    with (
-        tempfile.TemporaryDirectory() as name,
-        typesetter() as engine,
-        unfinished(Path(name) / "out", {}, False, ()) as parts,
-        preloaded(spec, exam, engine),
-    ):
-        draw_all(exam, students, spec, parts, InlineWorkers(), lambda stage, done, total: None)
-        return tuple(StoredSheets(exam, students, parts))

@@ -21,8 +21,9 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import exams, processes
-from benchmarks.exams import FIVE_FAMILIES, drawn_sheets
+from benchmarks.exams import FIVE_FAMILIES
 from benchmarks.measure import Clock, machine_line, write_beside
+from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build
 from variantgen.exam.content import Content, PosedProblem, SolvedProblem
 from variantgen.exam.exam_file import Exam, read_exam

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import io
 import json
 import subprocess
@@ -14,7 +15,7 @@ import numpy as np
 import pikepdf
 import pytest
 
-from benchmarks import exams, hooks, measure, processes, rivals, scale, solver, stages, startup, yardstick
+from benchmarks import caches, exams, hooks, measure, processes, rivals, scale, solver, stages, startup, yardstick
 from benchmarks.__main__ import PARTS
 from benchmarks.processes import Ran
 from variantgen.families.load import load_family
@@ -79,6 +80,31 @@ def test_another_machine_is_compared_by_the_yardstick() -> None:
     # R/exams took 836 ms of time and 754 ms of CPU for a student; here everything takes twice as long.
     (row,) = yardstick.comparison(slow, [(100, 0.05)]).rows
     assert row == pytest.approx((100, 50, 1672, 33.44, 1508, 30.16))
+
+
+def test_caches_and_settings(measured: Path) -> None:
+    rows, settings = tables(measured, "caches")
+    assert rows
+    assert all(row["ready"] <= row["asked"] and row["saved, % of the command"] >= 0 for row in rows)
+    assert [row["setting"] for row in settings] == [next(iter(caches.SETTINGS)), *caches.TRIED["list"][1]]
+
+
+def test_caches_kept_for_others_are_there() -> None:
+    for name in caches.IDENTITY:
+        module, _, path = name.partition(":")
+        found: Any = importlib.import_module(f"variantgen.{module}")
+        for part in path.split("."):
+            found = vars(found)[part]
+        assert type(found).__name__ in {"cached_property", "_lru_cache_wrapper"}
+
+
+def test_joining_keeps_tags_and_bookmarks(measured: Path) -> None:
+    (rows,) = tables(measured, "joining")
+    kept = {(row["document"], row["way"]): row for row in rows}
+    own, pages = (kept["sheets with tags", way] for way in ("join_pdfs", "pikepdf, pages"))
+    assert own["elements"] > 100 > pages["elements"] == 0
+    assert own["bookmarks"] == pages["bookmarks"] == 1
+    assert own["same bytes again"] == "yes"
 
 
 def test_stages(measured: Path) -> None:

@@ -212,7 +212,7 @@ def test_two_builds_of_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
-    from benchmarks.exams import drawn_sheets
+    from benchmarks.sheets import drawn_sheets
 
     found = exam(tmp_path)
     items = drawn_sheets(replace(found, seed="1"), numbered(3))[1].items

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.builder import build
 from variantgen.errors import InputError

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student, numbered

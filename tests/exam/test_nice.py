@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.exam.exam_file import read_exam

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from tests.builder.small_exams import exam
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.packing import PackingError, pack, unpack

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.errors import InputError
 from variantgen.exam.allocation import DrawRequest, ProblemSampler
 from variantgen.exam.exam_file import parse_exam

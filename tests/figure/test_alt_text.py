@@ -13,7 +13,7 @@ from types import MappingProxyType
 import pikepdf
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.cli import main
 from variantgen.exam.content import Content
 from variantgen.exam.exam_file import read_exam

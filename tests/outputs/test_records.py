@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build
 from variantgen.exam.roster import Student
 from variantgen.exam.samples import samples_dir

@@ -7,7 +7,7 @@ other data costs little more than the arithmetic.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping
-from functools import lru_cache, reduce
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -47,12 +47,10 @@ def _root(square: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
 
-@lru_cache(maxsize=64)
 def _power(exponent: int) -> Function:
     return lambda base: base**exponent
 
 
-@lru_cache(maxsize=64)
 def _linear_solution(count: int, index: int) -> Function:
     """One unknown of a linear system, from right-hand sides and coefficients; not a number where that is singular."""
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from functools import lru_cache
 from math import isfinite
 from typing import Any
 
@@ -63,7 +62,7 @@ def _numbers(surd: Surd) -> tuple[int, int, int]:
 
 
 def unpack(exam: Exam, content: bytes) -> tuple[Item, ...]:
-    """What was packed. Raises PackingError."""
+    """The problems that were packed. Raises PackingError for bytes that are no problems of this exam."""
     try:
         found = json.loads(content)
         if type(found) is not list:
@@ -116,7 +115,6 @@ def _are(kind: type, values: Sequence[object]) -> bool:
     return all(type(value) is kind for value in values)
 
 
-@lru_cache(maxsize=4096)
 def _quantity(name: str, length: str) -> tuple[Quantity, Unit]:
     """A quantity and its unit, where lengths have this one."""
     quantity = split_name(name)

@@ -6,7 +6,7 @@ import importlib
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache, lru_cache, partial
+from functools import cache, partial
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem
@@ -213,7 +213,6 @@ def _draw_points(board: Board, shown: Sequence[str]) -> None:
         sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
 
 
-@lru_cache(maxsize=1000)
 def _joins_links(form: Form, point: str) -> bool:
     """Whether a point belongs to several bodies."""
     return sum(point in members for members in form.bodies.values()) > 1
@@ -229,7 +228,6 @@ def _is_axle(board: Board, point: str) -> bool:
     return bool(owners) and discs.issuperset(owners) and not held
 
 
-@lru_cache(maxsize=1000)
 def _free_ends(form: Form) -> frozenset[str]:
     """The points that are ends of bars or corners of plates, which need no dots."""
     corners = (point for body in form.figure.plates for point in form.bodies[body])

@@ -63,7 +63,6 @@ def _rows() -> dict[str, str]:
     return dict(line.removeprefix('"').split('":', 1) for line in lines)
 
 
-@cache
 def _row(key: str) -> Any:
     return json.loads(_rows()[key].removesuffix(","))
 
@@ -73,7 +72,6 @@ def has_glyph(name: str) -> bool:
     return name in _rows()
 
 
-@cache
 def glyph(name: str, scale: float = 1.0) -> Glyph:
     """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing."""
     width, index_at, bottom, top, path = _row(name)

@@ -10,7 +10,6 @@ with a probability of ``2.1e5 * 2 T / ln 10 = 1.8e-7`` (the tests count them).
 
 from __future__ import annotations
 
-from functools import lru_cache
 from math import gcd, isfinite, isqrt
 
 import numpy as np
@@ -75,7 +74,6 @@ def square_fractions(values: NDArray[np.float64]) -> tuple[NDArray[np.int64], ND
     return top, under
 
 
-@lru_cache(maxsize=50_000)
 def root_of_fraction(numerator: int, denominator: int) -> tuple[int, int, int] | None:
     """(p, q, n) of the square root of a fraction in lowest terms, or None beyond the bounds of this module."""
     product = numerator * denominator

@@ -20,7 +20,7 @@ class Linkage:
 
     scene: Scene
 
-    @cached_property
+    @property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
@@ -30,7 +30,7 @@ class Linkage:
         """Points at rest: fixed hinges, and what joints say to rest besides, as centres of fixed circles."""
         return self.hinged | {name for joint in self.scene.joints for name in joint.resting()}
 
-    @cached_property
+    @property
     def translating(self) -> frozenset[str]:
         """Bodies that a single joint keeps from turning."""
         shapes = (shape for joint in self.scene.joints for shape in joint.shapes())
@@ -46,7 +46,7 @@ class Linkage:
 
     @property
     def slides(self) -> Iterator[Sliding]:
-        """What slides on what: the paths of points on moving bodies."""
+        """The paths of points that slide on moving bodies."""
         return (path for joint in self.scene.joints if (path := joint.sliding()))
 
     def slide(self, point: str, body: str) -> Sliding:

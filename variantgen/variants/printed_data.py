@@ -17,7 +17,7 @@ def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
 
 
 def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
-    """How many different problems the grid of a form has at most, by what its sheets print and what is answered."""
+    """An upper bound of the different problems on the grid of a form, by printed data and answers."""
     idle = _unneeded(form, _points_of(asked))
     velocities_only = max((q.order for q in asked), default=1) == 1
     size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)
@@ -59,7 +59,6 @@ def _without(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
     return frozenset([name for name in names if variant.printed[name] == 0])
 
 
-@lru_cache(maxsize=1000)
 def _of_second_order(form: Form) -> frozenset[str]:
     return frozenset(name for name, parameter in form.parameters.items() if parameter.of_second_order)
 
@@ -76,7 +75,6 @@ def _points_of(asked: Sequence[Quantity]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(quantity.point for quantity in asked))
 
 
-@lru_cache(maxsize=1000)
 def _unneeded(form: Form, asked: tuple[str, ...]) -> frozenset[str]:
     """Parameters that place only points which are not asked for, the same for all variants of a form."""
     shown = _shown(form, asked)
@@ -94,7 +92,6 @@ def _unneeded(form: Form, asked: tuple[str, ...]) -> frozenset[str]:
     return frozenset(idle - used)
 
 
-@lru_cache(maxsize=1000)
 def _shown(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
     """Points that the figure shows, the same for all variants of a form."""
     scene = form.sample

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from functools import cache
 
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language
@@ -29,7 +28,6 @@ def mistake_text(mistake: str, language: Language, symbols: Mapping[str, str]) -
     return mistake
 
 
-@cache
 def _matcher(pattern: str) -> re.Pattern[str]:
     """What finds the name in a mistake."""
     return re.compile(r"(\w+)".join(re.escape(part) for part in pattern.split(_NAME)))

@@ -106,13 +106,11 @@ def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _C
     )
 
 
-@lru_cache(maxsize=1000)
 def _asked(case: _Case) -> tuple[Formula, ...]:
     """The symbols of what is asked."""
     return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
 
 
-@lru_cache(maxsize=1000)
 def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
     """The parameters that are printed: name, symbol, unit, and whether the figure shows the sign."""
     found = []

@@ -14,7 +14,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-from benchmarks.exams import drawn_sheets
+from benchmarks.sheets import drawn_sheets
 from variantgen.cli import main
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered

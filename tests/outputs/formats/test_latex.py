@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 import unicodedata
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
 
@@ -22,7 +22,6 @@ from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.samples import samples_dir
 from variantgen.outputs.formats import latex, read_exam
-from variantgen.outputs.latex import compiling
 from variantgen.outputs.latex.characters import CYRILLIC, LATIN, MATH, SIGNS
 from variantgen.outputs.latex.compiling import LatexError
 
@@ -288,13 +287,10 @@ def test_mistakes_in_the_options_are_told(tmp_path: Path, options: str, output: 
 
 
 @pytest.fixture
-def without_latex(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
+def without_latex(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A machine that has no LaTeX."""
     (tmp_path / "bin").mkdir()
     monkeypatch.setenv("PATH", str(tmp_path / "bin"))
-    compiling.missing.cache_clear()
-    yield
-    compiling.missing.cache_clear()
 
 
 @pytest.mark.usefixtures("without_latex")

@@ -37,7 +37,7 @@ class Passage:
         """From the start to the last instant (s)."""
         return float(self.instants[-1])
 
-    @cached_property
+    @property
     def start(self) -> State:
         """The state at the start, by the law of cosines."""
         one = FourBar(*(np.array([x]) for x in vars(self.bar).values())).closed_form()

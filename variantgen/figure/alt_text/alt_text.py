@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from variantgen.figure.alt_text import directions
 from variantgen.figure.alt_text.drawn import DrawnMechanism
@@ -56,7 +55,7 @@ class AltText(DrawnMechanism):
         """A phrase of the table ``[figure]`` that the phrase around it asks for in one of its forms."""
         return Noun(lambda form: self.say(key + form, **words))
 
-    @cached_property
+    @property
     def _phrases(self) -> Mapping[str, str]:
         return self.board.language.words("figure")
 

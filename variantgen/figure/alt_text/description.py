@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import importlib.util
 from collections.abc import Sequence
-from functools import cache
 from types import ModuleType
 
 from variantgen.figure.alt_text.alt_text import AltText, Noun
@@ -82,7 +81,6 @@ def _stem(item: Constraint) -> str:
     return type(item).__module__.rsplit(".", 1)[-1]
 
 
-@cache
 def _module(stem: str) -> ModuleType | None:
     """The module that tells a kind, if it has one."""
     name = f"{__package__}.kinds.{stem}"

@@ -57,17 +57,17 @@ class DrawnMechanism:
         """Those of some points that the figure names."""
         return [point for point in points if point in self._names]
 
-    @cached_property
+    @property
     def fixed(self) -> frozenset[str]:
         """Fixed hinges."""
         return self.board.linkage.hinged
 
-    @cached_property
+    @property
     def resting(self) -> frozenset[str]:
         """Points at rest: fixed hinges, centres of fixed circles."""
         return self.board.linkage.resting
 
-    @cached_property
+    @property
     def companions(self) -> dict[str, set[str]]:
         """For each point of a body, the points that belong to a body with it."""
         found: dict[str, set[str]] = {}
@@ -76,7 +76,7 @@ class DrawnMechanism:
                 found.setdefault(point, set()).update(members)
         return found
 
-    @cached_property
+    @property
     def coupled(self) -> dict[str, set[str]]:
         """The same by joints: the centres of a wheel and of its track, the stations of a rope."""
         found: dict[str, set[str]] = {}
@@ -85,7 +85,7 @@ class DrawnMechanism:
                 found.setdefault(point, set()).update(names)
         return found
 
-    @cached_property
+    @property
     def anchors(self) -> frozenset[str]:
         """Points by which others are found: those at rest and the centres of discs."""
         return self.resting | {circle.mark.centre for circle in self.circles}
@@ -94,7 +94,7 @@ class DrawnMechanism:
         """Bodies that a point belongs to."""
         return self._owners.get(point, [])
 
-    @cached_property
+    @property
     def _owners(self) -> dict[str, list[str]]:
         found: dict[str, list[str]] = {}
         for body, members in self.board.form.bodies.items():
@@ -102,7 +102,7 @@ class DrawnMechanism:
                 found.setdefault(point, []).append(body)
         return found
 
-    @cached_property
+    @property
     def circles(self) -> list[DrawnCircle]:
         """The circles that are drawn as discs, with their radii."""
         rest = {body: iter(radii) for body, radii in self.board.discs.items()}
@@ -116,7 +116,7 @@ class DrawnMechanism:
         """Whether the name of a body is made of names of its points (``OA``, and not ``wheel``)."""
         return _is_spelled(body, self.board.form.bodies[body])
 
-    @cached_property
+    @property
     def segments(self) -> dict[str, list[Segment]]:
         """The straight lines that are drawn of each body, as pairs of points."""
         form = self.board.form
@@ -129,7 +129,7 @@ class DrawnMechanism:
                     found[body].append(pair)
         return found
 
-    @cached_property
+    @property
     def between(self) -> dict[str, dict[str, Segment]]:
         """By body, the points that lie on one of its bars between the ends, which are both named."""
         return {body: self._between(body) for body in self.board.form.bodies}

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from functools import cache
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
@@ -20,7 +19,6 @@ def view_names() -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(__path__))
 
 
-@cache
 def view(name: str) -> ModuleType:
     """The module of one kind. Raises InputError for an unknown name."""
     if name not in view_names():

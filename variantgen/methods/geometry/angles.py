@@ -11,7 +11,6 @@ import cmath
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeAlias
 
 from variantgen.algebra.expression import Value
@@ -50,7 +49,7 @@ class AngleForm:
         return AngleForm(tuple((atom, factor * c) for atom, c in self.parts), factor * self.constant)
 
     def turned(self, by: float) -> AngleForm:
-        """The same direction turned by so many degrees."""
+        """The direction turned by an angle (degrees)."""
         return AngleForm(self.parts, self.constant + by)
 
     def is_along(self, other: AngleForm) -> bool:
@@ -100,7 +99,7 @@ class Angles:
             return law[0] if law else 0
         return int(parameter.unit.measures == "angle")
 
-    @cached_property
+    @property
     def silent(self) -> frozenset[str]:
         """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
         parameters = self._task.form.parameters

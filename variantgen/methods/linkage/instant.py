@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.scene import Scene
@@ -24,7 +23,7 @@ class Instant:
     omega: Mapping[str, float]
     epsilon: Mapping[str, float]
 
-    @cached_property
+    @property
     def accelerated(self) -> bool:
         """Whether accelerations are known."""
         return bool(self.a)

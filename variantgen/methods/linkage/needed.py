@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
@@ -11,7 +9,6 @@ from variantgen.mechanism.rows import Sliding
 from variantgen.mechanism.structure import Closure, FreePoint, GivenPoint, GuidedPoint, RigidPoint, RowEquation, Step
 
 
-@lru_cache(maxsize=1000)
 def needed_for(form: Form, asked: tuple[Quantity, ...]) -> Needed:
     """What the asked quantities of a form need; the same for all its variants."""
     found = Needed(form)

@@ -43,12 +43,12 @@ class Task:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @cached_property
+    @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return max((quantity.order for quantity in self.asked), default=1)
 
-    @cached_property
+    @property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -68,7 +68,7 @@ class Task:
         """Points and bodies that lead to what is asked."""
         return needed_for(self.form, self.asked)
 
-    @cached_property
+    @property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
         return needed_for(self.form, tuple(quantity for quantity in self.asked if quantity.order == 2))
@@ -103,7 +103,7 @@ class Task:
         """The largest velocity of the mechanism, in printed units."""
         return max((abs(v) for v in self.now.v.values()), default=0.0)
 
-    @cached_property
+    @property
     def largest_acceleration(self) -> float:
         """The largest acceleration of the mechanism, in printed units."""
         return max((abs(a) for a in self.now.a.values()), default=0.0)
@@ -114,7 +114,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @cached_property
+    @property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
 from typing import Literal
 
 Engine = Literal["pdflatex", "lualatex"]
@@ -66,7 +65,6 @@ def alphabet(language: str, engine: Engine) -> Alphabet:
     return Alphabet("lualatex") if engine == "lualatex" else _ALPHABETS[is_cyrillic_language(language)]
 
 
-@cache
 def is_cyrillic_language(language: str) -> bool:
     """Whether documents in a language are printed in Cyrillic letters."""
     from variantgen.wording.language import load_language

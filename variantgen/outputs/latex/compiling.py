@@ -10,7 +10,6 @@ import signal
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
 
 from variantgen.errors import VariantgenError
@@ -47,7 +46,6 @@ class MissingGlyphsError(LatexError):
         self.letters = tuple(letters)
 
 
-@cache
 def missing(engine: Engine) -> tuple[str, ...]:
     """Programs and packages of LaTeX that are needed and not installed."""
     programs = [name for name in ("latexmk", engine, "kpsewhich") if shutil.which(name) is None]

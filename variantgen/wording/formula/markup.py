@@ -6,7 +6,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from functools import lru_cache
 from typing import ClassVar
 
 from variantgen.wording.formula import precedence
@@ -80,15 +79,11 @@ class Markup(ABC):
     flat: ClassVar[bool]
     signs: ClassVar[Signs]
 
-    def __init__(self) -> None:
-        # Letters come again and again, and only they are taken apart in a slow way.
-        self._symbol = lru_cache(maxsize=10_000)(self.symbol)
-
     def write(self, formula: Formula) -> str:
         """The markup of a formula."""
         match formula:
             case Symbol():
-                return self._symbol(formula)
+                return self.symbol(formula)
             case Number(text):
                 return self.number(text)
             case Measured() | UnitText():
@@ -139,17 +134,17 @@ class Markup(ABC):
                     self.signs.relations[sign] + self.write(item) for sign, item in rest
                 )
             case SymbolProperty(what, symbol):
-                return self.symbol_property(what, self._symbol(symbol))
+                return self.symbol_property(what, self.symbol(symbol))
             case FormulaList(items):
                 names = all(isinstance(item, Symbol) for item in items)
                 return (self.signs.comma if names else self.signs.semicolon).join(map(self.write, items))
             case PointCoordinates(point, x, y):
                 return self.place(
-                    self._symbol(point), self.parentheses(self.write(x) + self.signs.semicolon + self.write(y))
+                    self.symbol(point), self.parentheses(self.write(x) + self.signs.semicolon + self.write(y))
                 )
             case Graph(start, legs):
-                arrows = (self.arrow(self.write(a), self.write(b)) + self._symbol(point) for a, b, point in legs)
-                return self._symbol(start) + "".join(arrows)
+                arrows = (self.arrow(self.write(a), self.write(b)) + self.symbol(point) for a, b, point in legs)
+                return self.symbol(start) + "".join(arrows)
 
     def _part(self, formula: Formula, parentheses: bool) -> str:
         text = self.write(formula)
