@@ -155,7 +155,7 @@ def test_check_finds_what_solve_and_explain_refuse(name, tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "output"),
     [
         (CRANK.replace("= 2 ", f"= 0x{'f' * 5000} "), "a number of more than 1000 digits in line 11"),
         (CRANK.replace("= 2 ", f"= {'9' * 5000} "), "a number of more than 1000 digits in line 11"),

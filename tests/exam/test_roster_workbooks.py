@@ -49,7 +49,7 @@ def repeated(piece: str, times: int) -> Iterator[str]:
     yield piece * rest
 
 
-@pytest.mark.parametrize("told", ["A1:C6", "A1:B11", "A1", "C3:C4", "A1:C2000"])
+@pytest.mark.parametrize("output", ["A1:C6", "A1:B11", "A1", "C3:C4", "A1:C2000"])
 def test_a_wrong_dimension_loses_nobody(output: str, tmp_path: Path) -> None:
     path = changed(tmp_path, SHEET, lambda text: iter([text.replace('ref="A1:C11"', f'ref="{output}"')]))
     with zipfile.ZipFile(path) as parts:

@@ -83,7 +83,7 @@ def test_a_sheet_of_another_exam(record: Manifest) -> None:
         find(record, "VARIANTGEN:1:00000000:CU6-ML5")
 
 
-@pytest.mark.parametrize(("text", "told"), [("18", "did you mean"), ("Lea Anna", "Lee Anna"), ("", "the code of")])
+@pytest.mark.parametrize(("text", "output"), [("18", "did you mean"), ("Lea Anna", "Lee Anna"), ("", "the code of")])
 def test_nobody(text: str, output: str, record: Manifest) -> None:
     with pytest.raises(InputError) as caught:
         find(record, text)

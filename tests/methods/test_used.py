@@ -38,7 +38,7 @@ def test_the_second_crank_of_a_parallelogram_is_not_asked() -> None:
     assert Name("v", "B") in derived(with_it)
 
 
-@pytest.mark.parametrize(("asked", "told"), [(["a_rel_A"], False), (["v_B", "a_rel_A"], True)])
+@pytest.mark.parametrize(("asked", "output"), [(["a_rel_A"], False), (["v_B", "a_rel_A"], True)])
 def test_velocities_that_no_acceleration_depends_on(asked: list[str], output: bool) -> None:
     # The yoke is in translation: there is no Coriolis acceleration to need the relative velocity.
     steps = solution(asking("scotch_yoke", "straight", asked)).steps
