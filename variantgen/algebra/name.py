@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Name(NamedTuple):
-    """What a number or vector of a solution is.
+    """The name of a quantity of a solution, apart from its symbol in a language.
 
     ``kind``: ``v a omega epsilon``, ``x y`` (coordinates), ``length`` (of a segment), ``angle`` (a corner of a
     triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point,

@@ -1,4 +1,4 @@
-"""The theorem on the projections of velocities: ``v_A cos alpha = v_B cos beta`` on the line AB (guide, 3.1.3)."""
+"""Theorem on projections of velocities: ``v_A cos alpha = v_B cos beta`` on the line AB (guide, 3.1.3, formula 60)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Velocities by the velocity centre P of a body: ``omega = v_A / AP``, ``v_B = omega BP`` (guide, 3.1.4)."""
+"""Velocities by the velocity centre P of a body: ``omega = v_A / AP``, ``v_B = omega BP`` (guide, 3.1.4, 61 and 62)."""
 
 from __future__ import annotations
 

@@ -224,8 +224,9 @@ class PlanDrawing:
         point, rest = _begin(self._known(book), terms)
         if not point:
             return tuple(terms)
-        angle = Value(None, "angle", degrees(resultant(self._known(book)[point])))
-        return (Term(Name(self.letter, point), None, angle, Sentence("graphical.as_drawn")), *rest)
+        whole, name = resultant(self._known(book)[point]), Name(self.letter, point)
+        size, angle = Value(name, self.measure, abs(whole)), Value(None, "angle", degrees(whole))
+        return (Term(name, size, angle, Sentence("graphical.as_drawn")), *rest)
 
 
 def _begin(vectors: Mapping[str, Known], terms: Sequence[Term]) -> tuple[str, Sequence[Term]]:

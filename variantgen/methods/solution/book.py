@@ -35,7 +35,7 @@ class Rate:
 
 
 class Graphics(Protocol):
-    """What solves vector equations by drawing, in place of projections."""
+    """The solution of vector equations by drawing, in place of projections."""
 
     def write(self, book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
         """Write an equation."""
@@ -111,12 +111,12 @@ class Book:
 
     @property
     def measure(self) -> str:
-        """What the vectors measure."""
+        """The measure of the vectors: velocity or acceleration."""
         return "velocity" if self.order == 1 else "acceleration"
 
     @property
     def rate_measure(self) -> str:
-        """What the rates measure."""
+        """The measure of the rates: angular velocity or angular acceleration."""
         return "angular velocity" if self.order == 1 else "angular acceleration"
 
     @property

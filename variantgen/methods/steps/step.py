@@ -9,6 +9,7 @@ from typing import TypeAlias
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
+from variantgen.methods.steps.point_vectors import PointVectors
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +114,11 @@ class Term:
     @property
     def point(self) -> str:
         """The point whose vector it is, also where the data give the vector a letter of its own."""
-        fact = self.way.facts.get("point")
-        return fact.name if self.name.kind == "parameter" and isinstance(fact, Point) else self.name.of
+        if self.name.kind != "parameter":
+            return self.name.of
+        fact = self.way.facts.get("point") or self.way.facts["segment"]
+        assert isinstance(fact, Point | Segment)
+        return fact.name if isinstance(fact, Point) else fact.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,7 +223,8 @@ class Solution:
     """A whole solution: the steps, the answers with their values, the check by another method.
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
-    ``centres`` are the rays to acceleration centres that it speaks of.
+    ``centres`` are the rays to acceleration centres that it speaks of. Its figures draw ``vectors``: first those of
+    the velocities, then, where accelerations are asked, those of the accelerations.
     """
 
     steps: tuple[Step, ...]
@@ -227,3 +232,4 @@ class Solution:
     check: tuple[Item, ...] = ()
     approximate: int = 0
     centres: tuple[Quantity, ...] = ()
+    vectors: tuple[PointVectors, ...] = ()

@@ -96,7 +96,7 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
 
 
 def renamed(book: Book, terms: Known, point: str) -> Known:
-    """The same vectors under the name of another point of a translating body."""
+    """Vectors of a translating body under the name of another of its points."""
     found = []
     for term in terms:
         assert term.size is not None
@@ -107,7 +107,7 @@ def renamed(book: Book, terms: Known, point: str) -> Known:
 
 
 def by_pole(book: Book, point: str, body: str, pole: str) -> None:
-    """The pole formula: vectors of the pole and of the rotation about it, summed on the axes."""
+    """The pole formula (guide, 57 and 63): vectors of the pole and of the rotation about it, summed on the axes."""
     name, about = Name(book.letter, point), Name(book.letter, point, pole)
     known = vector(book, pole)
     key = "wheel" if book.order == 2 and _is_rolling(book, body) else book.letter

@@ -1,7 +1,7 @@
 """The vector equation with a pole, for a body of which one point is known and of another the path: dyads and crossings.
 
-For velocities ``v_B = v_A + v_BA`` (guide, formula 57), for accelerations ``a_B = a_A + a^n_BA + a^tau_BA``
-(formula 63, Rivals). Two magnitudes are unknown, the problem of the third type of the guide. Each is found by
+For velocities ``v_B = v_A + v_BA`` (guide, 3.1.2, formula 57), for accelerations ``a_B = a_A + a^n_BA + a^tau_BA``
+(3.2.2, formula 63, Rivals). Two magnitudes are unknown, the problem of the third type of the guide. Each is found by
 projecting on the axis across the other.
 """
 

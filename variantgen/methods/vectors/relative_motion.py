@@ -1,5 +1,6 @@
 """Relative motion: a point slides on a moving body (sleeve, slot, groove).
 
+Kirsanov, section 2.5, formulas 2.23 (velocities), 2.25 (accelerations), 2.26 (Coriolis).
 ``v = v_tr + v_rel`` and, by the theorem of Coriolis, ``a = a_tr + a_rel + a_cor`` with ``a_cor = 2 omega v_rel``, the
 relative velocity turned by a right angle in the sense of the transport rotation (rule of Zhukovsky). The transport
 vector is that of the point of the body below the sliding one.

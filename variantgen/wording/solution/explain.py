@@ -19,11 +19,10 @@ from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.quantity_symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols, centre_letters
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
-from variantgen.wording.vector_names import centre_letters
 
 WHOLE = SolutionOptions()
 
@@ -83,6 +82,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
         found.centres,
+        found.vectors,
     )
 
 
