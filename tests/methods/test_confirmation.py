@@ -173,7 +173,7 @@ EQUATIONS = [
         "velocity_pole",
         Projection,
         lambda item: Projection(
-            item.axis, item.left, (replace(item.right[0], sign=-item.right[0].sign), *item.right[1:])
+            item.words, item.left, (replace(item.right[0], sign=-item.right[0].sign), *item.right[1:])
         ),
     ),
     ("coordinates", EquationLine, lambda item: EquationLine(item.left, Constant(2.0) * item.right)),

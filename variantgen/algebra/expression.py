@@ -93,10 +93,11 @@ class Value(Expression):
         """The full or the printed number."""
         return self.exact if exact else self.shown
 
-    def round_to(self, digits: int) -> None:
-        """Print so many significant digits of the full number; a given one stays as it is."""
+    def round_to(self, digits: int, exact: bool = True) -> None:
+        """Print so many significant digits of the full number, or of that from printed ones; a given one stays."""
         if self.expression is not None:
-            self.shown = rounded(self.exact, digits, self.measure)
+            number = self.exact if exact or self.exact == 0 else self.expression.number(exact=False)
+            self.shown = rounded(number, digits, self.measure)
 
     @property
     def begins_with_one(self) -> bool:
@@ -108,7 +109,8 @@ class Value(Expression):
         """Whether the printed numbers before it lead a reader to the printed one, but for one in its last digit."""
         if self.expression is None or self.shown == self.exact == 0:
             return True
-        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-self.decimals
+        finest = max(self.decimals, self._usual_decimals)  # of 60 that is computed as 59.98 too
+        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-finest
 
     @property
     def decimals(self) -> int:
@@ -116,21 +118,29 @@ class Value(Expression):
         if self.shown == 0 or not math.isfinite(self.shown):
             return 0
         own = _decimals(self.shown)
-        if abs(self.shown - self.exact) <= _SAME * abs(self.exact):
-            return own
-        usual = {DRAWING_LENGTH: 1, _ANGLE: PRINTED_DIGITS - _WHOLE_DEGREES}.get(self.measure)
-        return max(own, PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if usual is None else usual)
+        is_exact = abs(self.shown - self.exact) <= _SAME * abs(self.exact)
+        return own if is_exact else max(own, self._usual_decimals)
+
+    @property
+    def _usual_decimals(self) -> int:
+        """The decimals of the last of as many digits as numbers are printed with."""
+        if self.measure == DRAWING_LENGTH:
+            return 1
+        if self.measure == _ANGLE:
+            return PRINTED_DIGITS - _WHOLE_DEGREES
+        return PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if self.shown else PRINTED_DIGITS
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"
 
 
 def rounded(number: float, digits: int, measure: str = "") -> float:
-    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much,
-    a length on a drawing to 0.1 mm.
+    """A number with so many significant digits, halves away from zero as in the key; an angle (degrees) with the
+    decimals that are worth as much, a length on a drawing to 0.1 mm.
     """
     if number == 0 or not math.isfinite(number):
         return 0.0 if number == 0 else number
+    number *= 1 + _SAME  # a half is one although its last bits may say otherwise
     if measure == DRAWING_LENGTH:
         return round(number, 1) + 0.0
     if measure == _ANGLE:

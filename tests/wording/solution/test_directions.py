@@ -47,23 +47,20 @@ def test_a_guide_is_named_where_there_is_one(name: str, form: str, said: str) ->
     assert ("guide of" in text) == ("guide of" in said)
 
 
-@pytest.mark.parametrize(("name", "form"), [("wedge_and_rod", "inclined"), ("ladder", "driven_at_wall")])
-def test_an_unknown_vector_has_an_assumed_direction(name: str, form: str) -> None:
-    variants, _, _ = variants_of(name, form, 6)
-    texts = [str(explain(variant, language="en")) for variant in variants]
-    for text in texts:
+SENSE = r"(, (to the (left|right)|up|down|(counter-)?clockwise)|from [A-Z] to [A-Z])"
+
+
+@pytest.mark.parametrize(("name", "form", "count"), [("wedge_and_rod", "inclined", 4), ("ladder", "driven_at_wall", 2)])
+@pytest.mark.parametrize("depth", ["full", "short"])
+def test_an_unknown_vector_gets_its_sense_before_its_equation(name: str, form: str, count: int, depth: str) -> None:
+    for variant in variants_of(name, form, 6)[0]:
+        text = str(explain(variant, language="en", depth=depth))
         rows = [line for line in text.splitlines() if line.endswith("unknown") and "unknown " not in line]
-        assert rows
-        assert all(re.search(r", assumed \w+", row) for row in rows)
-    assert any("against the assumed direction" in text for text in texts)
-
-
-def test_a_short_solution_says_which_direction_was_assumed_though_it_has_no_table() -> None:
-    variants, _, _ = variants_of("ladder", "driven_at_wall", 6)
-    texts = [str(explain(variant, language="en", depth="short")).replace("\n", " ") for variant in variants]
-    said = [found for text in texts for found in re.findall(r"against the assumed direction(.*?)\.", text)]
-    assert said
-    assert all(re.fullmatch(r" \((to the right|upwards|(counter-)?clockwise about A)\)", found) for found in said)
+        assert bool(rows) == (depth == "full")
+        assert all(re.search(SENSE, row) for row in rows)
+        said = re.sub(r"\s+", " ", text)
+        assert len(re.findall(r"so (it|a⃗\S*) points (to the (left|right)|up|down)", said)) == count
+        assert not re.search("assumed|minus sign", said)
 
 
 @pytest.mark.parametrize(
