@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
+from variantgen.algebra.decimals import rounded_to_digits, rounded_to_places
 from variantgen.algebra.name import Name
 
 _ANGLE = "angle"
@@ -132,10 +133,10 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
     if number == 0 or not math.isfinite(number):
         return 0.0 if number == 0 else number
     if measure == DRAWING_LENGTH:
-        return round(number, 1) + 0.0
+        return float(rounded_to_places(number, 1)) + 0.0
     if measure == _ANGLE:
-        return round(number, digits - _WHOLE_DEGREES) + 0.0
-    return float(f"{number:.{digits - 1}e}")
+        return float(rounded_to_places(number, digits - _WHOLE_DEGREES)) + 0.0
+    return float(rounded_to_digits(number, digits))
 
 
 def _decimals(number: float) -> int:
