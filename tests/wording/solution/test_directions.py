@@ -47,17 +47,11 @@ def test_a_guide_is_named_where_there_is_one(name: str, form: str, said: str) ->
     assert ("guide of" in text) == ("guide of" in said)
 
 
-SENSE = r"(, (to the (left|right)|up|down|(counter-)?clockwise)|from [A-Z] to [A-Z])"
-
-
 @pytest.mark.parametrize(("name", "form", "count"), [("wedge_and_rod", "inclined", 4), ("ladder", "driven_at_wall", 2)])
 @pytest.mark.parametrize("depth", ["full", "short"])
 def test_an_unknown_vector_gets_its_sense_before_its_equation(name: str, form: str, count: int, depth: str) -> None:
     for variant in variants_of(name, form, 6)[0]:
         text = str(explain(variant, language="en", depth=depth))
-        rows = [line for line in text.splitlines() if line.endswith("unknown") and "unknown " not in line]
-        assert bool(rows) == (depth == "full")
-        assert all(re.search(SENSE, row) for row in rows)
         said = re.sub(r"\s+", " ", text)
         assert len(re.findall(r"so (it|a⃗\S*) points (to the (left|right)|up|down)", said)) == count
         assert not re.search("assumed|minus sign", said)

@@ -51,6 +51,7 @@ class Reader:
         self.mark = mark
         self.wrong: list[str] = []
         self.checked = 0
+        self.one_side: tuple[float, float] | None = None
         self.printed: dict[str, float] = {}
         self.halves: dict[str, float] = {}  # half a unit of the last digit of what has been computed
         self.waiting: list[tuple[str, str, str]] = []
@@ -59,15 +60,19 @@ class Reader:
         for line in lines_of(found):
             self.line(line)
         assert not self.waiting, f"equations without a solution: {self.waiting}"
+        assert self.one_side is None, "an equation with one side"
 
     def line(self, line: FormulaLine) -> None:
         texts = [to_plain(formula) for _, formula in line.pieces]
         whole = " = ".join(texts)
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
+        result = line.pieces[-1][1]
+        if isinstance(result, Number) and not re.search(r"[^\W\d]_|[A-Z]{2}|[xyz]", texts[0]):
+            self.side(texts, line.pieces[-1][0], whole)
+            return
         if len(texts) == 1:
             return  # a chain of links
-        result = line.pieces[-1][1]
         if not isinstance(result, Measured):
             self.waiting.append((texts[0], texts[1], whole))
             if re.fullmatch("[a-zα-ω]", texts[0]):
@@ -86,6 +91,20 @@ class Reader:
         self.printed[texts[0]] = value
         self.known[texts[0]], self.halves[texts[0]] = value, unit / 2
         self.settle()
+
+    def side(self, texts: list[str], sign: str, whole: str) -> None:
+        """One side of an equation, which has another after it: a sum in numbers, and its number."""
+        value = number_of(texts[-1], self.mark)
+        if len(texts) > 1:
+            unit = last_unit(texts[-1], self.mark, DIGITS)
+            self.compare(evaluate(texts[0], {}, self.mark), value, unit, sign, whole)
+        doubt = self.doubt(texts[0])
+        if self.one_side is None:
+            self.one_side = value, doubt
+            return
+        (other, before), self.one_side = self.one_side, None
+        if abs(value - other) > 1.01 * (doubt + before):
+            self.wrong.append(f"{whole}: the other side is {other}")
 
     def compare(self, found: float, wanted: float, unit: float, sign: str, where: str) -> None:
         self.checked += 1
