@@ -17,6 +17,7 @@ from variantgen.algebra.name import Name
 
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
+_ROUNDING = 1e-9  # of the natural scale: nothing, in arithmetic with printed numbers
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
 
@@ -103,8 +104,10 @@ class Value(Expression):
     @property
     def comes_out(self) -> bool:
         """Whether the printed numbers before it lead a reader to the printed one, but for one in its last digit."""
-        if self.expression is None or self.shown == self.exact == 0:
+        if self.expression is None:
             return True
+        if self.exact == 0:
+            return abs(self.expression.number(exact=False)) <= _ROUNDING * max(self.size, 1.0)
         finest = max(self.decimals, self._usual_decimals)  # of 60 that is computed as 59.98 too
         return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-finest
 

@@ -109,7 +109,8 @@ class Reader:
     def compare(self, found: float, wanted: float, unit: float, sign: str, where: str) -> None:
         self.checked += 1
         where = where.removesuffix(where[where.rindex("=") :]) + f"{sign} {wanted}"
-        allowed = {"=": 1.5 * unit, "≈": max(NEAR * abs(wanted), 1.5 * unit)}[sign]
+        near = NEAR * abs(wanted) or 1.01 * self.doubt(where.rpartition(" = ")[2])
+        allowed = {"=": 1.5 * unit, "≈": max(near, 1.5 * unit)}[sign]
         if abs(found - wanted) > allowed * (1 + 1e-9):
             self.wrong.append(f"{where}: {found:.9g}")
 
