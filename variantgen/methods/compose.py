@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TypeVar
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Value
+from variantgen.algebra.decimals import PRINTED_DIGITS
+from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers

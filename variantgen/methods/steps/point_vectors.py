@@ -19,7 +19,7 @@ class Arrow:
 
 
 @dataclass(frozen=True, slots=True)
-class Equation:
+class PointEquation:
     """A vector equation about a point; the vector of any other point is one arrow."""
 
     point: str
@@ -38,7 +38,7 @@ class PointVectors:
     own: Mapping[str, Arrow]
     rates: Mapping[str, Name]
     compound: frozenset[str]
-    equations: tuple[Equation, ...]
+    equations: tuple[PointEquation, ...]
 
     def terms(self, point: str) -> Iterator[Arrow]:
         """What the vector of a point is put together from, in the order of the equations.

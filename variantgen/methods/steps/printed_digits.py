@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Value
+from variantgen.algebra.decimals import PRINTED_DIGITS
+from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
