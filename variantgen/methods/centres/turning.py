@@ -132,7 +132,7 @@ def _centre(book: Book, group: RollingWheel, radius: Value, name: Name) -> Known
         terms = (book.term(own, size, angle, "towards", **facts),)
     if not rate.sense:
         return terms
-    size = book.derive(name, book.measure, turning_speed(rate.size, radius))
+    size = turning_speed(book, name, rate.size, radius)
     if group.around:
         exact = book.exact(group.centre) - _normal_part(book, group)
         turned = 90.0 if _is_left(book, group, exact) else -90.0

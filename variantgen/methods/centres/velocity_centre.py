@@ -96,7 +96,7 @@ def _enter_speed(book: Book, body: str, point: str, path: Term) -> None:
         ray = centre.rays[point]
         _say_direction(book, centre, rate, point)
         size, ahead = (
-            book.derive(name, "velocity", turning_speed(rate.size, ray.arm)),
+            turning_speed(book, name, rate.size, ray.arm),
             ray.angle.exact - 90.0 * rate.sense,
         )
     angle = path.angle if between(path.angle.exact, ahead) < 90.0 else Geometry.turned(path.angle, 180.0)
@@ -126,7 +126,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             book.velocity[point] = ()
             return
         _say_direction(book, centre, rate, point)
-        size = book.derive(name, "velocity", turning_speed(rate.size, ray.arm))
+        size = turning_speed(book, name, rate.size, ray.arm)
         angle = Geometry.turned(ray.angle, -90.0 * rate.sense)
         book.velocity[point] = (book.term(name, size, angle, "across", segment=centre.segment(point)),)
 

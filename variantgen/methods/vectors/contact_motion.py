@@ -79,7 +79,7 @@ def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: C
             name = contact_name(book, sought)._replace(about=sought.centre)
             radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
             say_sum(book, sought)
-            turning = book.derive(name, book.measure, turning_speed(rate.size, radius))
+            turning = turning_speed(book, name, rate.size, radius)
             parts.append((-rate.sense * sought.lever, turning))
         if sought.lever:
             enter_with_way(book, group, sought, parts, list(zip(names, parts, strict=False)))

@@ -101,7 +101,7 @@ def component(book: Book, side: ContactSide) -> Component:
         about = "" if side.centre in book.task.fixed else side.centre
         name = contact_name(book, side)._replace(about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
-        turning = book.derive(name, book.measure, turning_speed(rate.size, radius))
+        turning = turning_speed(book, name, rate.size, radius)
         if parts:
             say_sum(book, side)
         parts.append((rate.sense * side.lever, turning))

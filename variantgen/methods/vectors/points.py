@@ -40,7 +40,7 @@ def _across(book: Book, name: Name, rate: Rate, arm: Value, ends: tuple[str, str
     """The vector across a radius, in the sense of a known rate."""
     if not rate.sense:
         return ()
-    size = book.derive(name, book.measure, turning_speed(rate.size, arm))
+    size = turning_speed(book, name, rate.size, arm)
     return (across(book, name, size, ends, rate.sense),)
 
 

@@ -7,20 +7,27 @@ or that the printed digits show in full, is simply multiplied.
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Expression, Ratio, Value, rounded
+from variantgen.algebra.decimals import PRINTED_DIGITS, rounded
+from variantgen.algebra.expression import Ratio, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.solution.book import Book
 
 _SAME = 1e-10  # relative difference of two numbers that are one, but for rounding of the arithmetic
 
 
-def turning_speed(rate: Value, arm: Value) -> Expression:
-    """The product of the magnitude of a rate and a distance, as an expression of what the rate was found from."""
+def turning_speed(book: Book, name: Name, rate: Value, arm: Value) -> Value:
+    """The product of the magnitude of a rate and a distance, with its line; the same vector is itself."""
     match rate.expression:
-        case Ratio(Value() as speed, Value() as radius) if speed.measure in ("velocity", "acceleration"):
-            if is_same(arm.exact, radius.exact):
-                return speed
-            if not is_same(rounded(rate.exact, PRINTED_DIGITS), rate.exact):
-                return speed * arm / radius
-    return rate * arm
+        case Ratio(Value() as speed, Value() as radius) if is_rounded(rate) and speed.measure == book.measure:
+            if not is_same(arm.exact, radius.exact):
+                return book.derive(name, book.measure, speed * arm / radius)
+            return speed if speed.name == name else book.derive(name, book.measure, speed, law=rate * arm)
+    return book.derive(name, book.measure, rate * arm)
+
+
+def is_rounded(value: Value) -> bool:
+    """Whether a value is printed with fewer digits than it has."""
+    return not is_same(rounded(value.exact, PRINTED_DIGITS, value.measure), value.exact)
 
 
 def is_same(first: float, second: float) -> bool:
