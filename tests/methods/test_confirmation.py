@@ -19,7 +19,6 @@ from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import (
     Balance,
-    Derived,
     EquationLine,
     Item,
     LinearSystem,

@@ -16,6 +16,7 @@ from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import known_point, renamed, vector
+from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.whole_vector import whole
 
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
@@ -94,7 +95,10 @@ def _enter_speed(book: Book, body: str, point: str, path: Term) -> None:
     else:
         ray = centre.rays[point]
         _say_direction(book, centre, rate, point)
-        size, ahead = book.derive(name, "velocity", rate.size * ray.arm), ray.angle.exact - 90.0 * rate.sense
+        size, ahead = (
+            turning_speed(book, name, rate.size, ray.arm),
+            ray.angle.exact - 90.0 * rate.sense,
+        )
     angle = path.angle if between(path.angle.exact, ahead) < 90.0 else Geometry.turned(path.angle, 180.0)
     book.velocity[point] = (Term(name, size, angle, path.way),)
 
@@ -122,7 +126,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             book.velocity[point] = ()
             return
         _say_direction(book, centre, rate, point)
-        size = book.derive(name, "velocity", rate.size * ray.arm)
+        size = turning_speed(book, name, rate.size, ray.arm)
         angle = Geometry.turned(ray.angle, -90.0 * rate.sense)
         book.velocity[point] = (book.term(name, size, angle, "across", segment=centre.segment(point)),)
 

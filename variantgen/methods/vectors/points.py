@@ -11,6 +11,7 @@ from variantgen.methods.groups.carriers import carrier_of, is_carried, is_transl
 from variantgen.methods.solution.book import Book, Known, Rate, along
 from variantgen.methods.steps.step import Body, Fact, Point, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
+from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.vector_equation import shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
@@ -39,7 +40,7 @@ def _across(book: Book, name: Name, rate: Rate, arm: Value, ends: tuple[str, str
     """The vector across a radius, in the sense of a known rate."""
     if not rate.sense:
         return ()
-    size = book.derive(name, book.measure, rate.size * arm)
+    size = turning_speed(book, name, rate.size, arm)
     return (across(book, name, size, ends, rate.sense),)
 
 
