@@ -11,6 +11,7 @@ from variantgen.methods.centres.known_centre import centre_of, sense_about
 from variantgen.methods.centres.perpendiculars import meet
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
+from variantgen.methods.groups.wanted import leads_on
 from variantgen.methods.solution.book import Book, Rate, resultant
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
@@ -120,7 +121,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             )
             book.velocity[point] = renamed(book, vector(book, pole), point)
             return
-        ray = ray_to_centre(book, centre, point, leads_on(book, point, body))
+        ray = ray_to_centre(book, centre, point, leads_on(book.task, point, body))
         if ray is None or not rate.sense:
             book.say("velocity_centre.in_centre", False, point=Point(point), centre=centre.fact, vector=VectorOf(name))
             book.velocity[point] = ()
@@ -129,17 +130,6 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
         size = turning_speed(book, name, rate.size, ray.arm)
         angle = Geometry.turned(ray.angle, -90.0 * rate.sense)
         book.velocity[point] = (book.term(name, size, angle, "across", segment=centre.segment(point)),)
-
-
-def leads_on(book: Book, point: str, body: str) -> bool:
-    """Whether the direction of the velocity of a point is of use: for another body, a joint, or an answer."""
-    task = book.task
-    others = (members for name, members in task.scene.bodies.items() if name != body)
-    if any(point in members for members in others):
-        return True
-    if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
-        return True
-    return any(q.point == point and q.kind == "v" and q.component for q in task.asked)
 
 
 def distance(book: Book, body: str, point: str) -> Value:
