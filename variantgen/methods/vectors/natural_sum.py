@@ -153,3 +153,14 @@ def _say_axes(book: Book, axes: Sequence[_Axis], letters: str) -> None:
         book.say(f"natural.{letters}", False, other=VectorOf(second.along.name), **facts)
     else:
         book.say(f"natural.{letters}_across", False, side=Word(on_paper(second.angle.exact)), **facts)
+
+
+def unshown_components(book: Book, name: Name, terms: Sequence[Term], divisor: int) -> Known:
+    """The same components without their lines, for what only needs their numbers."""
+    found = []
+    for axis, word in zip(_axes(terms), _OWN, strict=True):
+        whole = Ratio(axis.sum(), Constant(float(divisor)))
+        size = Value(name.component(word), book.measure, whole.number(True), whole, book.size_of(book.measure))
+        if size.exact:
+            found.append(book.term(name.component(word), size, axis.angle, f"axis_{word}"))
+    return tuple(found)

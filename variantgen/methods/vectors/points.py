@@ -12,6 +12,7 @@ from variantgen.methods.groups.wanted import leads_on
 from variantgen.methods.solution.book import Book, Known, Rate, along
 from variantgen.methods.steps.step import Body, Fact, Point, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
+from variantgen.methods.vectors.midpoint import enter_midpoint, midpoint_ends
 from variantgen.methods.vectors.natural_sum import natural_components, natural_modulus, signed
 from variantgen.methods.vectors.turning_speed import is_same, turning_speed
 from variantgen.methods.vectors.vector_equation import shares, write
@@ -107,9 +108,18 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     elif book.carry is not None:
         book.carry(book, point, body, pole)
     else:
-        with book.step(
-            f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
-        ):
+        carry_by_sum(book, point, body, pole)
+
+
+def carry_by_sum(book: Book, point: str, body: str, pole: str) -> None:
+    """Write down the vector of a further point: half the sum of the vectors of two points, or the pole formula."""
+    with book.step(
+        f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
+    ):
+        ends = midpoint_ends(book, point, body)
+        if ends is not None:
+            enter_midpoint(book, point, body, ends)
+        else:
             by_pole(book, point, body, pole)
 
 
