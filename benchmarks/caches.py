@@ -30,6 +30,7 @@ TITLE = "Caches, and settings of memory"
 # Caches that are kept because others have what hangs on their answer, whatever they save by themselves.
 IDENTITY = {
     "builder.build_spec:WorkerContext.drawer": "its samplers count what was tried, which messages tell",
+    "exam.roster.columns:_kinds": "it is asked for every cell of a class",
     "families.restrict:_restricted": "problems of the same ranges have the same forms, and what these remember",
     "families.family:Form.remembered": "it is what forms remember",
     "figure.board:Board.linkage": "the linkage remembers what rests",

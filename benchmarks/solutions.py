@@ -75,7 +75,7 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
         with clock.measuring(TEXT):
             text = written(task, found, language)
         posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
-        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing)
+        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing, text)
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):

@@ -20,6 +20,7 @@ from benchmarks.__main__ import PARTS
 from benchmarks.processes import Ran
 from variantgen.families.load import load_family
 from variantgen.resources import templates_dir
+from variantgen.variants.variant import parameter_arrays
 
 Rows = list[dict[str, Any]]
 
@@ -150,7 +151,7 @@ def test_difference_is_seen() -> None:
     mechanism = rivals.MECHANISMS[0]
     family = load_family(mechanism.family)
     form = family.forms[mechanism.form]
-    values = solver.columns(solver.drawn(family, form, 3))
+    values = parameter_arrays(solver.drawn(family, form, 3))
     motion = solver.solved(form, values)()
     right = rivals.numpy_way(mechanism, mechanism.inputs(values))()
     assert solver.difference(right, motion) < 1e-10

@@ -13,13 +13,12 @@ from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
-from variantgen.figure.given_vectors import distinct_points, given_rates
 from variantgen.figure.motion_board import LEAST
 from variantgen.figure.motion_data import motion_data
+from variantgen.figure.vectors import vectors_of
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
-from variantgen.methods.linkage.problem import task_of
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -54,7 +53,7 @@ def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing)
 def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: str) -> None:
     for variant, motion, i, drawing in drawings(name, form, 1):
         found = motion_data(variant, motion, i, asked_quantities(variant), 1)
-        points = distinct_points(found.task, found.chain, found.chain.points)
+        points = vectors_of(variant, motion, i, asked_quantities(variant), 1, EN).telling(found.chain.points)
         assert {q.point for q in found.task.asked if q.kind == "v"} - found.chain.resting <= set(points)
         size = size_of_vectors(motion, i, points, drawing)
         found = arrows(drawing, Layer.SLIDER)
@@ -79,9 +78,11 @@ def test_arcs_have_the_true_senses_of_all_bodies_that_turn(name: str, form: str)
             rates = motion.omega if order == 1 else motion.epsilon
             largest = max(abs(float(rate[i])) for rate in rates.values())
             bound = 1e-9 * max(largest, max(abs(float(w[i])) for w in motion.omega.values()) ** 2)
-            stated = given_rates(task_of(variant, motion, i, asked_quantities(variant)), order, EN)
+            # A rate that the data call by its letter alone is that of the driven body.
+            bare = any(parameter.symbol == letter for parameter in variant.form.parameters.values())
+            stated = {d.fields["body"]: letter for d in variant.form.drivers if bare and "body" in d.fields}
             turning = {
-                to_plain(stated.get(body) or EN.symbol(f"{letter}_{body}", variant.form.symbols)): float(rate[i])
+                to_plain(EN.symbol(stated.get(body, f"{letter}_{body}"), variant.form.symbols)): float(rate[i])
                 for body, rate in rates.items()
                 if abs(float(rate[i])) > bound
             }
@@ -161,7 +162,8 @@ def test_asked_accelerations_are_drawn_in_their_directions(name: str, form: str)
         asked = [q.point for q in asked_quantities(variant) if q.kind == "a"]
         drawn = [tip - start for start, tip in arrows(drawing, Layer.SLIDER)]
         assert drawn
-        parts = accelerations.components(motion_data(variant, motion, i, asked_quantities(variant), 2), EN)
+        named = vectors_of(variant, motion, i, asked_quantities(variant), 2, EN)
+        parts = accelerations.components(motion_data(variant, motion, i, asked_quantities(variant), 2), named)
         largest = max(abs(vector) for named in parts.values() for _, vector in named)
         for point in asked:
             vector = complex(motion.a[point][i])

@@ -6,6 +6,7 @@ import cmath
 import math
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
@@ -18,6 +19,7 @@ from variantgen.figure.drawing import THIN, Drawing, Layer, Path
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.motion_data import motion_data
 from variantgen.figure.plans import COINCIDENT, PlanVector, round_length
+from variantgen.figure.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
@@ -87,7 +89,7 @@ def test_sides_are_perpendicular_to_the_links(name: str, form: str) -> None:
     variants, motion, asked = variants_of(name, form, SEEDS)
     for i, variant in enumerate(variants):
         found = motion_data(variant, motion, i, asked, 1)
-        plan = velocity_plan.velocity_plan(found.chain, found.now, EN)
+        plan = velocity_plan.velocity_plan(found, vectors_of(variant, motion, i, asked, 1, EN, methods=("graphical",)))
         for vector, point, pole in about_poles(plan.vectors, list(motion.z), "v"):
             arm = complex(motion.z[point][i] - motion.z[pole][i])
             side = vector.end - vector.start
@@ -102,10 +104,11 @@ def test_components_lead_from_the_pole_of_the_body_to_the_point(name: str, form:
     bodies = motion.scene.bodies
     for i, variant in enumerate(variants):
         found = motion_data(variant, motion, i, asked, 2)
-        plan = acceleration_plan.acceleration_plan(found.chain, found.now, EN)
-        named = about_poles(plan.vectors, list(motion.z), "a")
+        named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
+        plan = acceleration_plan.acceleration_plan(found, named)
+        turning = about_poles(plan.vectors, list(motion.z), "a")
         scale = max(abs(complex(a[i])) for a in motion.a.values())
-        for vector, point, pole in named:
+        for vector, point, pole in turning:
             body = next(
                 b
                 for b, members in bodies.items()
@@ -119,11 +122,12 @@ def test_components_lead_from_the_pole_of_the_body_to_the_point(name: str, form:
                 assert abs(vector.start - complex(motion.a[pole][i])) < 1e-8 * scale
             else:
                 assert abs(size - 1j * epsilon * arm) < 1e-8 * scale
-        for first, second in zip(named[::2], named[1::2], strict=True):
-            assert first[1:] == second[1:]
-            assert abs(first[0].end - second[0].start) < 1e-8 * scale
-            if any({first[1], first[2]} <= set(members) for members in bodies.values()):
-                assert abs(second[0].end - complex(motion.a[first[1]][i])) < 1e-8 * scale
+        for _, point, pole in turning:
+            # The tangential component (there is none of a body that turns uniformly) follows the normal one.
+            parts = [vector for vector, *ends in turning if ends == [point, pole]]
+            assert all(abs(first.end - second.start) < 1e-8 * scale for first, second in pairwise(parts))
+            if any({point, pole} <= set(members) for members in bodies.values()):
+                assert abs(parts[-1].end - complex(motion.a[point][i])) < 1e-8 * scale
 
 
 def sliding(motion: Motion, point: str, body: str) -> bool:
@@ -138,28 +142,33 @@ def test_compound_accelerations_close(name: str, form: str) -> None:
         return
     for i, variant in enumerate(variants):
         found = motion_data(variant, motion, i, asked, 2)
-        plan = acceleration_plan.acceleration_plan(found.chain, found.now, EN)
+        named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
+        plan = acceleration_plan.acceleration_plan(found, named)
+        scale = max(abs(complex(a[i])) for a in motion.a.values())
+        given = {p.symbol: EN.symbol(p.symbol, {}) for p in variant.form.parameters.values() if p.unit}
         for path in paths:
-            parts = [
-                v
-                for v in plan.vectors
-                if v.symbol.index[0].text in ("rel", "cor") and v.symbol.index[1].text == path.point
-            ]
-            transport = next(
-                v
-                for v in plan.vectors
-                if v.whole and v.symbol.index[0].text == "tr" and v.symbol.index[1].text == path.point
-            )
-            scale = max(abs(complex(a[i])) for a in motion.a.values())
+            own = [v for v in plan.vectors if [index.text for index in v.symbol.index][1:] == [path.point]]
+            parts = [v for v in own if v.symbol.index[0].text in ("rel", "cor")]
+            # What is given along the path bears the letter of the data.
+            parts += [v for v in plan.vectors if v.symbol in given.values() and not v.whole and v not in parts]
             # One after the other from the end of the transport acceleration to that of the whole.
-            place = transport.end
+            place = carried(path.point, path.body, motion, i)
+            for transport in (v for v in own if v.whole and v.symbol.index[0].text == "tr"):
+                assert abs(transport.end - place) < 1e-9 * scale
             for part in parts:
                 assert abs(part.start - place) < 1e-9 * scale
                 place = part.end
             assert abs(place - complex(motion.a[path.point][i])) < 1e-9 * scale
             rel = velocity_of(path.point, path.body, motion, i)
-            cor = next(v for v in parts if v.symbol.index[0].text == "cor")
-            assert abs(cor.end - cor.start - 2j * motion.omega[path.body][i] * rel) < 1e-9 * scale
+            cor = sum(v.end - v.start for v in own if v.symbol.index[0].text == "cor")
+            assert abs(cor - 2j * motion.omega[path.body][i] * rel) < 1e-9 * scale
+
+
+def carried(point: str, body: str, motion: Motion, i: int) -> complex:
+    """The acceleration of the point of a body below another point, by the pole formula."""
+    pole = motion.scene.bodies[body][0]
+    turn = 1j * motion.epsilon[body][i] - motion.omega[body][i] ** 2
+    return complex(motion.a[pole][i] + turn * (motion.z[point][i] - motion.z[pole][i]))
 
 
 def velocity_of(point: str, body: str, motion: Motion, i: int) -> complex:

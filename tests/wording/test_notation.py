@@ -12,7 +12,6 @@ from variantgen.wording.language import load_language
 from variantgen.wording.notation import Notation, notation_of
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.quantity_symbols import Symbols
-from variantgen.wording.vector_names import absolute, component_marks
 
 FORM = load_family("four_bar").forms["crank"]
 
@@ -30,7 +29,6 @@ def test_letters(words: tuple[str, ...], angular: str, angle: str, normal: str) 
     language = load_language("ru", notation_of(words))
     assert to_plain(language.symbol("epsilon_AB", {})) == angular
     assert to_plain(language.symbol("alpha", {})) == angle, "an angle must not be taken for the acceleration"
-    assert to_plain(absolute("a", "B", component_marks(language)[0])) == normal
     symbols = Symbols(FORM, language, load_phrases("ru"), {})
     assert to_plain(symbols.of(Name("epsilon", "AB"))) == angular
     assert to_plain(symbols.of(Name("a", "B", part="n"))) == normal

@@ -36,7 +36,7 @@ AHEAD = 256
 
 @dataclass(frozen=True)
 class Built:
-    """What a build made: the folder, how many students, and who had to draw again to be distinct.
+    """The result of a build: the folder, the number of students, and who had to draw again to be distinct.
 
     ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``alike`` says of
     problems how many sheets have nearly the data of another of their group, because there was no room to keep them

@@ -50,7 +50,7 @@ class BuildSpec:
 
     @staticmethod
     def of(exam: Exam) -> BuildSpec:
-        """That of an exam."""
+        """The description of an exam for its workers."""
         fields = [name for name in Exam.__dataclass_fields__ if name not in _FROM_TEXT]
         return BuildSpec(
             str(exam.path),
@@ -111,7 +111,7 @@ def _tasks(exam: Exam) -> str:
 
 @dataclass(frozen=True)
 class WorkerContext:
-    """What the jobs of a build share in a process."""
+    """The exam and the typesetting engine that all jobs of a build share in one process."""
 
     exam: Exam
     engine: Typesetter

@@ -60,7 +60,7 @@ def digest(content: bytes) -> str:
 
 
 def digest_of(path: Path) -> str:
-    """That of a file. Raises OSError if it cannot be read, or is a link."""
+    """A digest of a file on the disk. Raises OSError if it cannot be read, or is a link."""
     with open(path, "rb", opener=_opened) as file:
         return hashlib.file_digest(file, _hash).hexdigest()
 

@@ -53,7 +53,7 @@ class StoredChunk:
 
 
 def unfinished_folder(target: Path) -> Path:
-    """Where the parts of an output are until it is finished."""
+    """The hidden folder of the parts of an output that is not finished."""
     target = target.resolve()
     return target.with_name(f".{target.name}.unfinished")
 
@@ -153,7 +153,7 @@ class Unfinished:
         write(self.folder, DRAWN_MARKS, json.dumps(record).encode(), self._key)
 
     def drawn_marks(self) -> tuple[tuple[str, ...], dict[str, int], int]:
-        """What was noted."""
+        """The marks that :meth:`mark_drawn` has written."""
         found = self._read_marks()
         return tuple(found["redrawn"]), found["alike"], found["cut"]
 

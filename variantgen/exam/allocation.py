@@ -88,7 +88,7 @@ class ProblemSampler:
         )
 
     def cut(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> int:
-        """How many of the requests would have another variant if the exam set no ceiling to tolerances."""
+        """The number of requests that would have another variant without the exam's ceiling of tolerances."""
         if all(tolerance.ceiling is None for tolerance in self._tolerances):
             return 0
         first = self._drawn(requests, [request.used for request in requests])
@@ -118,7 +118,7 @@ class ProblemSampler:
             answer_tolerances.forget()
 
     def traits(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> Traits:
-        """What is compared of drawn variants."""
+        """The traits of drawn variants, by which equal and nearly equal ones are found."""
         asked = [self.drawing(request).asked[v.form.name] for request, v in zip(requests, variants, strict=True)]
         return traits(variants, asked, [request.student.group for request in requests])
 
@@ -160,7 +160,7 @@ def _standing_traits(exam: Exam, standing: Sequence[HandedOutSheet]) -> list[Tra
 
 
 def near_duplicates_of(drawer: ProblemSampler, requests: Sequence[DrawRequest], alike: Iterable[int]) -> dict[str, int]:
-    """How many sheets have nearly the data of another, by problem and family."""
+    """The number of sheets that have nearly the data of another, by problem and family."""
     found: dict[str, int] = {}
     for i in alike:
         where = drawer.drawing(requests[i]).where

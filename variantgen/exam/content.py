@@ -125,7 +125,7 @@ def with_figures(
     from variantgen.exam.solution_figures import SolutionFigures, view_order
 
     problem_text = known.statement if known else statement(variant, asked, language)
-    figures = SolutionFigures(variant, asked, language, place, known.figure if known else None, text.centres)
+    figures = SolutionFigures(variant, asked, language, place, known.figure if known else None, text)
     figures.draw(view_order(text))
     return SolvedProblem(variant, problem_text, text, figures.rows(), figures.numbers, explained)
 

@@ -87,7 +87,7 @@ class Exam:
         return task.tolerance or self.tolerance
 
     def solution_options(self, task: ExamProblem) -> SolutionOptions:
-        """What is wished of the solution of a problem."""
+        """The options of the solution of a problem."""
         return SolutionOptions(task.methods, cast(Depth, self.solutions.depth))
 
     @property

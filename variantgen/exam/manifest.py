@@ -57,7 +57,7 @@ class RecordedProblem:
 
 @dataclass(frozen=True)
 class RecordedSheet:
-    """What a student got."""
+    """The sheet of a student as it is recorded."""
 
     student: Student
     code: str
@@ -88,7 +88,7 @@ class Manifest:
     redrawn: tuple[str, ...] = ()
 
     def differences(self, exam: Exam) -> list[str]:
-        """What a sheet depends on and is not as it was when the exam was made, in words."""
+        """The versions and files that differ from those the exam was made with, in words."""
         now = made_with(exam)
         found = []
         for name in sorted(self.made_with.keys() | now.keys()):
@@ -100,7 +100,7 @@ class Manifest:
 
 
 def made_with(exam: Exam) -> dict[str, str]:
-    """What the sheets of an exam depend on besides the manifest: versions, and hashes of templates and families."""
+    """The inputs of an exam besides its manifest: versions, and hashes of templates and families."""
     used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
     found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
     return {**found, **{f"family:{name}": family_hash(used[name]) for name in sorted(used)}}

@@ -35,7 +35,7 @@ class Notices:
 
     @property
     def words(self) -> Iterator[tuple[str, str]]:
-        """What is no formula, after the key that it comes from."""
+        """The words of the notices without formulas, each after the key that it comes from."""
         for name, text in (*self.facts, *((_INSTRUCTIONS, text) for text in self.instructions)):
             yield from ((name, part) for part in text if isinstance(part, str))
 

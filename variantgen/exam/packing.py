@@ -62,7 +62,7 @@ def _numbers(surd: Surd) -> tuple[int, int, int]:
 
 
 def unpack(exam: Exam, content: bytes) -> tuple[Item, ...]:
-    """What was packed. Raises PackingError."""
+    """The problems that were packed. Raises PackingError for bytes that are no problems of this exam."""
     try:
         found = json.loads(content)
         if type(found) is not list:

@@ -12,7 +12,7 @@ MOST = 20_000  # characters of one text
 
 
 def problems(text: str, what: str, key: str, allowed: str = "") -> list[Problem]:
-    """What keeps a text from standing on paper; ``what`` is it (``the name``), ``key`` where.
+    """The problems of a text that cannot be printed as it is; ``what`` names it (``the name``), ``key`` its place.
 
     ``allowed`` are characters that may stand there all the same, as ends of lines.
     """

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
+from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
@@ -45,7 +46,7 @@ class SolutionFigures:
     """The figures of one problem, drawn once each; ``place`` is its motion and its index in that batch.
 
     ``numbers`` are those of the kinds that could be drawn, from 1 on. ``known`` is the figure of the statement, where
-    it has been drawn before; ``centres`` are rays to acceleration centres that the others show as if asked.
+    it has been drawn before; the others show the vectors and centres of the solution ``text`` (none: the natural one).
     """
 
     def __init__(
@@ -55,20 +56,20 @@ class SolutionFigures:
         language: Language,
         place: tuple[Motion, int],
         known: Drawing | None = None,
-        centres: Sequence[Quantity] = (),
+        text: SolutionText | None = None,
     ) -> None:
         self.variant, self.asked, self.language = variant, asked, language
         self.numbers: dict[str, int] = {}
-        self._place, self._shown = place, (*asked, *centres)
+        self._place, self._vectors = place, text.vectors if text else ()
+        self._shown = (*asked, *(text.centres if text else ()))
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
         """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
         for name in names:
             if name not in self._drawn:
-                shown = self.asked if name == STATEMENT else self._shown
                 try:
-                    self._drawn[name] = view(name).draw(self.variant, *self._place, shown, self.language)
+                    self._drawn[name] = self._figure(name)
                 except MissingWordError:
                     raise
                 except InputError:
@@ -76,6 +77,12 @@ class SolutionFigures:
                         raise
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)
+
+    def _figure(self, name: str) -> Drawing:
+        if name == STATEMENT:
+            return statement_figure(self.variant, *self._place, self.asked, self.language)
+        drawn: Drawing = view(name).draw(self.variant, *self._place, self._shown, self.language, self._vectors)
+        return drawn
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
         """Rows of figures as they fit beside each other on paper."""

@@ -27,7 +27,7 @@ class Tolerance:
 
 
 def places_by_tolerance(tolerances: Iterable[Tolerance]) -> dict[Tolerance, list[int]]:
-    """Which of some problems are marked by each tolerance, by their places."""
+    """The indices of the problems that are marked by each tolerance."""
     found: dict[Tolerance, list[int]] = {}
     for i, tolerance in enumerate(tolerances):
         found.setdefault(tolerance, []).append(i)

@@ -12,7 +12,7 @@ from variantgen.figure.label_requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol
-from variantgen.wording.vector_names import centre_letters
+from variantgen.wording.solution.quantity_symbols import centre_letters
 
 _REACH = 1.15  # distance of a centre that is shown from the middle of the mechanism, in sizes of the mechanism
 

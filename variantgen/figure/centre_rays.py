@@ -11,7 +11,7 @@ from variantgen.figure.sketch import DOT
 from variantgen.mechanism.linkage import Linkage
 from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol
-from variantgen.wording.vector_names import centre_letters
+from variantgen.wording.solution.quantity_symbols import centre_letters
 
 _REACH = 1.15  # distance of a centre that is shown from the middle of the mechanism, in sizes of the mechanism
 _RAY = 16.0  # length of the ray to a centre beyond the paper, u

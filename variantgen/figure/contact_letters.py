@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from variantgen.algebra.name import Name
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.label_requests import around
@@ -15,7 +16,7 @@ from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
-from variantgen.wording.vector_names import absolute
+from variantgen.wording.solution.quantity_symbols import Symbols
 
 _CENTRE = "P"  # a contact at rest bears the letter of the velocity centre, which is drawn as such
 
@@ -42,14 +43,14 @@ def contacts(board: Board, task: Task, now: Instant) -> dict[str, ContactPoint]:
     return found
 
 
-def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: float) -> None:
+def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: float, symbols: Symbols) -> None:
     """Add dots with letters and velocities (``scale`` u per m/s)."""
     sketch = board.sketch
     for name, contact in found.items():
         key = f"contact {name}"
         place = sketch.at[key] = sketch.scale * contact.place
         draw_dot(board, place, name)
-        board.vector(key, scale * contact.velocity, absolute("v", name), MEDIUM)
+        board.vector(key, scale * contact.velocity, symbols.letter(Name("v", name)), MEDIUM)
 
 
 def draw_dot(board: Board, place: complex, name: str) -> None:

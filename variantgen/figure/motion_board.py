@@ -16,10 +16,7 @@ from variantgen.figure.drawing import BOLD, Drawing, Layer
 from variantgen.figure.label_requests import along_arrow
 from variantgen.figure.least_crowded import first_roomy
 from variantgen.figure.plans import EQUAL
-from variantgen.figure.symbols import rotation
-from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.rows import Constraint
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
@@ -40,20 +37,7 @@ _COVERED = 0.3  # part of an arrow that may lie on other lines
 
 
 class MotionBoard(Board):
-    """A board on which the rates of all bodies are shown, not only those that are given."""
-
-    kind = "omega"
-    stated: Symbol | None = None
-
-    def rate(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol of a rate of a body: that of the statement, or the name by which it may be asked."""
-        del field_name
-        assert isinstance(driver, Rotation)
-        return self.stated or self.symbol(f"{self.kind}_{driver.body}")
-
-    def given_symbol(self, driver: Constraint, field_name: str) -> Symbol | None:
-        """The symbol by which the statement gives a field of a driver, if it does."""
-        return super().rate(driver, field_name)
+    """A board on which the motion of all points and bodies is shown, not only what is given."""
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
@@ -65,16 +49,6 @@ class MotionBoard(Board):
         for way in (end - start, start - end):
             self.sketch.occupy(key, way)
         return key
-
-    def turn(self, body: str, rate: float, kind: str, stated: Symbol | None = None) -> None:
-        """Add the arc of a rate of a body (``omega`` or ``epsilon``), positive counter-clockwise on paper.
-
-        ``stated`` is the symbol under which the rate is given, if it is not the usual one.
-        """
-        self.kind, self.stated = kind, stated
-        given = float(self.frame.sense) * rate
-        # Only its sense is seen, so that either rate is drawn by the same means.
-        rotation.draw(self, Rotation(body, given))
 
     def vector(self, point: str, vector: complex, name: Formula, weight: float = BOLD) -> bool:
         """Add an arrow (``vector`` in u) from a point; moved aside where it would lie on other lines.

@@ -28,7 +28,7 @@ class Changes:
 
 
 def changes(records: Sequence[Manifest], students: Sequence[Student]) -> Changes:
-    """What is different; each part by group and name."""
+    """The differences of a class from earlier builds, each list sorted by group and name."""
     before = {sheet.student.id: sheet.student for record in records for sheet in record.sheets}
     now = {student.id: student for student in in_order(students)}
     return Changes(

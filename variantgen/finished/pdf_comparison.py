@@ -16,7 +16,7 @@ from variantgen.limits import PDF_PAGE_BYTES, PDF_STREAM_BYTES
 
 
 def compared(content: bytes, joined: Path, place: int, problems_inside: bool) -> tuple[range, list[str]]:
-    """Where the student's pages are in the file of the class, and which of them differ.
+    """The place of the student's pages in the file of the class, and the pages that differ.
 
     ``problems_inside``: a bookmark of a student has those of problems in it.
     """

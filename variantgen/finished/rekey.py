@@ -33,7 +33,7 @@ _SHOWN = 3
 
 @dataclass(frozen=True)
 class RekeyResult:
-    """What was done: how many answers there are and have another tolerance now, the files made again, messages."""
+    """A new key: the number of answers, of those with another tolerance, the files made again, messages."""
 
     answers: int
     changed: int

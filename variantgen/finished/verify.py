@@ -30,7 +30,7 @@ _AT_ONCE = 512  # students whose motions are in memory together
 
 @dataclass(frozen=True)
 class VerificationReport:
-    """How many answers were computed again, the largest relative difference, and what is wrong, in words.
+    """The result of a verification: answers computed again, largest relative difference, faults in words.
 
     ``edited`` are the files that were changed since the build and are there to be edited: no fault.
     """

@@ -33,7 +33,7 @@ class Condition(Protocol):
     """What this module needs of a condition (see :mod:`variantgen.mechanism.conditions`)."""
 
     def value(self, at: Mapping[str, Complex]) -> Real:
-        """What is left of the condition (m)."""
+        """The residual of the condition (m)."""
         ...
 
     def gradient(self, at: Mapping[str, Complex]) -> dict[str, Complex]:

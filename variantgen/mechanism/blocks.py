@@ -111,7 +111,7 @@ def _surplus_part(depends: Sequence[set[int]], owner: dict[int, int], start: set
 
 
 def indeterminate(free: Sequence[str], surplus: Sequence[str], remedies: Sequence[str] = ()) -> list[Problem]:
-    """What to tell the author of a scene whose equations do not determine its motion, by the names of the parts.
+    """The error for a scene whose equations do not determine its motion, naming the parts that are free or surplus.
 
     ``remedies`` are what the surplus joints propose to write in their places.
     """

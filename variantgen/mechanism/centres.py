@@ -18,7 +18,10 @@ class CentrePosition(NamedTuple):
 
 
 def velocity_centre(motion: Motion, body: str) -> CentrePosition:
-    """The point of the body that is at rest: ``z_P = z_A + i v_A / omega``; infinite in translation (omega = 0)."""
+    """The point of the body that is at rest: ``z_P = z_A + i v_A / omega``; infinite in translation (omega = 0).
+
+    Guide to kinematics (see :mod:`variantgen.methods`), section 3.1.4, formula 62, as a complex number.
+    """
     pole = motion.scene.bodies[body][0]
     omega = motion.omega[body]
     finite = omega != 0
@@ -27,7 +30,10 @@ def velocity_centre(motion: Motion, body: str) -> CentrePosition:
 
 
 def acceleration_centre(motion: Motion, body: str) -> CentrePosition:
-    """The point without acceleration: ``z_Q = z_A + a_A / (omega^2 - i epsilon)``; infinite if both are zero."""
+    """The point without acceleration: ``z_Q = z_A + a_A / (omega^2 - i epsilon)``; infinite if both are zero.
+
+    Guide to kinematics (see :mod:`variantgen.methods`), section 3.2.3, formulas 71 and 72, as a complex number.
+    """
     pole = motion.scene.bodies[body][0]
     divisor = motion.omega[body] ** 2 - 1j * motion.epsilon[body]
     finite = divisor != 0

@@ -31,7 +31,7 @@ def near_singular(motion: Motion) -> NDArray[np.int64]:
 
 
 def decided_by_rounding(motion: Motion, again: Callable[[Scene], Motion]) -> NDArray[np.bool_]:
-    """Which variants have another motion when all their numbers change by a few roundings, shape (N,).
+    """Whether a variant has another motion when all its numbers change by a few roundings, shape (N,).
 
     ``again`` solves a changed scene to the orders of the motion.
     """

@@ -46,7 +46,7 @@ class Linkage:
 
     @property
     def slides(self) -> Iterator[Sliding]:
-        """What slides on what: the paths of points on moving bodies."""
+        """The paths of points that slide on moving bodies."""
         return (path for joint in self.scene.joints if (path := joint.sliding()))
 
     def slide(self, point: str, body: str) -> Sliding:

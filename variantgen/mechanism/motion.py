@@ -43,12 +43,12 @@ class Motion:
 
     @property
     def solved(self) -> NDArray[np.bool_]:
-        """Which variants have a meaning, shape (N,)."""
+        """Whether the outcome of a variant is ``SOLVED``, shape (N,)."""
         return np.asarray(self.outcome == 0)
 
     @property
     def frame(self) -> Frame:
-        """How the scene lies on paper."""
+        """The frame of the scene on paper."""
         return self.scene.frame
 
     def length_scale(self) -> Field:

@@ -30,7 +30,11 @@ def sliding_points(scene: Scene) -> dict[str, str]:
 
 
 def relative_motion(motion: Motion, point: str, body: str) -> RelativeMotion:
-    """Relative, transport and Coriolis parts of the motion of a point with respect to a body."""
+    """Relative, transport and Coriolis parts of the motion of a point with respect to a body (theorem of Coriolis).
+
+    ``a = a_tr + a_rel + a_cor`` with ``a_cor = 2 i omega v_rel`` (Kirsanov, section 2.5, formulas 2.25 and 2.26); all
+    arrays have the shape (N,).
+    """
     pole = motion.scene.bodies[body][0]
     d = motion.z[point] - motion.z[pole]
     omega = motion.omega[body]

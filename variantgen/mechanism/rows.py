@@ -103,7 +103,7 @@ Row: TypeAlias = ScalarRow | VectorRow
 
 
 class Constraint(Protocol):
-    """What the solver and the verification need to know of a joint or a driver, and all they know."""
+    """The interface of a joint or a driver for the solver and the verification, which know nothing else of it."""
 
     def shapes(self) -> tuple[Shape, ...]:
         """The structure of the rows, without numbers."""
@@ -125,7 +125,7 @@ class Constraint(Protocol):
         ...
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:
-        """What is left of the constraint at the level of positions, ``time`` seconds after the start (m or rad).
+        """The residual of the constraint at the level of positions, ``time`` seconds after the start (m or rad).
 
         Written without the rows, so that the two can be checked against each other.
         """
@@ -179,7 +179,7 @@ class JointCircle:
 
 
 class Pair(Constraint, Protocol):
-    """What a joint tells besides its constraint."""
+    """A joint: its constraint, and what figures, checks and messages ask of it."""
 
     def contact_at(self, at: Placement) -> BodyContact | None:
         """Where two bodies touch without slip, if they do."""

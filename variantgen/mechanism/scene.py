@@ -97,7 +97,7 @@ def fixed_points(scene: Scene) -> set[str]:
 
 
 def label(component: Any) -> str:
-    """How messages call a joint or driver: its kind and what it acts on, ``guide of B``."""
+    """The name of a joint or driver in messages: its kind and what it acts on, ``guide of B``."""
     named = [getattr(part, f.name) for part in parts(component) for f in fields(part)]
     first = next((name for name in named if isinstance(name, str)), "nothing")
     kind = type(component).__name__

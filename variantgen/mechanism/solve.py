@@ -40,7 +40,7 @@ def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
 
 
 def _mark_undecidable(motion: Motion, plan: Plan, order: int) -> Motion:
-    """The motion with the outcome of a dead point where the last bits of the data decide what it is."""
+    """The motion with the variants marked as DEAD_POINT whose result changes by more than 4 % under input rounding."""
     near = near_singular(motion)
     if not near.size:
         return motion

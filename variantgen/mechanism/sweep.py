@@ -67,7 +67,7 @@ class Sweep:
 
     @property
     def clear(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Where velocities and accelerations have a meaning, shape (K,)."""
+        """Whether velocities and accelerations have a meaning at a position, shape (K,)."""
         return self.motion.solved & (self.motion.transmission > _BLIND)
 
     @property

@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import TypeVar
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Value
+from variantgen.algebra.expression import Value
+from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
 from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.result_check import all_constraints, by_links, equal_projections
+from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.methods.steps.printed_digits import choose_printed_digits, items_values
-from variantgen.methods.steps.step import Item, ProgramListing, Solution
+from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
+from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
+from variantgen.methods.vectors.point_vectors import point_vectors
 
 Made = TypeVar("Made")
 
@@ -76,11 +80,29 @@ def _written(book: Book, whole: str) -> Solution:
 def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     """The solution group by group."""
     task = book.task
-    check = (*equal_projections(book), *all_constraints(task, found))
+    steps = used_steps(book.steps, found.values())
+    check = tuple(third_axis(steps) or equal_projections(book))
     results = [*found.values(), *items_values(check)]
-    steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
+    steps = with_position(task, book.geometry.items, steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
-    return Solution(tuple(steps), tuple(found.items()), check, centres=_acceleration_centres(book))
+    centres, vectors = _acceleration_centres(book), _vectors(book, steps)
+    return Solution(tuple(steps), tuple(found.items()), check, centres=centres, vectors=vectors)
+
+
+def named_vectors(task: Task, methods: Sequence[str] = ()) -> tuple[PointVectors, ...]:
+    """The vectors of a solution by the ``methods``, or by the natural ones where they do not apply.
+
+    Those of the points alone where no method leads to what is asked.
+    """
+    for wished in dict.fromkeys((tuple(methods), ())):
+        with suppress(InputError, *NOT_APPLICABLE):
+            return solution(task, wished).vectors
+    return _vectors(Book(task), ())
+
+
+def _vectors(book: Book, steps: Sequence[Step]) -> tuple[PointVectors, ...]:
+    """What figures draw of each order that is asked."""
+    return tuple(point_vectors(book, steps, order) for order in range(1, book.task.order + 1))
 
 
 def _acceleration_centres(book: Book) -> tuple[Quantity, ...]:
@@ -96,9 +118,12 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
-    digits = measured + 1 if measured else PRINTED_DIGITS
-    choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
-    return Solution(tuple(steps), tuple(found.items()), check, measured)
+    items, answers = [*(item for step in steps for item in step.items), *check], list(found.values())
+    if measured:
+        follow_printed_digits(items, answers, measured + 1)
+    else:
+        choose_printed_digits(items, answers)
+    return Solution(tuple(steps), tuple(found.items()), check, measured, vectors=_vectors(book, steps))
 
 
 def _checked_by_links(task: Task) -> list[Item]:

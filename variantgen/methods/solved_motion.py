@@ -40,8 +40,6 @@ class SolvedMotion:
         if point not in table or (name.about and name.about not in table):
             return []
         words = name.part.split()
-        if {"xi", "eta"} & set(words):  # axes of the solution's own
-            return []
         motion = next((word for word in words if word in ("rel", "tr", "cor")), "")
         if motion:
             whole = self._compound(name.kind, point, motion, [word for word in words if word != motion])

@@ -38,7 +38,7 @@ MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Mo
 
 @dataclass
 class RejectionCounts:
-    """How many attempts were made, and how many each screen was the first to reject."""
+    """The number of attempts, and of those that each screen was the first to reject."""
 
     attempts: int = 0
     rejected: Counter[str] = field(default_factory=Counter)

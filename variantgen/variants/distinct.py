@@ -42,7 +42,7 @@ class TooFewError(Exception):
         self.owner, self._owners, self._identities = owner, owners, identities
 
     def found(self, counts: Callable[[int], bool]) -> int:
-        """How many distinct variants the owners of whom ``counts`` is true have seen."""
+        """The number of distinct variants that the owners with ``counts`` true have seen."""
         own = [counts(owner) for owner in self._owners]
         return int(np.unique(self._identities[np.array(own)]).size)
 

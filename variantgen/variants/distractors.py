@@ -22,8 +22,6 @@ from numpy.typing import NDArray
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.families.soundness import demands
-from variantgen.mechanism.constructions.circle_circle import CircleCircle
-from variantgen.mechanism.constructions.line_circle import LineCircle
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rows import Frame, Speeds
@@ -47,7 +45,7 @@ def wrong_answers(
 
 
 def distances(right: Array, wrong: Array, asked: Sequence[Quantity]) -> Array:
-    """How far wrong answers are from the right ones, relative (of an angle in radians), shape (..., answers, N).
+    """Relative distances of wrong answers from the right ones (angles in radians), shape (..., answers, N).
 
     Infinite where the mistake does not touch an answer, or leads to no mechanism.
     """
@@ -107,7 +105,7 @@ def _by_positions(
 ) -> dict[str, Array]:
     """Degrees for radians, and the other branches, all of them solved as one batch."""
     degrees = [name for name, p in form.parameters.items() if p.given and p.unit is not None and p.unit.name == "deg"]
-    branches = [name for name, template in form.points.items() if template.component in _BRANCHES]
+    branches = [name for name, template in form.points.items() if getattr(template.component, "chooses", "")]
     count = len(degrees) + len(branches)
     if not count:
         return {}
@@ -119,7 +117,7 @@ def _by_positions(
     scene = form.scene(values, tiled)
     points = dict(scene.points)
     for block, name in zip(blocks[len(degrees) :], branches, strict=True):
-        other, side = np.ones(count * size), _BRANCHES[form.points[name].component]
+        other, side = np.ones(count * size), getattr(points[name], "chooses", "")
         other[block] = -1.0
         points[name] = replace(points[name], **{side: getattr(points[name], side) * other})  # type: ignore[type-var]
     wrong = solve(replace(scene, points=points), max(quantity.order for quantity in asked), form.plan)
@@ -131,10 +129,6 @@ def _by_positions(
     ]
     answers = np.array([quantity.value(wrong) for quantity in asked], dtype=float)
     return _by_mistake(names, answers.reshape(len(asked), count, size), good.reshape(count, size))
-
-
-# Constructions with two results, and which of their numbers chooses between them.
-_BRANCHES: dict[type, str] = {CircleCircle: "side", LineCircle: "branch"}
 
 
 def _by_mistake(names: Sequence[str], answers: Array, good: NDArray[np.bool_]) -> dict[str, Array]:

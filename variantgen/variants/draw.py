@@ -51,7 +51,7 @@ def check_room(drawings: Sequence[FamilySampler]) -> None:
 
 
 def too_few(error: TooFewError, drawings: Sequence[FamilySampler]) -> InputError:
-    """What to say where there are fewer variants than wishes; ``drawings`` has the sampler of every request."""
+    """The error where there are fewer variants than requests; ``drawings`` has the sampler of every request."""
     drawing = drawings[error.owner]
     wanted = sum(other is drawing for other in drawings)
     return InputError(_too_few(drawing, wanted, error.found(lambda i: drawings[i] is drawing)))

@@ -17,7 +17,7 @@ def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
 
 
 def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
-    """How many different problems the grid of a form has at most, by what its sheets print and what is answered."""
+    """An upper bound of the different problems on the grid of a form, by printed data and answers."""
     idle = _unneeded(form, _points_of(asked))
     velocities_only = max((q.order for q in asked), default=1) == 1
     size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)

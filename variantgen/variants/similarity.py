@@ -38,7 +38,7 @@ _NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 
 @dataclass(frozen=True)
 class Traits:
-    """What is compared of N variants.
+    """The data by which N variants are compared.
 
     ``identity`` is equal for equal problems, ``room`` for those that may be nearly the same, shape (N,) each (hashes of
     64 bits: among a million variants two others meet with a probability of 3e-8, and then one is drawn again in vain).
@@ -60,7 +60,7 @@ class Traits:
 
     @staticmethod
     def joined(parts: Sequence[Traits]) -> Traits:
-        """Those of several batches, one after the other."""
+        """The traits of several batches, one after the other."""
         width = max(part.place.shape[1] for part in parts)
         places = [np.pad(part.place, ((0, 0), (0, width - part.place.shape[1]))) for part in parts]
         return Traits(

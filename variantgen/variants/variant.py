@@ -34,7 +34,7 @@ class Variant:
 
     @property
     def identity(self) -> tuple[str, str, tuple[tuple[str, str], ...]]:
-        """What makes two variants the same problem: family, form, parameters (no pose on paper, nothing silent)."""
+        """The key of a problem: family, form, printed parameters (no pose on paper, nothing silent)."""
         parameters = self.form.parameters
         printed = ((k, str(v)) for k, v in self.printed.items() if not parameters[k].silent)
         return self.family.name, self.form.name, tuple(sorted(printed))

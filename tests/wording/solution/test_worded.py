@@ -66,7 +66,7 @@ def test_the_acceleration_centre_of_a_solution_is_in_its_figure_though_it_is_not
     assert all(quantity.kind != "Q" for quantity in asked)
     assert {quantity.component for quantity in text.centres} == {"O", "A", "M"}
     motion = solve_variants([variant], 2)
-    with_centre = accelerations.draw(variant, motion, 0, (*asked, *text.centres), EN)
+    with_centre = accelerations.draw(variant, motion, 0, (*asked, *text.centres), EN, text.vectors)
     without = accelerations.draw(variant, motion, 0, asked, EN)
     assert "Q" in [to_plain(label.formula) for label in with_centre.labels]
     assert "Q" not in [to_plain(label.formula) for label in without.labels]
@@ -76,4 +76,4 @@ def test_the_acceleration_centre_of_a_solution_is_in_its_figure_though_it_is_not
 
 def test_a_contact_at_rest_has_the_letter_of_the_velocity_centre() -> None:
     _, text = solved("planetary_train", "two_planets", 1)
-    assert "the velocity of the pitch point P_2 is zero" in sentences(text)
+    assert "the pitch point P_2 is its instantaneous centre" in sentences(text)

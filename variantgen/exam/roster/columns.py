@@ -51,7 +51,7 @@ def cell_of(cells: Sequence[str], place: int) -> str:
 
 
 def known_in(cells: Sequence[str]) -> int:
-    """How many columns of known kinds a row would head."""
+    """The number of columns of known kinds that a row would head."""
     return sum(_word(cell) in _kinds() for cell in cells)
 
 

@@ -39,19 +39,25 @@ _CROSSED, _COVERED, _CLOSE, _TOGETHER, _STRANGER, _ON_DISC, _UNUSUAL = 12.0, 5.0
 
 
 def draw(board: Board, driver: Rotation) -> None:
-    """Add the arcs about the fixed point of the body, where there is most room."""
-    sketch = board.sketch
-    pivot = board.centre_of_rotation(driver.body)
+    """Add the arcs of the given rates."""
     sense = float(board.frame.sense)
-    rates = [("omega", sense * float(driver.omega)), ("epsilon", sense * float(driver.epsilon))]
-    radii = _radii(board, driver, pivot)
+    rates = {"omega": sense * float(driver.omega)}
+    if board.accelerations:
+        rates["epsilon"] = sense * float(driver.epsilon)
+    symbols = {kind: board.rate(driver, kind) for kind, rate in rates.items() if rate}
+    draw_arcs(board, driver.body, [(symbol, rates[kind]) for kind, symbol in symbols.items() if symbol is not None])
+
+
+def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]]) -> None:
+    """Add arcs with the symbols of rates of a body (positive counter-clockwise on paper), where there is most room.
+
+    Their centre is the fixed point of the body.
+    """
+    sketch = board.sketch
+    pivot = board.centre_of_rotation(body)
+    radii = _radii(board, body, pivot)
     taken: list[float] = []
-    for kind, rate in rates:
-        if rate == 0 or (kind == "epsilon" and not board.accelerations):
-            continue
-        formula = board.rate(driver, kind)
-        if formula is None:
-            continue
+    for formula, rate in rates:
         radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
         turn = math.copysign(_sweep(radius), rate)
         taken.append(middle)
@@ -66,14 +72,14 @@ def _sweep(radius: float) -> float:
     return min(_SWEEP, _LONGEST / radius)
 
 
-def _radii(board: Board, driver: Rotation, pivot: str) -> NDArray[np.float64]:
+def _radii(board: Board, body: str, pivot: str) -> NDArray[np.float64]:
     """Radii of an arc, the usual ones first: about the pivot, or along the rim of a disc of the body.
 
     An arc keeps off the rims of discs about the same axis.
     """
     about = [disc for disc in board.form.figure.discs if not disc.arc and disc.centre == pivot]
     rims = sorted(r for disc in about for r in board.discs.get(disc.body, []))
-    own = max((r for disc in about if disc.body == driver.body for r in board.discs[disc.body]), default=0.0)
+    own = max((r for disc in about if disc.body == body for r in board.discs[disc.body]), default=0.0)
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
     found = list(_RADII) if not own or alone else []
     found += [rim + off for rim in rims for off in _OFF_RIM]

@@ -2,7 +2,8 @@
 
 Each module says ``ORDER``, the order of the motion it needs (0 positions, 1 velocities, 2 accelerations), and has a
 function ``draw(variant, motion, index, asked, language)`` that returns a :class:`~variantgen.figure.drawing.Drawing`
-or raises InputError where there is nothing of the kind to draw.
+or raises InputError where there is nothing of the kind to draw. Those of motion also take the vectors of the solution
+beside which they stand.
 """
 
 from __future__ import annotations

@@ -45,6 +45,7 @@ class CircleCircle:
     second_distance: Size
     side: Side
     failure: ClassVar[Outcome] = Outcome.NOT_ASSEMBLED
+    chooses: ClassVar[str] = "side"  # which number, 1 or -1, chooses between its two solutions
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
         """Position (m) and whether the circles meet."""

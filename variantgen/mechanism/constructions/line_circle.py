@@ -31,6 +31,7 @@ class LineCircle:
     branch: Sense = 1.0
     either: ClassVar[tuple[tuple[str, str], ...]] = (("angle", "towards"),)
     failure: ClassVar[Outcome] = Outcome.NOT_ASSEMBLED
+    chooses: ClassVar[str] = "branch"  # which number, 1 or -1, chooses between its two solutions
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
         """Position (m) and whether the line meets the circle."""

@@ -80,7 +80,7 @@ def _component(book: Book, name: Name, terms: Known, axis: str) -> Value:
     if own in book.values:
         return book.values[own]
     with book.step(f"answers.components_{name.kind}", vector=VectorOf(name)):
-        components(book, name, terms, paper=True)
+        components(book, name, terms)
     return book.values[own]
 
 

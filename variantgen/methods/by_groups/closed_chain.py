@@ -1,6 +1,7 @@
 """Three angular velocities and accelerations: a chain of three links between two fixed pivots, in coordinates.
 
-For the links 1, 2, 3 of the chain O-A-B-C, with rates about the z axis (counter-clockwise positive)::
+Kirsanov, section 2.5, formulas 2.9 (velocities) and 2.10 (accelerations). For the links 1, 2, 3 of the chain O-A-B-C,
+with rates about the z axis (counter-clockwise positive)::
 
     sum omega_i (y_end - y_start) = 0,    sum omega_i (x_end - x_start) = 0
     sum epsilon_i (x_end - x_start) - sum omega_i^2 (y_end - y_start) = 0

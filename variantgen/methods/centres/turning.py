@@ -11,7 +11,8 @@ from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
-from variantgen.methods.vectors.vector_equation import shares
+from variantgen.methods.vectors.turning_speed import turning_speed
+from variantgen.methods.vectors.vector_equation import named_shares
 
 
 def solve_pivoted_link(book: Book, group: PivotedLink) -> None:
@@ -36,7 +37,7 @@ def _tangential(book: Book, name: Name, terms: Known, ends: tuple[str, str], sen
         return None
     sought = across(book, name, None, ends, sense)
     book.say("known_points.tangential", vector=VectorOf(name))
-    size = book.derive(name, book.measure, sum_of(shares(book, terms, sought.angle)))
+    size = book.derive(name, book.measure, sum_of(named_shares(book, terms, sought.angle)))
     return Term(name, size, sought.angle, sought.way)
 
 
@@ -131,7 +132,7 @@ def _centre(book: Book, group: RollingWheel, radius: Value, name: Name) -> Known
         terms = (book.term(own, size, angle, "towards", **facts),)
     if not rate.sense:
         return terms
-    size = book.derive(name, book.measure, rate.size * radius)
+    size = turning_speed(book, name, rate.size, radius)
     if group.around:
         exact = book.exact(group.centre) - _normal_part(book, group)
         turned = 90.0 if _is_left(book, group, exact) else -90.0

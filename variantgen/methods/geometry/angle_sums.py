@@ -27,15 +27,6 @@ def angle_sum(angle: Value) -> AngleForm:
     return found.turned(360.0 * turns)
 
 
-def is_by_drawing(direction: Value) -> bool:
-    """Whether a direction is counted from one that only the drawing shows."""
-    parts = (atom for atom, _ in angle_sum(direction).parts if isinstance(atom, Value))
-    return any(
-        atom.name is not None and atom.name.kind == "direction" and isinstance(atom.expression, Constant)
-        for atom in parts
-    )
-
-
 def _sum(item: Expression) -> AngleForm | None:
     """An expression as a sum of angles; None for another one."""
     match item:

@@ -50,7 +50,7 @@ class AngleForm:
         return AngleForm(tuple((atom, factor * c) for atom, c in self.parts), factor * self.constant)
 
     def turned(self, by: float) -> AngleForm:
-        """The same direction turned by so many degrees."""
+        """The direction turned by an angle (degrees)."""
         return AngleForm(self.parts, self.constant + by)
 
     def is_along(self, other: AngleForm) -> bool:

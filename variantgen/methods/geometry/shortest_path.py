@@ -17,7 +17,7 @@ _SEGMENT, _LENGTH, _DIRECTION, _SYSTEM, _UNSEEN = 1, 2, 4, 8, 5
 
 
 class KnownSegments(Protocol):
-    """What is known of the segments between points (:class:`variantgen.methods.geometry.geometry.Geometry`)."""
+    """The known segments between points (:class:`variantgen.methods.geometry.geometry.Geometry`)."""
 
     task: Task
 

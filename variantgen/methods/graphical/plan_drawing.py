@@ -11,7 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from variantgen.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
+from variantgen.algebra.decimals import DRAWING_LENGTH
+from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book, Known, resultant
@@ -224,8 +225,9 @@ class PlanDrawing:
         point, rest = _begin(self._known(book), terms)
         if not point:
             return tuple(terms)
-        angle = Value(None, "angle", degrees(resultant(self._known(book)[point])))
-        return (Term(Name(self.letter, point), None, angle, Sentence("graphical.as_drawn")), *rest)
+        whole, name = resultant(self._known(book)[point]), Name(self.letter, point)
+        size, angle = Value(name, self.measure, abs(whole)), Value(None, "angle", degrees(whole))
+        return (Term(name, size, angle, Sentence("graphical.as_drawn")), *rest)
 
 
 def _begin(vectors: Mapping[str, Known], terms: Sequence[Term]) -> tuple[str, Sequence[Term]]:

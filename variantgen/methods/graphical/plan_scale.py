@@ -21,7 +21,7 @@ _SLACK = 1e-9  # of the room: rounding decides nothing
 
 
 def per_millimetre(places: Sequence[complex], room: tuple[float, float] = ROOM) -> Decimal:
-    """How much one millimetre stands for: the finest round scale at which all places find room (mm)."""
+    """The value of one millimetre: the finest round scale at which all places find room (mm)."""
     x, y = [place.real for place in places], [place.imag for place in places]
     least = max((max(x) - min(x)) / room[0], (max(y) - min(y)) / room[1]) * (1 - _SLACK)
     power = Decimal(10) ** math.floor(math.log10(least))

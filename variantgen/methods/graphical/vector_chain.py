@@ -78,14 +78,6 @@ class VectorChain:
         found = [name for turn in self.turns if turn.body == body for name in (turn.pole, turn.point)]
         return tuple(dict.fromkeys(found))
 
-    def is_found(self, point: str) -> bool:
-        """Whether the end of the vector of a point is found in a plan where two lines of known directions meet."""
-        ways = sum(turn.point == point for turn in self.turns) + (point in self.guides)
-        return (
-            ways + sum(sliding_point.point == point and sliding_point.carried for sliding_point in self.sliding_points)
-            > 1
-        )
-
 
 def chain_of(form: Form, now: Instant, asked: Sequence[Quantity], shown: Sequence[str]) -> VectorChain:
     """The chain that leads to the asked quantities, through the points that the figure shows.

@@ -113,5 +113,5 @@ def resting_letter(task: Task, body: str, letter: str) -> str:
 
 
 def place_of(task: Task, side: ContactSide) -> complex:
-    """Where the material point of a side is (printed unit of length)."""
+    """The position of the material point of a side (printed unit of length)."""
     return task.now.z[side.centre] - 1j * side.line * side.radius * side.lever

@@ -70,7 +70,7 @@ class RepeatableCalculation:
         return _rows([numbers[place] for place in self.answers], _size(data))
 
     def errors(self, data: Numbers, exact: Mapping[int, Array] | None = None) -> Array:
-        """What rounding makes of the answers, in their units, shape (answers, N).
+        """The errors of the answers by rounding, in their units, shape (answers, N).
 
         ``exact`` are the numbers of answers and of what is rounded, by place, where they are known already.
         """

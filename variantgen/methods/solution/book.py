@@ -36,7 +36,7 @@ class Rate:
 
 
 class Graphics(Protocol):
-    """What solves vector equations by drawing, in place of projections."""
+    """The solution of vector equations by drawing, in place of projections."""
 
     def write(self, book: Book, left: Sequence[Term], right: Sequence[Term], start: int) -> None:
         """Write an equation."""
@@ -113,12 +113,12 @@ class Book:
 
     @property
     def measure(self) -> str:
-        """What the vectors measure."""
+        """The measure of the vectors: velocity or acceleration."""
         return "velocity" if self.order == 1 else "acceleration"
 
     @property
     def rate_measure(self) -> str:
-        """What the rates measure."""
+        """The measure of the rates: angular velocity or angular acceleration."""
         return "angular velocity" if self.order == 1 else "angular acceleration"
 
     @property
@@ -164,10 +164,10 @@ class Book:
         if not self.has_said(key):
             self.say(key)
 
-    def derive(self, name: Name, measure: str, expression: Expression) -> Value:
-        """A new value by an expression, with the line that shows it."""
+    def derive(self, name: Name, measure: str, expression: Expression, law: Expression | None = None) -> Value:
+        """A new value by an expression (and the ``law`` behind it), with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))
-        self.items.append(Derived(value))
+        self.items.append(Derived(value, law=law))
         self.values[name] = value
         return value
 

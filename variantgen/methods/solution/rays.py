@@ -65,7 +65,7 @@ class Centre:
         return Name("angle", self.kind, f"{first} {second}", "vertex", self.body)
 
     def place(self, task: Task) -> complex:
-        """Where the centre is, as the known rays say (printed unit of length)."""
+        """The position of the centre by its known rays (printed unit of length)."""
         if self.at:
             return task.now.z[self.at]
         point, ray = next(iter(self.rays.items()))

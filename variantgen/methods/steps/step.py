@@ -9,6 +9,7 @@ from typing import TypeAlias
 from variantgen.algebra.expression import Applied, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
+from variantgen.methods.steps.point_vectors import PointVectors
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,12 +89,14 @@ class Derived:
     """``name = expression = with numbers = result unit``.
 
     ``symbolic`` False leaves out the first expression (a line before has shown it), ``numeric`` False the second.
+    ``law`` is a formula in symbols that goes before an expression to which it comes down: ``a^tau = epsilon R = a_O``.
     """
 
     value: Value
     symbolic: bool = True
     numeric: bool = True
     detail: bool = False
+    law: Expression | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +116,11 @@ class Term:
     @property
     def point(self) -> str:
         """The point whose vector it is, also where the data give the vector a letter of its own."""
-        fact = self.way.facts.get("point")
-        return fact.name if self.name.kind == "parameter" and isinstance(fact, Point) else self.name.of
+        if self.name.kind != "parameter":
+            return self.name.of
+        fact = self.way.facts.get("point") or self.way.facts["segment"]
+        assert isinstance(fact, Point | Segment)
+        return fact.name if isinstance(fact, Point) else fact.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +188,14 @@ class LinearSystem:
 
 
 @dataclass(frozen=True, slots=True)
+class Balance:
+    """Two sums that must be equal, each with its number: the sides of a vector equation on a further axis."""
+
+    left: Value
+    right: Value
+
+
+@dataclass(frozen=True, slots=True)
 class EquationLine:
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
@@ -216,7 +230,16 @@ class ChainGraph:
 
 
 Item: TypeAlias = (
-    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | EquationLine | ProgramListing | ChainGraph
+    Sentence
+    | Derived
+    | VectorLine
+    | TermTable
+    | Projection
+    | Balance
+    | LinearSystem
+    | EquationLine
+    | ProgramListing
+    | ChainGraph
 )
 
 
@@ -234,7 +257,8 @@ class Solution:
     """A whole solution: the steps, the answers with their values, the check by another method.
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
-    ``centres`` are the rays to acceleration centres that it speaks of.
+    ``centres`` are the rays to acceleration centres that it speaks of. Its figures draw ``vectors``: first those of
+    the velocities, then, where accelerations are asked, those of the accelerations.
     """
 
     steps: tuple[Step, ...]
@@ -242,3 +266,4 @@ class Solution:
     check: tuple[Item, ...] = ()
     approximate: int = 0
     centres: tuple[Quantity, ...] = ()
+    vectors: tuple[PointVectors, ...] = ()

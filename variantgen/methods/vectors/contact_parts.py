@@ -15,7 +15,8 @@ from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.step import Body, CentreOf, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
-from variantgen.methods.vectors.vector_equation import share_of, shares
+from variantgen.methods.vectors.turning_speed import turning_speed
+from variantgen.methods.vectors.vector_equation import named_shares, share_of
 
 _NOTHING = 1e-10  # of the natural scale
 Parts = list[tuple[int, Expression]]
@@ -100,7 +101,7 @@ def component(book: Book, side: ContactSide) -> Component:
         about = "" if side.centre in book.task.fixed else side.centre
         name = contact_name(book, side)._replace(about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
-        turning = book.derive(name, book.measure, rate.size * radius)
+        turning = turning_speed(book, name, rate.size, radius)
         if parts:
             say_sum(book, side)
         parts.append((rate.sense * side.lever, turning))
@@ -134,7 +135,7 @@ def say_sum(book: Book, side: ContactSide) -> None:
 def centre_parts(book: Book, side: ContactSide) -> Parts:
     """The projections of the vectors of the centre on the line of the side."""
     parts: Parts = []
-    for share in shares(book, book.vectors[side.centre], side.axis(book)):
+    for share in named_shares(book, book.vectors[side.centre], side.axis(book)):
         parts.append((share.sign, share.size))
     return parts
 
@@ -199,7 +200,7 @@ def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Part
     assert group.point_path is not None
     normal, path = on_path(book, group.point_path)
     axis = side.axis(book)
-    for share in shares(book, normal, axis):
+    for share in named_shares(book, normal, axis):
         parts.append((-share.sign, share.size))
     exact = sum(sign * part.number(True) for sign, part in parts)
     if not parts or abs(exact) <= _NOTHING * book.size_of(book.measure):

@@ -19,7 +19,7 @@ _ROUNDING = 1e-9
 
 
 def on_path(book: Book, point_path: PointPath) -> tuple[Known, Term]:
-    """What is known of the vector of a point on its path, and the rest, of unknown magnitude in an assumed direction.
+    """The known terms of the vector of a point on its path, and the unknown one along it, in an assumed direction.
 
     On a line the assumed direction is to the right (or up), on a circle counter-clockwise.
     """

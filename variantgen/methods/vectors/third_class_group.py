@@ -31,7 +31,7 @@ from variantgen.methods.steps.step import (
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.pole import about_pole
-from variantgen.methods.vectors.vector_equation import share_of, shares, write
+from variantgen.methods.vectors.vector_equation import named_shares, share_of, write
 
 
 class SupportEquation(NamedTuple):
@@ -97,10 +97,10 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
     words = (Sentence("axes.across", {"vector": VectorOf(private.name)}),)
-    sides = shares(book, (*own, private), axis), shares(book, (*known, path, *turning, turn), axis)
+    sides = named_shares(book, (*own, private), axis), named_shares(book, (*known, path, *turning, turn), axis)
     book.items.append(Projection(words, *sides))
-    right = [(share.sign, share.size) for share in shares(book, own, axis)]
-    right += [(-share.sign, share.size) for share in shares(book, (*known, *turning), axis)]
+    right = [(share.sign, share.size) for share in named_shares(book, own, axis)]
+    right += [(-share.sign, share.size) for share in named_shares(book, (*known, *turning), axis)]
     arm = book.geometry.length(support.point, pole)
     return SupportEquation(
         _coefficient(path, axis, None),

@@ -108,7 +108,7 @@ def _projected(
     book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
-    sides = [shares(book, side, axis) for side in (left, right)]
+    sides = [named_shares(book, side, axis) for side in (left, right)]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
     for side, items in zip((-1, 1), sides, strict=True):
@@ -146,7 +146,7 @@ def _share(share: Share) -> Expression:
     return share.size
 
 
-def shares(book: Book, terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
+def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
     """Projections of vectors on an axis with acute angles; those across it are left out."""
     found = []
     for term in terms:
@@ -154,8 +154,13 @@ def shares(book: Book, terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
             continue
         share = share_of(term, axis)
         if share is not None:
-            found.append(named(book, share))
+            found.append(share)
     return tuple(found)
+
+
+def named_shares(book: Book, terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
+    """The same, to be written: angles that are long sums have a name, with a line."""
+    return tuple(named(book, share) for share in shares(terms, axis))
 
 
 def share_of(term: Term, axis: Value) -> Share | None:

@@ -68,5 +68,6 @@ class Picture:
 def picture(variant: Variant, view: str = "statement", language: str = "en", ask: Sequence[str] = ()) -> Picture:
     """The figure of one kind of a variant for the asked quantities (none: those of its form). Raises InputError."""
     kind, asked = find_view(view), read_ask(variant.form, tuple(ask) or None)
-    motion = solve_variants([variant], kind.ORDER)
+    # A figure of motion draws what the solution finds of all that is asked.
+    motion = solve_variants([variant], kind.ORDER and max(kind.ORDER, *(quantity.order for quantity in asked)))
     return Picture(kind.draw(variant, motion, 0, asked, load_language(language)))

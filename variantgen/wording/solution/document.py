@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from variantgen.families.quantities import Quantity
+from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.wording.formula import Formula
 from variantgen.wording.text import Text
 
@@ -70,10 +71,14 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class SolutionText:
-    """A whole solution in a language; ``centres`` are rays to acceleration centres that figures show as if asked."""
+    """A whole solution in a language.
+
+    Figures show its ``centres`` (rays to acceleration centres) as if asked, and draw its ``vectors``.
+    """
 
     plan: Text
     sections: tuple[Section, ...]
     answer: Text
     check: tuple[Block, ...] = ()
     centres: tuple[Quantity, ...] = ()
+    vectors: tuple[PointVectors, ...] = ()

@@ -19,13 +19,13 @@ from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.solution.quantity_symbols import Symbols
+from variantgen.wording.solution.quantity_symbols import Symbols, centre_letters
 from variantgen.wording.solution.writer import Writer
 from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
-from variantgen.wording.vector_names import centre_letters
 
 WHOLE = SolutionOptions()
+_LONG = 6  # steps of a solution that begins with a plan
 
 
 class UnexplainedError(VariantgenError):
@@ -83,6 +83,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
         found.centres,
+        found.vectors,
     )
 
 
@@ -102,7 +103,9 @@ def _centres(task: Task) -> dict[str, Symbol]:
 
 
 def _plan(headings: Sequence[Text]) -> Text:
-    """The headings as a numbered list in one paragraph."""
+    """The headings as a numbered list in one paragraph; nothing for a few, which are seen at a glance."""
+    if len(headings) < _LONG:
+        return ()
     parts: list[str | Formula] = []
     for number, heading in enumerate(headings, start=1):
         parts += [f"{'; ' if number > 1 else ''}{number})\N{NO-BREAK SPACE}", *heading]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from variantgen.algebra.name import Name
@@ -11,9 +11,10 @@ from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, I
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
-from variantgen.wording.vector_names import COMPONENTS, image, transport_image
 
 _COMPOUND = ("rel", "tr", "cor")
+_AXES = {"x": "x", "y": "y", "on_n": "n", "on_tau": "tau", "xi": "xi", "eta": "eta"}
+_COMPONENTS = ("n", "tau")  # of an acceleration: towards the centre, along the path
 
 
 @dataclass(frozen=True)
@@ -76,8 +77,7 @@ class Symbols:
             case "pole":
                 return Symbol(name.of)
             case "image":
-                primed = name.body == "a"
-                return transport_image(name.of, primed, self.language) if name.part else image(name.of, primed)
+                return Symbol(name.of.lower(), self._words(name), (Index("prime"),) if name.body == "a" else ())
         return self._vector(name)
 
     def _drawn(self, name: Name) -> Symbol:
@@ -117,11 +117,15 @@ class Symbols:
     def _vector(self, name: Name) -> Symbol:
         """A vector or its component: ``v_BA``, ``a^n_BA``, ``v_rel D``, ``v_Bx``."""
         words = name.part.split()
-        index = [Index(self.language.words("index")[w], True) for w in words if w in _COMPOUND]
-        index.append(Index(name.of + name.about))
-        index += [Index(w) for w in words if w in ("x", "y", "xi", "eta")]
-        upper = tuple(self.language.component(w) for w in words if w in COMPONENTS)
-        return Symbol(self.language.letter(name.kind), tuple(index), upper)
+        axes = (Index(_AXES[w]) for w in words if w in _AXES)
+        upper = tuple(self.language.component(w) for w in words if w in _COMPONENTS)
+        index = (*self._words(name), Index(name.of + name.about), *axes)
+        return Symbol(self.language.letter(name.kind), index, upper)
+
+    def _words(self, name: Name) -> tuple[Index, ...]:
+        """What an index says of a compound motion: relative, transport, Coriolis."""
+        words = (word for word in name.part.split() if word in _COMPOUND)
+        return tuple(Index(self.language.words("index")[word], True) for word in words)
 
     def body(self, name: str, form: str) -> tuple[str | Symbol, ...]:
         """A body in a form of its name, ``link AB``, ``disc 2``; one without a name is called by its kind alone."""
@@ -141,3 +145,11 @@ class Symbols:
         if any(disc.body == name for disc in self.form.figure.discs):
             return "disc"
         return "plate" if name in self.form.figure.plates else "link"
+
+
+def centre_letters(bodies: Mapping[str, str], taken: Collection[str]) -> dict[str, Symbol]:
+    """The letters of velocity centres by body; ``bodies`` gives the index of each, ``taken`` are names of points."""
+    if len(bodies) == 1 and "P" not in taken:
+        return dict.fromkeys(bodies, Symbol("P"))
+    unnamed = Symbol("P", (Index("v"),)) if "P" in taken else Symbol("P")
+    return {body: Symbol("P", (Index(name),)) if name else unnamed for body, name in bodies.items()}

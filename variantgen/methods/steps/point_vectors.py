@@ -1,0 +1,53 @@
+"""The vectors of points and the rates of bodies under their names in a solution: what figures of its motion draw."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from variantgen.algebra.name import AXES, Name
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A vector (m/s or m/s^2); ``sought`` says that an equation starts from its direction ``way`` (a unit vector)."""
+
+    name: Name
+    vector: complex
+    sought: bool = False
+    way: complex = 0j
+
+
+@dataclass(frozen=True, slots=True)
+class PointEquation:
+    """A vector equation about a point; the vector of any other point is one arrow."""
+
+    point: str
+    left: tuple[Arrow, ...]
+    right: tuple[Arrow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PointVectors:
+    """What a solution says of one order (1 velocities, 2 accelerations).
+
+    ``own`` are the vectors of the points themselves, ``compound`` the points whose motion is compound; ``rates`` are
+    the names of the rates of all bodies.
+    """
+
+    own: Mapping[str, Arrow]
+    rates: Mapping[str, Name]
+    compound: frozenset[str]
+    equations: tuple[PointEquation, ...]
+
+    def terms(self, point: str) -> Iterator[Arrow]:
+        """What the vector of a point is put together from, in the order of the equations.
+
+        At B with ``a^n_B + a^tau_B = a_A + a^n_BA + a^tau_BA`` these are all five vectors.
+        """
+        known = {self.own[point].name}
+        for equation in self.equations:
+            for arrow in (*equation.left, *equation.right) if equation.point == point else ():
+                if arrow.name not in known and not set(AXES) & set(arrow.name.part.split()):
+                    known.add(arrow.name)
+                    yield arrow
