@@ -13,10 +13,11 @@ from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
-from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.solution.phrases import Letter, SentenceField, load_phrases
+from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.text import Text
 from variantgen.wording.words import MissingWordError
 
@@ -81,7 +82,9 @@ class SolutionFigures:
     def _figure(self, name: str) -> Drawing:
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
-        drawn: Drawing = view(name).draw(self.variant, *self._place, self._shown, self.language, self._vectors)
+        kind, _, which = name.partition(":")
+        further = (which,) if which else ()
+        drawn: Drawing = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, *further)
         return drawn
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
@@ -101,7 +104,11 @@ class SolutionFigures:
         """The number and title of a figure, and which centres lie outside it."""
         phrases = load_phrases(self.language.name)
         found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
-        found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
+        kind, _, which = name.partition(":")
+        for part in phrases.sentence(f"figures.{kind}"):
+            found += [part] if isinstance(part, str) else self._fact(part, kind, which)
+        if self._drawn[name].lengthened:
+            found += [" ", *(part for part in phrases.sentence("figures.lengthened") if isinstance(part, str))]
         letters = self._drawn[name].beyond if name != STATEMENT else ()
         if letters:
             listed = [part for letter in letters for part in (", ", letter)][1:]
@@ -109,6 +116,15 @@ class SolutionFigures:
             for part in phrases.sentence("figures.beyond"):
                 found += [part] if isinstance(part, str) else listed
         return tuple(found)
+
+    def _fact(self, part: Letter | SentenceField, kind: str, which: str) -> Sequence[str | Formula]:
+        """The point that the equation of a figure is about, or its body."""
+        if isinstance(part, Letter):
+            return (Symbol(part.name),)
+        if part.name == "point":
+            return (Symbol(self._vectors[view(kind).ORDER - 1].equations[int(which) - 1].point),)
+        symbols = Symbols(self.variant.form, self.language, load_phrases(self.language.name), {})
+        return symbols.body(which, part.form)
 
     def _shared(self, row: Sequence[str]) -> float:
         """The scale of the figures of the mechanism in a row, mm per unit."""

@@ -81,7 +81,10 @@ def place_labels(
         for i in crowded:
             choices[i] = _with_leaders(choices[i], occupancy)
         _resolve_overlaps(choices, crowded)
-    labels = [Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1])) for c in choices]
+    labels = [
+        Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
+        for c in choices
+    ]
     return labels, [leader for c in choices if (leader := c.leader)]
 
 
