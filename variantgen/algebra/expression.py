@@ -11,14 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from decimal import Decimal
 
+from variantgen.algebra.decimals import ANGLE, DRAWING_LENGTH, PRINTED_DIGITS, WHOLE_DEGREES, decimals_of, rounded
 from variantgen.algebra.name import Name
 
-_ANGLE = "angle"
-DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
-_WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
-PRINTED_DIGITS = 4  # significant digits of a number of the solution
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
@@ -115,34 +111,14 @@ class Value(Expression):
         """The decimals to which the printed number is rounded, negative for tens; of an exact one those that it has."""
         if self.shown == 0 or not math.isfinite(self.shown):
             return 0
-        own = _decimals(self.shown)
+        own = decimals_of(self.shown)
         if abs(self.shown - self.exact) <= _SAME * abs(self.exact):
             return own
-        usual = {DRAWING_LENGTH: 1, _ANGLE: PRINTED_DIGITS - _WHOLE_DEGREES}.get(self.measure)
+        usual = {DRAWING_LENGTH: 1, ANGLE: PRINTED_DIGITS - WHOLE_DEGREES}.get(self.measure)
         return max(own, PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if usual is None else usual)
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"
-
-
-def rounded(number: float, digits: int, measure: str = "") -> float:
-    """A number with so many significant digits; an angle (degrees) with the decimals that are worth as much,
-    a length on a drawing to 0.1 mm.
-    """
-    if number == 0 or not math.isfinite(number):
-        return 0.0 if number == 0 else number
-    if measure == DRAWING_LENGTH:
-        return round(number, 1) + 0.0
-    if measure == _ANGLE:
-        return round(number, digits - _WHOLE_DEGREES) + 0.0
-    return float(f"{number:.{digits - 1}e}")
-
-
-def _decimals(number: float) -> int:
-    """The decimals of a number as it is written."""
-    exponent = Decimal(repr(number)).normalize().as_tuple().exponent
-    assert isinstance(exponent, int)
-    return max(0, -exponent)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TypeVar
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Value
+from variantgen.algebra.decimals import PRINTED_DIGITS
+from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
@@ -14,7 +15,7 @@ from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.result_check import all_constraints, by_links, equal_projections
+from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_steps
@@ -80,9 +81,10 @@ def _written(book: Book, whole: str) -> Solution:
 def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     """The solution group by group."""
     task = book.task
-    check = (*equal_projections(book), *all_constraints(task, found))
+    steps = used_steps(book.steps, found.values())
+    check = tuple(third_axis(steps) or equal_projections(book))
     results = [*found.values(), *items_values(check)]
-    steps = with_position(task, book.geometry.items, used_steps(book.steps, results), results)
+    steps = with_position(task, book.geometry.items, steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     centres, vectors = _acceleration_centres(book), _vectors(book, steps)
     return Solution(tuple(steps), tuple(found.items()), check, centres=centres, vectors=vectors)

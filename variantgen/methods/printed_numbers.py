@@ -21,6 +21,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import (
+    Balance,
     Derived,
     EquationLine,
     Item,
@@ -166,6 +167,8 @@ class PrintedNumbers:
                     products = [factor.exact * value.exact for factor, value in zip(row, unknowns, strict=True)]
                     largest = max(abs(end.exact), *map(abs, products))
                     yield "an equation of the system", _relative(sum(products) - end.exact, largest)
+            case Balance(one, other):
+                yield "a sum beside its equal", _relative(one.exact - other.exact, max(_largest(one), _largest(other)))
             case EquationLine(left, right):
                 gap = left.number(True) - right.number(True)
                 yield "an equation", _relative(gap, max(_largest(left), _largest(right)))

@@ -1,21 +1,40 @@
-"""The check at the end of a solution: equal projections of velocities, and the equations of all constraints at once."""
+"""The check at the end of a solution: a relation that it has not used, with its numbers.
+
+A vector equation on a third axis, or equal projections of the velocities of two points.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations
-
-import numpy as np
 
 from variantgen.algebra.expression import Constant, Value, cos
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order
-from variantgen.mechanism.dense import DenseSystem
-from variantgen.mechanism.motion import Motion
-from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Body, Derived, Fact, Item, Segment, Sentence, Share, VectorOf
-from variantgen.methods.vectors.vector_equation import share_of
+from variantgen.methods.steps.step import (
+    Balance,
+    Body,
+    Derived,
+    Fact,
+    Item,
+    Segment,
+    Sentence,
+    Share,
+    Step,
+    Term,
+    VectorLine,
+    VectorOf,
+    Word,
+)
+from variantgen.methods.vectors.points import RIGHT, UP, sum_of
+from variantgen.methods.vectors.vector_equation import share_of, shares, unknowns
+
+_AXES = {"right": RIGHT, "up": UP}
+_UNKNOWNS = 2  # vectors that an equation determines
+_SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
 def equal_projections(book: Book) -> list[Item]:
@@ -32,25 +51,41 @@ def equal_projections(book: Book) -> list[Item]:
     return []
 
 
-def all_constraints(task: Task, found: Mapping[str, Value]) -> list[Item]:
-    """Asked accelerations by the coordinate method: all constraint equations, differentiated twice and solved at once.
+def third_axis(steps: Sequence[Step]) -> list[Item]:
+    """The last vector equation with two unknown vectors, on an axis on which it has not been projected: both sides.
 
-    Only rates and magnitudes are compared, which the method gives without more ado.
+    Nothing where there is none of which both unknown vectors were found, or only the axes that were used fit.
     """
-    asked = [q for q in task.asked if q.order == 2 and q.kind in ("a", "epsilon") and not q.component]
-    if not asked:
-        return []
-    system = DenseSystem(_placed(task))
-    gains = system.solve(2, system.solve(1))
-    values = []
-    for quantity in asked:
-        if quantity.kind == "a":
-            number = float(abs(gains.points[quantity.target][0])) / task.length_unit
-        else:
-            number = float(gains.bodies[quantity.target][0])
-        shown = found[quantity.name]
-        values.append(Derived(Value(Name(quantity.kind, quantity.target), shown.measure, number, Constant(number))))
-    return [Sentence("check.constraints", {}, detail=False), *values]
+    for step in reversed(steps):
+        values = {item.value.name: item.value for item in step.items if isinstance(item, Derived)}
+        for line in (item for item in step.items if isinstance(item, VectorLine)):
+            free = unknowns((*line.left, *line.right))
+            if len(free) == _UNKNOWNS and all(term.name in values and values[term.name].exact > 0 for term in free):
+                axis = max(_AXES.values(), key=lambda axis: _least_share(free, axis))
+                if _least_share(free, axis) > _SEEN:
+                    return _balance(line, values, axis)
+    return []
+
+
+def _least_share(terms: Iterable[Term], axis: Value) -> float:
+    """The least cosine of the angles between vectors and an axis, signs apart."""
+    return min(abs(math.cos(math.radians(term.angle.exact - axis.exact))) for term in terms)
+
+
+def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value) -> list[Item]:
+    """Both sides of an equation on an axis, to the side on which they are positive."""
+    sides = []
+    for terms in (line.left, line.right):
+        known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
+        sides.append(shares(known, axis))
+    word = next(word for word, own in _AXES.items() if own is axis)
+    sums = [sum_of(side) for side in sides]
+    if sums[0].number(True) < 0:
+        word = {"right": "left", "up": "down"}[word]
+        sums = [sum_of([replace(share, sign=-share.sign) for share in side]) for side in sides]
+    scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
+    found = [Value(None, "number", whole.number(True), whole, scale) for whole in sums]
+    return [Sentence("check.third_axis", {"side": Word(word)}, detail=False), Balance(*found)]
 
 
 def by_links(found: Mapping[str, Value]) -> list[Item]:
@@ -58,12 +93,6 @@ def by_links(found: Mapping[str, Value]) -> list[Item]:
     named = [value for value in found.values() if value.name is not None and value.measure != "number"]
     values = [Value(v.name, v.measure, v.exact, Constant(v.exact)) for v in named]
     return [Sentence("check.links", {}, detail=False), *(Derived(value) for value in values)] if values else []
-
-
-def _placed(task: Task) -> Motion:
-    """The position of the variant as a batch of one (SI), without velocities."""
-    places = {name: np.array([place * task.length_unit]) for name, place in task.now.z.items()}
-    return Motion(task.scene, np.zeros(1, dtype=np.int8), np.ones(1), places, {}, {}, {}, {})
 
 
 def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:

@@ -10,10 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from decimal import ROUND_HALF_UP, Decimal
+from decimal import Decimal
 from functools import cache
 from math import isfinite
 
+from variantgen.algebra.decimals import rounded_to_digits
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
@@ -27,7 +28,6 @@ from variantgen.wording.words import Words
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
-_SURE = 12  # digits of a computed value that no order of operations changes
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,12 +121,7 @@ def round_text(value: float, digits: int) -> str:
         return "0"
     if not isfinite(value):
         return f"{Decimal(value):f}"
-    # A half is one although its last bits may say otherwise: 10.625 is 10.63, be it 10.624999999999998 in the machine.
-    exact = Decimal(f"{value:.{_SURE - 1}e}")
-    rounded = exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), ROUND_HALF_UP)
-    if rounded.adjusted() > exact.adjusted():  # carried into a new leading digit
-        rounded = rounded.quantize(Decimal(1).scaleb(rounded.adjusted() - digits + 1))
-    return f"{rounded:f}"
+    return f"{rounded_to_digits(value, digits):f}"
 
 
 @cache

@@ -19,7 +19,7 @@ from variantgen.figure.equations.body_board import (
 from variantgen.figure.least_crowded import first_roomy
 from variantgen.figure.motion_board import named_together
 from variantgen.figure.vectors import Vectors, vectors_of
-from variantgen.methods.steps.point_vectors import Arrow, Equation, PointVectors
+from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import Formula
 
 LONGEST = 27.0  # length of the longest vector, u
@@ -29,7 +29,7 @@ _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 
 
-def equation_figure(subject: Subject, named: Vectors, equation: Equation, true_scale: bool = False) -> Drawing:
+def equation_figure(subject: Subject, named: Vectors, equation: PointEquation, true_scale: bool = False) -> Drawing:
     """The figure. Raises InputError where all vectors are zero."""
     arrows = _arrows(equation)
     longest = max((abs(arrow.vector) for arrow in arrows), default=0.0)
@@ -58,15 +58,15 @@ def draw_equation(subject: Subject, order: int, vectors: Sequence[PointVectors],
     return equation_figure(subject, named, equations[number - 1])
 
 
-def _is_on(subject: Subject, equation: Equation, name: str) -> bool:
+def _is_on(subject: Subject, equation: PointEquation, name: str) -> bool:
     """Whether a point belongs to one of the bodies of the equation."""
     return any(name in subject.variant.form.bodies.get(body, ()) for body in equation.bodies)
 
 
-def _arrows(equation: Equation) -> list[Arrow]:
+def _arrows(equation: PointEquation) -> list[Arrow]:
     """The vectors of an equation, each once."""
     found: dict[object, Arrow] = {}
-    for arrow in (*equation.left, *equation.right):
+    for arrow in equation.terms or (*equation.left, *equation.right):
         found.setdefault(arrow.name, arrow)
     return list(found.values())
 
@@ -74,7 +74,7 @@ def _arrows(equation: Equation) -> list[Arrow]:
 def _drawn(
     bodies: BodyBoard,
     named: Vectors,
-    equation: Equation,
+    equation: PointEquation,
     arrows: Sequence[Arrow],
     longest: float,
     size: float,
@@ -104,7 +104,7 @@ def _drawn(
 
 
 def _draw_parallelogram(
-    board: object, at: complex, equation: Equation, vectors: dict[object, complex], lengthened: bool
+    board: object, at: complex, equation: PointEquation, vectors: dict[object, complex], lengthened: bool
 ) -> None:
     """Dashed lines from the tips of two vectors to that of their sum."""
     ends = [vectors.get(arrow.name) for arrow in (*equation.left, *equation.right)]

@@ -11,7 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from variantgen.algebra.expression import DRAWING_LENGTH, Constant, Expression, Value
+from variantgen.algebra.decimals import DRAWING_LENGTH
+from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.solution.book import Book, Known, resultant

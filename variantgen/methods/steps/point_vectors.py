@@ -27,16 +27,17 @@ class Axis:
 
 
 @dataclass(frozen=True, slots=True)
-class Equation:
+class PointEquation:
     """A vector equation about a point of the ``bodies``; the vector of any other point is one arrow.
 
-    ``step`` is the place of its step in the solution, -1 where no line shows it.
+    ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is the place of its step in the solution, -1 where no line shows it.
     """
 
     point: str
     left: tuple[Arrow, ...]
     right: tuple[Arrow, ...]
     bodies: tuple[str, ...] = ()
+    terms: tuple[Arrow, ...] = ()
     axes: tuple[Axis, ...] = ()
     step: int = -1
 
@@ -52,7 +53,7 @@ class PointVectors:
     own: Mapping[str, Arrow]
     rates: Mapping[str, Name]
     compound: frozenset[str]
-    equations: tuple[Equation, ...]
+    equations: tuple[PointEquation, ...]
 
     def terms(self, point: str) -> Iterator[Arrow]:
         """What the vector of a point is put together from, in the order of the equations.

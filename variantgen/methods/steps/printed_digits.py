@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from variantgen.algebra.expression import PRINTED_DIGITS, Value
+from variantgen.algebra.decimals import PRINTED_DIGITS
+from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
+    Balance,
     ChainGraph,
     Derived,
     EquationLine,
@@ -54,6 +56,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
             case Projection(words, left, right):
                 found += [value for sentence in words for value in facts_values(sentence)]
                 found += [share.angle for share in (*left, *right) if share.angle is not None]
+            case Balance(left_value, right_value):
+                found += [left_value, right_value]
             case LinearSystem(unknowns, rows, right_side):
                 found += [*unknowns, *(value for row in rows for value in row), *right_side]
             case EquationLine(first, second):

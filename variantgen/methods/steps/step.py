@@ -174,6 +174,14 @@ class LinearSystem:
 
 
 @dataclass(frozen=True, slots=True)
+class Balance:
+    """Two sums that must be equal, each with its number: the sides of a vector equation on a further axis."""
+
+    left: Value
+    right: Value
+
+
+@dataclass(frozen=True, slots=True)
 class EquationLine:
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
@@ -208,7 +216,16 @@ class ChainGraph:
 
 
 Item: TypeAlias = (
-    Sentence | Derived | VectorLine | TermTable | Projection | LinearSystem | EquationLine | ProgramListing | ChainGraph
+    Sentence
+    | Derived
+    | VectorLine
+    | TermTable
+    | Projection
+    | Balance
+    | LinearSystem
+    | EquationLine
+    | ProgramListing
+    | ChainGraph
 )
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.point_vectors import Arrow, Axis, Equation, PointVectors
+from variantgen.methods.steps.point_vectors import Arrow, Axis, PointEquation, PointVectors
 from variantgen.methods.steps.step import Body, Derived, Projection, Step, Term, VectorLine
 from variantgen.methods.vectors.given_motion import as_stated
 
@@ -60,10 +60,14 @@ def _axes(step: Step, line: VectorLine) -> tuple[Axis, ...]:
     return tuple(dict.fromkeys(axes))
 
 
-def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> Equation:
+def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> PointEquation:
     """A vector equation with its vectors; those of another point than that which it is about are one."""
     point = line.left[0].point if len(line.left) == 1 else line.right[-1].point
     vectors = _vectors(book, own, line)
+
+    terms = tuple(
+        Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in (*line.left, *line.right)
+    )
 
     def arrows(side: Sequence[Term]) -> Iterable[Arrow]:
         """The terms of a side as arrows."""
@@ -73,7 +77,7 @@ def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> Equation:
             else:
                 yield from (Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in group)
 
-    return Equation(point, tuple(arrows(line.left)), tuple(arrows(line.right)))
+    return PointEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)), terms=terms)
 
 
 def _way(term: Term) -> complex:
@@ -106,8 +110,8 @@ def _vectors(book: Book, own: dict[str, Arrow], line: VectorLine) -> dict[Name, 
 
 
 def _turning(
-    book: Book, own: dict[str, Arrow], found: Sequence[Equation], derived: set[Name | None]
-) -> Iterable[Equation]:
+    book: Book, own: dict[str, Arrow], found: Sequence[PointEquation], derived: set[Name | None]
+) -> Iterable[PointEquation]:
     """Normal and tangential acceleration of one point of each body on a fixed axis where no equation shows them.
 
     Only what is ``derived`` in the solution.
@@ -135,7 +139,7 @@ def _turning(
         repeated = task.translating.issuperset(task.linkage.owners(point))
         if parts and axis(point) not in shown and not repeated:
             shown.add(axis(point))
-            yield Equation(point, (own[point],), parts)
+            yield PointEquation(point, (own[point],), parts)
 
 
 def _is_own(name: Name) -> bool:

@@ -9,7 +9,8 @@ from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.solution.book import Book, Known, Rate, along
-from variantgen.methods.steps.step import Body, Point, Share, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Share, Term, VectorOf, Word
+from variantgen.methods.vectors.directions import on_paper
 from variantgen.methods.vectors.vector_equation import shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
@@ -83,8 +84,8 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
             sum_up(book, point)
     elif pole in book.task.fixed:
         with book.step(f"points.turning_{book.letter}", body=Body(body), point=Point(point), pivot=Point(pole)):
-            book.say(f"points.about_pivot_{book.letter}", body=Body(body), pivot=Point(pole), vector=VectorOf(name))
             book.vectors[point] = rotation(book, point, pole, body, name)
+            _say_ways(book, point, pole, name)
             sum_up(book, point)
     elif book.carry is not None:
         book.carry(book, point, body, pole)
@@ -93,6 +94,17 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
             f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
         ):
             by_pole(book, point, body, pole)
+
+
+def _say_ways(book: Book, point: str, pivot: str, name: Name) -> None:
+    """Where the vector of a point in rotation about a pivot points, or its components."""
+    terms = book.vectors[point]
+    if not terms:
+        return
+    side = Word(on_paper(terms[-1].angle.exact))
+    facts: dict[str, Fact] = {"vector": VectorOf(name), "pivot": Point(pivot), "side": side, **along(point, pivot)}
+    key = book.letter if len(terms) > 1 or book.order == 1 else terms[0].name.part
+    book.say(f"points.about_pivot_{key}", **facts)
 
 
 def renamed(book: Book, terms: Known, point: str) -> Known:

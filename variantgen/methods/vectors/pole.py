@@ -32,7 +32,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         turning, turn = about_pole(book, point, pole, body)
         ways = pointing((*at_path, path), (*known, *turning, turn))
         path, turn = ways[path.name], ways[turn.name]
-        _equate(book, ((*at_path, path), (*known, *turning, turn)), start)
+        write(book, (*at_path, path), (*known, *turning, turn), start)
         wanted = [path, turn] if is_rate_wanted(book.task, book.order, body, {point, pole}) else [path]
         sizes = solved(book, (*at_path, path), (*known, *turning, turn), wanted)
         book.vectors[point] = (*at_path, *directed(path, sizes[0]))
@@ -62,7 +62,7 @@ def solve_floating_dyad(book: Book, group: FloatingDyad) -> None:
         ways = pointing((*sides[0], turns[0]), (*sides[1], turns[1]))
         turns = [ways[turn.name] for turn in turns]
         sides = [(*side, turn) for side, turn in zip(sides, turns, strict=True)]
-        _equate(book, (sides[0], sides[1]), start)
+        write(book, sides[0], sides[1], start)
         sizes = solved(book, sides[0], sides[1], turns)
         for body, pole, turn, size in zip(group.bodies, group.poles, turns, sizes, strict=True):
             enter_rate(book, body, turn, size, book.geometry.length(point, pole))
@@ -116,10 +116,3 @@ def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value) -> No
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, found.size / arm), sense)
     book.rates[body] = rate
     book.say(f"rates.{kind}_{rate.word}", body=Body(body), vector=VectorOf(turn.name))
-
-
-def _equate(book: Book, sides: tuple[tuple[Term, ...], tuple[Term, ...]], start: int) -> None:
-    """Write the equation whose known magnitudes begin at the item ``start``, and how it is solved."""
-    write(book, *sides, start)
-    if book.graphics is None:
-        book.say_once(f"pole.two_unknowns_{book.letter}")

@@ -26,6 +26,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
+_LONG = 6  # steps of a solution that begins with a plan
 
 _OF_EQUATIONS = {"velocities": 1, "accelerations": 2}  # views of steps that may have vector equations, their orders
 _EQUATION = ("velocity_equation", "acceleration_equation")
@@ -127,7 +128,9 @@ def _centres(task: Task) -> dict[str, Symbol]:
 
 
 def _plan(headings: Sequence[Text]) -> Text:
-    """The headings as a numbered list in one paragraph."""
+    """The headings as a numbered list in one paragraph; nothing for a few, which are seen at a glance."""
+    if len(headings) < _LONG:
+        return ()
     parts: list[str | Formula] = []
     for number, heading in enumerate(headings, start=1):
         parts += [f"{'; ' if number > 1 else ''}{number})\N{NO-BREAK SPACE}", *heading]

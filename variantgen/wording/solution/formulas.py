@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from variantgen.algebra.decimals import DRAWING_LENGTH
 from variantgen.algebra.expression import (
-    DRAWING_LENGTH,
     Applied,
     Constant,
     Expression,

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.steps.step import (
+    Balance,
     Body,
     CentreOf,
     ChainGraph,
@@ -60,6 +61,8 @@ from variantgen.wording.surds import surd
 from variantgen.wording.text import Text
 
 _NOTHING = Number("0")
+_MANY = 6  # vectors of an equation that make a table
+_UNSAID = ("ways.unknown", "ways.given")  # what the figure shows, or is sought
 _EQUALS, _NEARLY = "=", "≈"
 _COMMENT = re.compile(r"#\{([\w.]+)\}")
 
@@ -106,6 +109,8 @@ class Writer:
                 return self._table(terms)
             case Projection():
                 return self._projection(item)
+            case Balance(left, right):
+                return FormulaLines((self._side(left), self._side(right)))
             case LinearSystem():
                 return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
             case EquationLine(left, right, numeric):
@@ -213,6 +218,18 @@ class Writer:
         whole = found is not None and found.radicand == 1 and found.numerator == value.shown * found.denominator
         return None if whole else found
 
+    def _directions(self, terms: Sequence[Term]) -> Paragraph:
+        """Where vectors point, in a sentence; nothing where the figure shows all."""
+        parts: list[str | Formula] = []
+        for number, term in enumerate(terms):
+            parts += [
+                " " if number == 0 else "; ",
+                self.vector(term.name),
+                self.phrases.words["dash"],
+                *self.text(term.way),
+            ]
+        return Paragraph((self.phrases.words["directions"], *parts, ".") if parts else ())
+
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
         if not terms:
             return _NOTHING
@@ -241,8 +258,19 @@ class Writer:
         right = self.formulas.printed(system.right[row])
         return FormulaLine((("", self._sum(terms)), (_EQUALS, right)))
 
-    def _table(self, terms: Sequence[Term]) -> VectorTable:
+    def _side(self, value: Value) -> FormulaLine:
+        """A sum in numbers with its result."""
+        assert value.expression is not None
+        written, result = self.formulas.numeric(value.expression), self.formulas.printed(value)
+        if written == result:
+            return FormulaLine((("", result),))
+        return FormulaLine((("", written), (_EQUALS if value.comes_out else _NEARLY, result)))
+
+    def _table(self, terms: Sequence[Term]) -> Block:
+        """The vectors of an equation with their directions: a table of many, a sentence of a few."""
         words = self.phrases.words
+        if len(terms) < _MANY:
+            return self._directions([term for term in terms if term.way.key not in _UNSAID])
         rows = []
         for term in terms:
             magnitude = None if term.size is None else self.formulas.measured(term.size)
