@@ -23,7 +23,8 @@ from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
 _MOST = 3  # figures in a row
-_UNIT, _SMALLEST = 0.62, 0.5  # mm per unit of a figure of the mechanism: usual, and beside others at least
+# mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
+_STATEMENT_UNIT, _SMALLEST, _UNIT = 0.62, 0.5, 0.83
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
@@ -84,7 +85,9 @@ class SolutionFigures:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
         kind, _, which = name.partition(":")
         further = (which,) if which else ()
-        drawn: Drawing = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, *further)
+        drawn: Drawing = view(kind).draw(
+            self.variant, *self._place, self._shown, self.language, self._vectors, *further
+        )
         return drawn
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
@@ -97,7 +100,7 @@ class SolutionFigures:
         return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
 
     def _one(self, name: str, shared: float) -> SolutionFigure:
-        unit = _PLAN_UNIT if _is_plan(name) else round(shared, 3)
+        unit = round(shared, 3) if name == STATEMENT else _unit(name)
         return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
@@ -127,11 +130,11 @@ class SolutionFigures:
         return symbols.body(which, part.form)
 
     def _shared(self, row: Sequence[str]) -> float:
-        """The scale of the figures of the mechanism in a row, mm per unit."""
-        plans = sum(_PLAN_UNIT * self._width(name) for name in row if _is_plan(name))
-        free = sum(self._width(name) for name in row if not _is_plan(name))
-        room = _WIDTH - _GUTTER * (len(row) - 1) - plans
-        return min(_UNIT, room / free) if free else (_UNIT if room >= 0 else 0.0)
+        """The scale of the statement's figure in a row, mm per unit: the others have theirs."""
+        taken = sum(_unit(name) * self._width(name) for name in row if name != STATEMENT)
+        free = sum(self._width(name) for name in row if name == STATEMENT)
+        room = _WIDTH - _GUTTER * (len(row) - 1) - taken
+        return min(_STATEMENT_UNIT, room / free) if free else (_STATEMENT_UNIT if room >= 0 else 0.0)
 
     def _fit(self, row: Sequence[str]) -> bool:
         """Whether figures have room beside each other."""
@@ -142,6 +145,6 @@ class SolutionFigures:
         return round(self._drawn[name].width, 2)
 
 
-def _is_plan(name: str) -> bool:
-    """Whether lengths are read from a figure, so that its scale is not free."""
-    return name.endswith("_plan")
+def _unit(name: str) -> float:
+    """Millimetres per unit of a figure: lengths are read from a plan, so that its scale is not free."""
+    return _PLAN_UNIT if name.endswith("_plan") else _UNIT

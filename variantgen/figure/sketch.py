@@ -30,8 +30,8 @@ _SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 class Sketch:
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
-    ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened`` notes
-    that a vector is longer than to scale.
+    ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
+    notes that a vector is longer than to scale.
     """
 
     at: dict[str, complex]

@@ -10,10 +10,11 @@ import numpy as np
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import mechanism
 from variantgen.figure.contact_letters import draw_dot
-from variantgen.figure.drawing import BOLD, THIN, Layer
-from variantgen.figure.equations.surroundings import STUB, Surroundings, largest
+from variantgen.figure.drawing import THIN, Layer, Line
+from variantgen.figure.equations.surroundings import Surroundings, largest
+from variantgen.figure.ink import segments_of
 from variantgen.figure.label_requests import along_arrow, around
-from variantgen.figure.motion_board import MotionBoard
+from variantgen.figure.motion_board import LEAST, MotionBoard
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.variant import Variant
@@ -22,8 +23,6 @@ from variantgen.wording.language import Language
 
 WIDE, HIGH = 92.0, 60.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 60.0, 44.0  # room for the bodies, u
-HEAD = 2.6
-LEAST = 9.7  # length of the shortest vector: 8 mm on paper, u
 _LANE = 2.3  # between arrows that would lie on each other, u
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
@@ -55,7 +54,9 @@ class BodyBoard:
         self.subject = subject
         self._statement = subject.board(marks=True)
         self._bodies = tuple(bodies)
-        shown = {*self._statement.shown, *points}
+        points = tuple(points)
+        self.named = self._statement.shown
+        shown = {*self.named, *points}
         members = [self._statement.scene.bodies[body] for body in self._bodies]
         self.points = tuple(dict.fromkeys([*points, *(name for member in members for name in member if name in shown)]))
 
@@ -64,7 +65,7 @@ class BodyBoard:
         return complex(self.subject.motion.z[point][self.subject.index])
 
     def scale(self, spread: Callable[[float], Sequence[complex]] = lambda scale: (), size: float = 1.0) -> float:
-        """The largest scale (u per metre) at which the bodies have room, and with them what is ``spread`` at a scale."""
+        """The largest scale (u per metre) at which the bodies have room with what is ``spread`` at a scale."""
         bodies = self._surroundings(self._statement).extent()
         known = self._statement.sketch.scale
         most = known * min(largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH), 1e3)
@@ -99,7 +100,8 @@ class BodyBoard:
     def _surroundings(self, board: MotionBoard) -> Surroundings:
         at, discs = board.sketch.at, board.form.figure.discs
         members = [tuple(at[p] for p in board.scene.bodies[b] if p in self.points) for b in self._bodies]
-        rims = [(at[d.centre], r) for d in discs if d.body in self._bodies for r in board.discs.get(d.body, ())]
+        own = {d.body for d in discs if d.body in self._bodies or d.centre == self.points[0]}
+        rims = [(at[d.centre], r) for d in discs if d.body in own for r in board.discs.get(d.body, ())]
         points = [at[name] for name in self.points if name in at]
         return Surroundings(tuple(points), tuple(members), tuple(rims))
 
@@ -122,7 +124,7 @@ def draw_vectors(
     found: list[tuple[complex, complex]] = []
     for name, vector, weight in sorted(named, key=lambda item: -abs(item[1])):
         start = place + _lane(place, vector, others)
-        board.sketch.arrow(start, start + vector, Layer.SLIDER, weight, HEAD)
+        board.sketch.arrow(start, start + vector, Layer.SLIDER, weight)
         board.sketch.label(along_arrow(name, start, start + vector))
         others += (start + vector * (0.25 + 0.75 * _SAMPLES)).tolist()
         found.append((start, start + vector))
@@ -175,13 +177,9 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
             board.sketch.label(around(Symbol(letter), origin + _AXIS * axis, 0.3))
 
 
-def _ends(line: object) -> Iterable[tuple[complex, complex]]:
-    from variantgen.figure.ink import segments_of
-
-    for start, end in segments_of(line, 0.5):  # type: ignore[arg-type]
+def _ends(line: Line) -> Iterable[tuple[complex, complex]]:
+    """Pieces of a line, short enough to stand for all its places."""
+    for start, end in segments_of(line, 0.5):
         count = max(1, int(abs(end - start) / 3.0))
         for i in range(count):
             yield start + (end - start) * i / count, start + (end - start) * (i + 1) / count
-
-
-__all__ = ["BOLD", "STUB", "BodyBoard", "Subject", "draw_axes", "draw_point", "draw_vectors", "sizes"]

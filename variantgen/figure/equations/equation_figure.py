@@ -17,10 +17,10 @@ from variantgen.figure.equations.body_board import (
     sizes,
 )
 from variantgen.figure.least_crowded import first_roomy
-from variantgen.figure.motion_board import named_together
+from variantgen.figure.motion_board import MotionBoard, named_together
 from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import to_plain
 
 LONGEST = 27.0  # length of the longest vector, u
 _NOTHING = 1e-9  # of the longest vector: there is none
@@ -41,16 +41,13 @@ def equation_figure(subject: Subject, named: Vectors, equation: PointEquation, t
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
     bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others)))
     return first_roomy(
-        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, true_scale)
-        for stretch, size in _SIZES
+        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, true_scale) for stretch, size in _SIZES
     )
 
 
 def draw_equation(subject: Subject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
     """The figure of the equation of an order with the number ``which`` (none: the first); InputError without one."""
-    named = vectors_of(
-        subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors
-    )
+    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
     equations = named.found.equations
     number = int(which or 1)
     if not 1 <= number <= len(equations):
@@ -81,40 +78,31 @@ def _drawn(
     true_scale: bool,
 ) -> Drawing:
     place = bodies.place(equation.point)
-    lengths, lengthened = sizes([abs(arrow.vector) for arrow in arrows], longest, true_scale)
-    vectors = [size * arrow.vector / abs(arrow.vector) for arrow, size in zip(arrows, lengths, strict=True)]
-    scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in vectors)], size)
+    letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
+    # Equal vectors are one arrow with both names; none is left out, however short.
+    together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
+    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, true_scale)
+    drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
+    scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
     board = bodies.drawn(scale)
     draw_point(board, equation.point)
-    wholes = {arrow.name for arrow in named.found.own.values()}
-    left = {arrow.name for arrow in equation.left}
-    weights = {
-        named.symbols.letter(a.name): BOLD if a.name in left else THIN if a.name in wholes else MEDIUM for a in arrows
-    }
-    together = named_together([(named.symbols.letter(a.name), v) for a, v in zip(arrows, vectors, strict=True)], 1.0)
     at = board.sketch.at[equation.point]
-    _draw_parallelogram(board, at, equation, dict(zip((a.name for a in arrows), vectors, strict=True)), lengthened)
-    parts: list[tuple[Formula, complex, float]] = [
-        (symbol, vector, weights.get(symbol, BOLD)) for symbol, vector in together  # type: ignore[call-overload]
-    ]
-    draw_vectors(board, at, parts, [])
+    if not lengthened:
+        _draw_parallelogram(board, at, equation, longest / max(abs(arrow.vector) for arrow in arrows))
+    bold = {to_plain(letters[arrow.name]) for arrow in equation.left if arrow.name in letters}
+    names = [formula for formula, _ in together]
+    weights = [BOLD if to_plain(name).split(" = ")[0] in bold else MEDIUM for name in names]
+    draw_vectors(board, at, list(zip(names, drawn, weights, strict=True)), [])
     board.sketch.lengthened = lengthened
     draw_axes(board, at, [(axis.way, axis.letter) for axis in equation.axes if axis.letter], longest)
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
-def _draw_parallelogram(
-    board: object, at: complex, equation: PointEquation, vectors: dict[object, complex], lengthened: bool
-) -> None:
+def _draw_parallelogram(board: MotionBoard, at: complex, equation: PointEquation, scale: float) -> None:
     """Dashed lines from the tips of two vectors to that of their sum."""
-    ends = [vectors.get(arrow.name) for arrow in (*equation.left, *equation.right)]
-    if lengthened or len(equation.left) != 1 or len(equation.right) != 2 or None in ends:
+    if len(equation.left) != 1 or len(equation.right) != 2:
         return
-    whole, *parts = ends
-    assert whole is not None
-    first, second = (part for part in parts if part is not None)
-    if abs((first.conjugate() * second).imag) < _STRAIGHT * abs(first) * abs(second):
-        return
-    if abs(first + second - whole) < 1e-6 * abs(whole):
+    whole, first, second = (scale * arrow.vector for arrow in (*equation.left, *equation.right))
+    if abs((first.conjugate() * second).imag) > _STRAIGHT * abs(first) * abs(second) > 0:
         for part in (first, second):
-            board.sketch.path((at + part, at + whole), Layer.GROUND, THIN, dash="dashed")  # type: ignore[attr-defined]
+            board.sketch.path((at + part, at + whole), Layer.GROUND, THIN, dash="dashed")

@@ -86,7 +86,10 @@ class Surroundings:
         counts = np.maximum(1, np.ceil(steps / step)).astype(int)
         corners = np.concatenate(([0], np.cumsum(counts)))
         places = np.concatenate(
-            [start + (end - start) * np.arange(n) / n for start, end, n in zip(outline, outline[1:], counts, strict=False)]
+            [
+                start + (end - start) * np.arange(n) / n
+                for start, end, n in zip(outline, outline[1:], counts, strict=False)
+            ]
             + [outline[-1:]]
         )
         close = self._at_points(places, STUB)

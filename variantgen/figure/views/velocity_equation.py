@@ -1,4 +1,4 @@
-"""The figure of one vector equation of velocities: the body concerned and the vectors of the equation at its point."""
+"""The figure of one vector equation of velocities: the body concerned, and at the point what it adds up."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body."""
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
-    with book.step("velocity_centre.link", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.link", "velocity_centre", body=Body(body), point=Point(point)):
         _, path = on_path(book, group.point_path)
         if find(book, group, path) is not None:
             _enter_speed(book, body, point, path)
@@ -108,7 +108,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the velocity of a further point of a body whose motion is known: ``v_C = omega CP``."""
     name = Name("v", point)
     vector(book, pole)
-    with book.step("velocity_centre.point", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.point", "velocity_centre", body=Body(body), point=Point(point)):
         centre, rate = centre_of(book, body), book.omega[body]
         if centre.infinite:
             book.say(
@@ -141,7 +141,7 @@ def leads_on(book: Book, point: str, body: str) -> bool:
 def distance(book: Book, body: str, point: str) -> Value:
     """The asked distance of a point from the velocity centre; infinite where the body is in translation."""
     known_point(book, body)
-    with book.step("velocity_centre.distance", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.distance", "velocity_centre", body=Body(body), point=Point(point)):
         centre = centre_of(book, body)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)

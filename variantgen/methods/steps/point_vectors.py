@@ -30,7 +30,8 @@ class Axis:
 class PointEquation:
     """A vector equation about a point of the ``bodies``; the vector of any other point is one arrow.
 
-    ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is the place of its step in the solution, -1 where no line shows it.
+    ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is
+    the place of its step in the solution, -1 where no line shows it.
     """
 
     point: str
