@@ -29,8 +29,10 @@ def test_solve_prints_roots_and_its_document_decimals(capsys: pytest.CaptureFixt
 
 
 def test_solve_prints_plain_minus_signs(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["solve", *LADDER, *SET, "--ask", "epsilon_AB"]) == 0
-    assert "epsilon_AB = -25√3/9 ≈ -4.81125 rad/s^2" in capsys.readouterr().out.splitlines()
+    # omega_AB = 5 / sqrt(3), clockwise where the end A goes up the wall.
+    up = [part.replace("towards_the_corner", "away_from_the_corner") for part in SET]
+    assert main(["solve", *LADDER, *up]) == 0
+    assert "omega_AB = -5√3/3 ≈ -2.88675 rad/s" in capsys.readouterr().out.splitlines()
 
 
 @pytest.mark.parametrize(("language", "said"), [("en", "v_B = 5√3/3 ≈ 2.887 m/s"), ("ru", "v_B = 5√3/3 ≈ 2,887 м/с")])

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from dataclasses import replace
+from fractions import Fraction
 from math import sqrt
 from pathlib import Path
 
@@ -39,7 +40,9 @@ def test_problems_with_and_without(tmp_path: Path) -> None:
         variant, (answer, _) = sheet.items[0].variant, sheet.items[0].answers
         factor = {30: 1 / sqrt(3), 45: 1.0, 60: sqrt(3)}[int(variant.printed["phi"])]
         assert answer.value == pytest.approx(float(variant.printed["v_A"]) * factor, rel=1e-7)
-        assert (answer.surd is None) == (factor == 1.0)
+        # Roots have denominators up to 4: 2 / sqrt(3) has one, 5.5 / sqrt(3) = 11 sqrt(3) / 6 none.
+        share = Fraction(variant.printed["v_A"]) / (3 if factor < 1 else 1)
+        assert (answer.surd is not None) == (factor != 1.0 and share.denominator <= 4)
 
 
 def test_a_problem_without_nice_is_not_changed_by_one_with(tmp_path: Path) -> None:

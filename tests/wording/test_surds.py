@@ -20,8 +20,7 @@ from variantgen.wording.surds import surd, with_surd
         (sqrt(5) / 2, Surd(1, 2, 5)),
         (4 / 3, Surd(4, 3, 1)),
         (-4 / 3, Surd(-4, 3, 1)),
-        (1001 / 8, Surd(1001, 8, 1)),  # 125.125: six digits, four are printed
-        (0.35 * sqrt(3), Surd(7, 20, 3)),
+        (3 * sqrt(7) / 4, Surd(3, 4, 7)),
     ],
 )
 def test_roots_and_fractions(value: float, expected: Surd) -> None:
@@ -30,7 +29,26 @@ def test_roots_and_fractions(value: float, expected: Surd) -> None:
 
 @pytest.mark.parametrize(
     "value",
-    [17 / 16, 78 / 23, 5 * sqrt(194) / 26, 0.0, 0.25, -0.25, 120.0, 1234.0, 0.0625, 12.25, 23.09, pi, float("inf")],
+    [
+        17 / 16,
+        78 / 23,
+        1001 / 8,
+        400 / 3,
+        0.35 * sqrt(3),
+        2 * sqrt(22),
+        5 * sqrt(194) / 26,
+        5 * sqrt(3) / 12,
+        0.0,
+        0.25,
+        -0.25,
+        120.0,
+        1234.0,
+        0.0625,
+        12.25,
+        23.09,
+        pi,
+        float("inf"),
+    ],
 )
 def test_none_where_the_decimal_says_it_all_or_there_is_no_root(value: float) -> None:
     assert surd(value) is None

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+AXES = ("x", "y", "on_n", "on_tau", "xi", "eta")  # of the paper, and those that a solution lays along its vectors
+OWN_AXES = AXES[2:]
+COMPONENTS = ("n", "tau", *AXES)
+
 
 class Name(NamedTuple):
     """The name of a quantity of a solution, apart from its symbol in a language.
@@ -11,7 +15,7 @@ class Name(NamedTuple):
     ``kind``: ``v a omega epsilon``, ``x y`` (coordinates), ``length`` (of a segment), ``angle`` (a corner of a
     triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point,
     the body or the first point of a segment; ``about`` the pole (v_BA), the second point, or the number of a
-    further radius of a body; ``part``: words from ``n tau x y rel tr cor`` (such as ``rel tau``), or ``centre``
+    further radius of a body; ``part``: words from ``n tau rel tr cor`` and AXES (such as ``rel tau``), or ``centre``
     where the second point of a segment is the velocity (P) or acceleration centre (Q) of the body ``body``. An
     ``angle`` has its vertex at ``of`` and the points ``about`` on its sides (``"B P"``); ``part`` tells which is
     such a centre: ``centre`` the second of them, ``vertex`` the vertex. ``mu`` is the angle between accelerations
@@ -39,9 +43,9 @@ class Name(NamedTuple):
     @property
     def whole(self) -> Name:
         """The vector of which this is a component: ``a_B`` of ``a^n_B``."""
-        left = " ".join(word for word in self.part.split() if word not in ("n", "tau", "x", "y"))
+        left = " ".join(word for word in self.part.split() if word not in COMPONENTS)
         return self._replace(part=left)
 
     def component(self, word: str) -> Name:
-        """A component of this vector: ``n``, ``tau``, ``x`` or ``y``."""
+        """A component of this vector: one of COMPONENTS."""
         return self._replace(part=f"{self.part} {word}".strip())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import zip_longest
 
@@ -52,7 +52,7 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
     names = tuple(wished) or task.variant.family.solution
     if wished:
         _check(task, wished)
-    return Choice(_style(names), next((name for name in names if name in WHOLE), ""))
+    return Choice(replace(_style(names), strict=bool(wished)), next((name for name in names if name in WHOLE), ""))
 
 
 def natural(task: Task) -> MethodStyle:
@@ -105,7 +105,7 @@ def applicable(task: Task) -> list[str]:
     found = {name for name, method in WHOLE.items() if _applies(method, task)}
     usual = MethodStyle()
     for velocities, accelerations in zip_longest(_of_groups(1), _of_groups(2)):
-        style = MethodStyle(velocities or usual.velocities, accelerations or usual.accelerations)
+        style = MethodStyle(velocities or usual.velocities, accelerations or usual.accelerations, strict=True)
         try:
             keys = _keys(task, style)
         except NOT_APPLICABLE:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import AXES, OWN_AXES, Name
 from variantgen.algebra.values import in_order
 from variantgen.families.quantities import Quantity
 from variantgen.methods.linkage.problem import Task
@@ -122,6 +122,8 @@ class PrintedNumbers:
         """The magnitude of a vector, or a component along an axis with its sign."""
         word = name.part.rpartition(" ")[2]
         offs = []
+        if word in OWN_AXES:
+            return 0.0  # what axis that is, only the vector with its direction tells
         for vector in self.solved.vectors(name):
             number = {"x": vector.real, "y": vector.imag}.get(word)
             gap = abs(exact) - abs(vector) if number is None else exact - number
@@ -145,7 +147,10 @@ class PrintedNumbers:
     def _term(self, term: Term) -> float:
         """A vector of an equation with its direction; one of unknown magnitude lies along its line."""
         offs = []
-        for vector in self.solved.vectors(term.name):
+        on_axis = term.name.part.endswith(OWN_AXES)
+        way = _vector(1.0, term)
+        for found in self.solved.vectors(term.name.whole if on_axis else term.name):
+            vector = (found / way).real * way if on_axis else found
             if term.size is not None:
                 gap = abs(_vector(term.size.exact, term) - vector)
             else:
@@ -243,7 +248,7 @@ def _is_opposite(value: Value) -> bool:
 
 def _is_magnitude(name: Name) -> bool:
     """Whether it is the name of a vector that is no component along an axis."""
-    return name.kind in ("v", "a") and not name.part.endswith(("x", "y"))
+    return name.kind in ("v", "a") and not name.part.endswith(AXES)
 
 
 def _headed(name: Name) -> Name:

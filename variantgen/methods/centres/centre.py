@@ -123,6 +123,14 @@ def ray_to_centre(book: Book, centre: Centre, point: str, with_direction: bool) 
     return found
 
 
+def is_simple(book: Book, centre: Centre, point: str) -> bool:
+    """Whether the distance of a point from a centre follows without a law of cosines."""
+    if centre.infinite or point in centre.rays or is_near(book, book.task.now.z[point], centre.place(book.task)):
+        return True
+    triangle = _simplest(book, centre, point)
+    return triangle is None or triangle.shape < _GENERAL
+
+
 def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:
     """The triangle of the simplest shape with a known ray."""
     found = []

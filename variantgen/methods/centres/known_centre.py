@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.mechanism.rows import Placement
-from variantgen.methods.centres.centre import named_place
+from variantgen.methods.centres.centre import is_simple, named_place
 from variantgen.methods.centres.perpendiculars import facts_of_two, perpendicular
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.groups.carriers import is_translating
@@ -40,6 +40,29 @@ def centre_of(book: Book, body: str) -> Centre:
     if key not in book.centres:
         book.centres[key] = _found(book, body)
     return book.centres[key]
+
+
+def is_near_centre(book: Book, body: str, point: str) -> bool:
+    """Whether a point of a body is one simple triangle away from a velocity centre that needs no search.
+
+    The centre is known, or it is a point at rest or the contact of a wheel; the triangle is right-angled, isosceles or
+    equilateral, or the points lie on one line.
+    """
+    rate = book.omega.get(body)
+    if book.task.linkage.pivot(body) is not None or is_translating(book, body) or rate is None or not rate.sense:
+        return True
+    centre = book.centres.get(("P", body))
+    if centre is not None:
+        return is_simple(book, centre, point)
+    if any(p in book.velocity and not book.velocity[p] for p in book.task.scene.bodies[body]):
+        return True
+    explained = any(book.has_said(key, body=Body(body)) for key in _TELLING)
+    for axle, place in _resting(book.task, body, explained):
+        if book.velocity.get(axle):
+            arm, angle = abs(place - book.task.now.z[axle]), cmath.phase(place - book.task.now.z[axle])
+            ray = CentreRay(Value(None, "length", arm), Value(None, "angle", math.degrees(angle)))
+            return is_simple(book, Centre(body, at=named_place(book, place), rays={axle: ray}), point)
+    return False
 
 
 def _found(book: Book, body: str) -> Centre:

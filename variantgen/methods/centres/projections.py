@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import Expression, Value, cos
+from variantgen.algebra.expression import Value, cos
 from variantgen.algebra.name import Name
-from variantgen.methods.centres import velocity_centre
 from variantgen.methods.centres.centre import difference
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
+from variantgen.methods.vectors.contact_parts import enter_rate
+from variantgen.methods.vectors.natural_sum import ordered_sum, signed
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.vector_equation import share_of
-from variantgen.methods.vectors.whole_vector import whole
+from variantgen.methods.vectors.vector_equation import share_of, shares
 
+_NOTHING = 1e-10  # of the natural scale
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
 
 
@@ -33,7 +34,7 @@ def _are_square(first: complex, second: complex) -> bool:
 
 
 def solve_dyad(book: Book, group: Dyad) -> None:
-    """Find the velocity of the point on its path; omega, which the theorem leaves open, by the velocity centre."""
+    """Find the velocity of the point on its path; omega, which the theorem leaves open, by the components across."""
     body, pole, point = group.body, group.pole, group.point_path.point
     known = vector(book, pole)
     facts: dict[str, Fact] = {
@@ -51,31 +52,42 @@ def solve_dyad(book: Book, group: Dyad) -> None:
             book.say("projections.nothing" if known else "projections.at_rest", False, **facts)
             book.velocity[point] = ()
         else:
-            _equate(book, whole(book, pole, known), path, facts)
+            _equate(book, pole, path, facts)
     if is_rate_wanted(book.task, 1, body, {point, pole}):
         with book.step("projections.rotation", "velocity_projections", **facts):
-            book.say("projections.no_omega", True, **facts)
-            velocity_centre.find(book, group, path)
+            _compare_across(book, body, pole, point)
 
 
-def _equate(book: Book, first: Term, path: Term, facts: dict[str, Fact]) -> None:
+def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     """Project both velocities on their line, to the side where the projections are positive."""
-    pole, point = first.point, path.point
+    known, point = book.velocity[pole], path.point
     ahead = book.geometry.direction(pole, point)
-    back = between(ahead.exact, first.angle.exact) > 90.0
+    back = (resultant(known) * book.geometry.vector(pole, point).conjugate()).real < 0
     axis = Geometry.turned(ahead, 180.0) if back else ahead
     start, end = (point, pole) if back else (pole, point)
     way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
     path = Term(path.name, None, way, path.way)
     book.say("projections.theorem", True, **facts)
     book.say("projections.same_sign", True, start=Point(start), end=Point(end), **facts)
-    shares = [_share(term, axis) for term in (first, path)]
+    first, second = shares(known, axis), _share(path, axis)
     line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
-    book.items.append(Projection((line,), (shares[0],), (shares[1],)))
-    assert first.size is not None
-    speed: Expression = first.size if shares[0].angle is None else first.size * cos(shares[0].angle)
-    size = book.derive(path.name, "velocity", speed if shares[1].angle is None else speed / cos(shares[1].angle))
+    book.items.append(Projection((line,), first, (second,)))
+    speed = ordered_sum(signed(first))
+    size = book.derive(path.name, "velocity", speed if second.angle is None else speed / cos(second.angle))
     book.velocity[point] = (Term(path.name, size, path.angle, path.way),)
+
+
+def _compare_across(book: Book, body: str, pole: str, point: str) -> None:
+    """``omega = (v_B across - v_A across) / AB``, to the left of AB positive."""
+    axis = Geometry.turned(book.geometry.direction(pole, point), 90.0)
+    at_pole = [(-sign, part) for sign, part in signed(shares(book.velocity[pole], axis))]
+    parts = [*signed(shares(book.velocity[point], axis)), *at_pole]
+    turning = sum(sign * part.number(True) for sign, part in parts)
+    sense = 0 if abs(turning) <= _NOTHING * book.scale else 1 if turning > 0 else -1
+    if sense:
+        book.say("projections.across", segment=Segment(pole, point), omega=Name("omega", body))
+    size = ordered_sum([(sign * sense, part) for sign, part in parts]) if sense else None
+    enter_rate(book, body, size, sense, book.geometry.length(pole, point))
 
 
 def _share(term: Term, axis: Value) -> Share:

@@ -11,6 +11,7 @@ from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
+from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.vector_equation import shares
 
 
@@ -131,7 +132,7 @@ def _centre(book: Book, group: RollingWheel, radius: Value, name: Name) -> Known
         terms = (book.term(own, size, angle, "towards", **facts),)
     if not rate.sense:
         return terms
-    size = book.derive(name, book.measure, rate.size * radius)
+    size = turning_speed(book, name, rate.size, radius)
     if group.around:
         exact = book.exact(group.centre) - _normal_part(book, group)
         turned = 90.0 if _is_left(book, group, exact) else -90.0

@@ -7,15 +7,17 @@ import math
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.centre import ray_to_centre
-from variantgen.methods.centres.known_centre import centre_of, sense_about
+from variantgen.methods.centres.known_centre import centre_of, is_near_centre, sense_about
 from variantgen.methods.centres.perpendiculars import meet
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
+from variantgen.methods.groups.wanted import leads_on
 from variantgen.methods.solution.book import Book, Rate, resultant
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.point_paths import on_path
-from variantgen.methods.vectors.points import known_point, renamed, vector
+from variantgen.methods.vectors.points import carry_by_sum, known_point, positive, renamed, vector
+from variantgen.methods.vectors.turning_speed import is_same, turning_speed
 from variantgen.methods.vectors.whole_vector import whole
 
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
@@ -94,9 +96,22 @@ def _enter_speed(book: Book, body: str, point: str, path: Term) -> None:
     else:
         ray = centre.rays[point]
         _say_direction(book, centre, rate, point)
-        size, ahead = book.derive(name, "velocity", rate.size * ray.arm), ray.angle.exact - 90.0 * rate.sense
+        size, ahead = (
+            _speed(book, centre, rate, point),
+            ray.angle.exact - 90.0 * rate.sense,
+        )
     angle = path.angle if between(path.angle.exact, ahead) < 90.0 else Geometry.turned(path.angle, 180.0)
     book.velocity[point] = (Term(name, size, angle, path.way),)
+
+
+def _speed(book: Book, centre: Centre, rate: Rate, point: str) -> Value:
+    """``v_C = omega CP``, or the speed of another point at the same distance."""
+    name, arm = Name("v", point), centre.rays[point].arm
+    for other, ray in centre.rays.items():
+        known = book.velocity.get(other, ())
+        if other != point and len(known) == 1 and known[0].size is not None and is_same(ray.arm.exact, arm.exact):
+            return book.derive(name, "velocity", positive(known[0].size), law=rate.size * arm)
+    return turning_speed(book, name, rate.size, arm)
 
 
 def _say_direction(book: Book, centre: Centre, rate: Rate, point: str) -> None:
@@ -105,9 +120,17 @@ def _say_direction(book: Book, centre: Centre, rate: Rate, point: str) -> None:
 
 
 def carry(book: Book, point: str, body: str, pole: str) -> None:
-    """Write down the velocity of a further point of a body whose motion is known: ``v_C = omega CP``."""
+    """Write down the velocity of a further point of a body whose motion is known: ``v_C = omega CP``.
+
+    Where the distance to the centre takes a law of cosines, or the centre must be found first, two velocities are added
+    instead, unless the centre is wished.
+    """
     name = Name("v", point)
     vector(book, pole)
+    strict = book.style.strict and book.style.velocities == "velocity_centre"
+    if not strict and not is_near_centre(book, body, point):
+        carry_by_sum(book, point, body, pole)
+        return
     with book.step("velocity_centre.point", "velocity_centre", body=Body(body), point=Point(point)):
         centre, rate = centre_of(book, body), book.omega[body]
         if centre.infinite:
@@ -116,26 +139,15 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
             )
             book.velocity[point] = renamed(book, vector(book, pole), point)
             return
-        ray = ray_to_centre(book, centre, point, leads_on(book, point, body))
+        ray = ray_to_centre(book, centre, point, leads_on(book.task, point, body))
         if ray is None or not rate.sense:
             book.say("velocity_centre.in_centre", False, point=Point(point), centre=centre.fact, vector=VectorOf(name))
             book.velocity[point] = ()
             return
         _say_direction(book, centre, rate, point)
-        size = book.derive(name, "velocity", rate.size * ray.arm)
+        size = _speed(book, centre, rate, point)
         angle = Geometry.turned(ray.angle, -90.0 * rate.sense)
         book.velocity[point] = (book.term(name, size, angle, "across", segment=centre.segment(point)),)
-
-
-def leads_on(book: Book, point: str, body: str) -> bool:
-    """Whether the direction of the velocity of a point is of use: for another body, a joint, or an answer."""
-    task = book.task
-    others = (members for name, members in task.scene.bodies.items() if name != body)
-    if any(point in members for members in others):
-        return True
-    if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
-        return True
-    return any(q.point == point and q.kind == "v" and q.component for q in task.asked)
 
 
 def distance(book: Book, body: str, point: str) -> Value:

@@ -39,6 +39,16 @@ def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection
     return any(other in task.needed.bodies for other in others) or any(p in task.needed.points for p in points)
 
 
+def leads_on(task: Task, point: str, body: str) -> bool:
+    """Whether more than the magnitude of a point's vector is of use: for another body, a joint, or an answer."""
+    others = (members for name, members in task.scene.bodies.items() if name != body)
+    if any(point in members for members in others):
+        return True
+    if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
+        return True
+    return any(q.point == point and q.kind in ("v", "a") and q.component for q in task.asked)
+
+
 def is_accelerated(task: Task, group: Group) -> bool:
     """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
     needed = task.accelerated

@@ -162,10 +162,10 @@ class Book:
         if not self.has_said(key):
             self.say(key)
 
-    def derive(self, name: Name, measure: str, expression: Expression) -> Value:
-        """A new value by an expression, with the line that shows it."""
+    def derive(self, name: Name, measure: str, expression: Expression, law: Expression | None = None) -> Value:
+        """A new value by an expression (and the ``law`` behind it), with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))
-        self.items.append(Derived(value))
+        self.items.append(Derived(value, law=law))
         self.values[name] = value
         return value
 

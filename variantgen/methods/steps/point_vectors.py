@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import AXES, Name
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +64,6 @@ class PointVectors:
         known = {self.own[point].name}
         for equation in self.equations:
             for arrow in (*equation.left, *equation.right) if equation.point == point else ():
-                if arrow.name not in known and not {"x", "y"} & set(arrow.name.part.split()):
+                if arrow.name not in known and not set(AXES) & set(arrow.name.part.split()):
                     known.add(arrow.name)
                     yield arrow

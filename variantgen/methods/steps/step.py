@@ -89,12 +89,14 @@ class Derived:
     """``name = expression = with numbers = result unit``.
 
     ``symbolic`` False leaves out the first expression (a line before has shown it), ``numeric`` False the second.
+    ``law`` is a formula in symbols that goes before an expression to which it comes down: ``a^tau = epsilon R = a_O``.
     """
 
     value: Value
     symbolic: bool = True
     numeric: bool = True
     detail: bool = False
+    law: Expression | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,6 +27,7 @@ from variantgen.methods.vectors.contact_parts import (
     views_of,
 )
 from variantgen.methods.vectors.points import vector
+from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.two_contacts import solve_two_contacts
 
 
@@ -78,7 +79,7 @@ def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: C
             name = contact_name(book, sought)._replace(about=sought.centre)
             radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
             say_sum(book, sought)
-            turning = book.derive(name, book.measure, rate.size * radius)
+            turning = turning_speed(book, name, rate.size, radius)
             parts.append((-rate.sense * sought.lever, turning))
         if sought.lever:
             enter_with_way(book, group, sought, parts, list(zip(names, parts, strict=False)))

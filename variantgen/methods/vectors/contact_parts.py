@@ -15,6 +15,7 @@ from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.step import Body, CentreOf, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
+from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.vector_equation import share_of, shares
 
 _NOTHING = 1e-10  # of the natural scale
@@ -100,7 +101,7 @@ def component(book: Book, side: ContactSide) -> Component:
         about = "" if side.centre in book.task.fixed else side.centre
         name = contact_name(book, side)._replace(about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
-        turning = book.derive(name, book.measure, rate.size * radius)
+        turning = turning_speed(book, name, rate.size, radius)
         if parts:
             say_sum(book, side)
         parts.append((rate.sense * side.lever, turning))

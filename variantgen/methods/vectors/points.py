@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, cos, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
+from variantgen.methods.groups.wanted import leads_on
 from variantgen.methods.solution.book import Book, Known, Rate, along
 from variantgen.methods.steps.step import Body, Fact, Point, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
+from variantgen.methods.vectors.midpoint import enter_midpoint, midpoint_ends
+from variantgen.methods.vectors.natural_sum import natural_components, natural_modulus, signed
+from variantgen.methods.vectors.turning_speed import is_same, turning_speed
 from variantgen.methods.vectors.vector_equation import shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
@@ -29,7 +33,8 @@ def rotation(book: Book, point: str, pole: str, body: str, name: Name) -> Known:
         return _across(book, name, omega, arm, (point, pole), body)
     found: Known = ()
     if omega.sense:
-        size = book.derive(name.component("n"), book.measure, omega.size**2 * arm)
+        normal = _of_other_point(book, name.component("n"), body, arm) or omega.size**2 * arm
+        size = book.derive(name.component("n"), book.measure, normal)
         angle = book.geometry.direction(point, pole)
         found = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
     return found + _across(book, name.component("tau"), book.epsilon[body], arm, (point, pole), body)
@@ -39,8 +44,21 @@ def _across(book: Book, name: Name, rate: Rate, arm: Value, ends: tuple[str, str
     """The vector across a radius, in the sense of a known rate."""
     if not rate.sense:
         return ()
-    size = book.derive(name, book.measure, rate.size * arm)
+    other = _of_other_point(book, name, body, arm)
+    size = turning_speed(book, name, rate.size, arm) if other is None else book.derive(name, book.measure, other)
     return (across(book, name, size, ends, rate.sense),)
+
+
+def _of_other_point(book: Book, name: Name, body: str, arm: Value) -> Value | None:
+    """The same component of another asked point of the body at the same distance from the pole, if it is written."""
+    if not name.about:
+        return None
+    asked = {q.point for q in book.task.asked if q.kind == book.letter} & set(book.task.scene.bodies[body])
+    for point in sorted(asked - {name.of}):
+        found = book.values.get(name._replace(of=point))
+        if found is not None and is_same(abs(book.geometry.vector(point, name.about)), arm.exact):
+            return found
+    return None
 
 
 def across(book: Book, name: Name, size: Value | None, ends: tuple[str, str], sense: int) -> Term:
@@ -90,9 +108,18 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     elif book.carry is not None:
         book.carry(book, point, body, pole)
     else:
-        with book.step(
-            f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
-        ):
+        carry_by_sum(book, point, body, pole)
+
+
+def carry_by_sum(book: Book, point: str, body: str, pole: str) -> None:
+    """Write down the vector of a further point: half the sum of the vectors of two points, or the pole formula."""
+    with book.step(
+        f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
+    ):
+        ends = midpoint_ends(book, point, body)
+        if ends is not None:
+            enter_midpoint(book, point, body, ends)
+        else:
             by_pole(book, point, body, pole)
 
 
@@ -130,8 +157,7 @@ def by_pole(book: Book, point: str, body: str, pole: str) -> None:
     turning = rotation(book, point, pole, body, about)
     sought = book.term(name, None, RIGHT, "unknown")
     write(book, (sought,), (*known, *turning), start)
-    book.vectors[point] = summed(book, name, (*known, *turning))
-    sum_up(book, point)
+    enter_sum(book, point, (*known, *turning), leads_on(book.task, point, body))
 
 
 def _is_rolling(book: Book, body: str) -> bool:
@@ -140,9 +166,20 @@ def _is_rolling(book: Book, body: str) -> bool:
     return any(touch.body[0] == body for joint in book.task.scene.joints if (touch := joint.contact_at(at)))
 
 
-def summed(book: Book, name: Name, terms: Sequence[Term]) -> Known:
-    """The sum of known vectors: by a drawing, or by its projections on the axes x and y."""
-    return components(book, name, terms) if book.graphics is None else book.graphics.compose(book, name, terms)
+def enter_sum(book: Book, point: str, terms: Known, leading: bool) -> None:
+    """Enter the sum of known vectors as the vector of a point, and its magnitude where that is asked.
+
+    A drawing makes it one vector. Where it is ``leading`` on, more than two vectors are put together to two components;
+    else they stay apart, and the magnitude is worked out at once.
+    """
+    name = Name(book.letter, point)
+    if book.graphics is not None:
+        book.vectors[point] = book.graphics.compose(book, name, terms)
+    elif leading and not (len(terms) == 2 and _are_square(terms) and {term.point for term in terms} == {point}):
+        book.vectors[point] = natural_components(book, name, terms) if terms else ()
+    else:
+        book.vectors[point] = terms
+    sum_up(book, point)
 
 
 def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
@@ -160,13 +197,10 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
 
 
 def sum_of(parts: Sequence[Share]) -> Expression:
-    """The sum of projections of known vectors."""
-    if not parts:
+    """The sum of projections of known vectors, in their order."""
+    terms = signed(parts)
+    if not terms:
         return Constant(0.0)
-    terms: list[tuple[int, Expression]] = []
-    for share in parts:
-        assert share.term.size is not None
-        terms.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
     return terms[0][1] if len(terms) == 1 and terms[0][0] > 0 else Total(tuple(terms))
 
 
@@ -199,8 +233,7 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
     if book.graphics is not None:
         return book.graphics.size(book, name, terms)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
-        terms = components(book, name, terms)
-        sizes = [term.size for term in terms if term.size is not None]
+        return natural_modulus(book, name, terms)
     return book.derive(name, book.measure, hypotenuse(sizes))
 
 

@@ -18,12 +18,12 @@ from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair
-from variantgen.methods.groups.wanted import is_rate_wanted
+from variantgen.methods.groups.wanted import is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
-from variantgen.methods.vectors.points import RIGHT, across, modulus, rotation, summed, vector
+from variantgen.methods.vectors.points import RIGHT, across, enter_sum, modulus, rotation, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
 from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
@@ -244,7 +244,8 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
         name = Name(book.letter, point)
         relatives = book.relative if book.order == 1 else book.relative_acceleration
         relatives[point, carrier] = sides.relative_terms
-        book.vectors[point] = summed(book, name, sides.right)
+        carried = any(point in members for members in book.task.scene.bodies.values())
+        enter_sum(book, point, tuple(sides.right), carried or leads_on(book.task, point, carrier))
         modulus(book, name, book.vectors[point])
         _sum_up_relative(book, point, sides.relative_terms)
         return

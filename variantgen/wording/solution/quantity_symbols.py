@@ -13,6 +13,7 @@ from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import Phrases
 
 _COMPOUND = ("rel", "tr", "cor")
+_AXES = {"x": "x", "y": "y", "on_n": "n", "on_tau": "tau", "xi": "xi", "eta": "eta"}
 _COMPONENTS = ("n", "tau")  # of an acceleration: towards the centre, along the path
 
 
@@ -114,7 +115,7 @@ class Symbols:
     def _vector(self, name: Name) -> Symbol:
         """A vector or its component: ``v_BA``, ``a^n_BA``, ``v_rel D``, ``v_Bx``."""
         words = name.part.split()
-        axes = (Index(w) for w in words if w in ("x", "y"))
+        axes = (Index(_AXES[w]) for w in words if w in _AXES)
         upper = tuple(self.language.component(w) for w in words if w in _COMPONENTS)
         index = (*self._words(name), Index(name.of + name.about), *axes)
         return Symbol(self.language.letter(name.kind), index, upper)

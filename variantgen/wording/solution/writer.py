@@ -199,7 +199,8 @@ class Writer:
             ]
             pieces = [write(expression) for wanted, write in writes if wanted]
         elif isinstance(expression, Value) and item.symbolic and expression.name is not None:
-            pieces = [self.formulas.symbolic(expression)]
+            laws = [item.law] if item.law is not None else []
+            pieces = [self.formulas.symbolic(part) for part in (*laws, expression)]
         kept: list[Formula] = []
         for piece in pieces:
             if piece not in kept and not _is_number_of(piece, result):

@@ -1,0 +1,166 @@
+"""The sum of known vectors on natural axes: the lines on which most of them lie, not the axes x and y of the paper.
+
+Vectors across each other are ``sqrt(a^2 + b^2)``, vectors along one line are added. Else the axes go along and across
+that vector which leaves the fewest oblique ones, a normal component of an acceleration before others. Each oblique
+vector costs two cosines. Up to three vectors the magnitude is one line, of more the two components have lines of their
+own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, cos, hypotenuse
+from variantgen.algebra.name import Name
+from variantgen.methods.geometry.geometry import Geometry, normal_angle
+from variantgen.methods.solution.book import Book, Known
+from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
+from variantgen.methods.vectors.directions import on_paper
+from variantgen.methods.vectors.vector_equation import shares
+
+_STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
+_NOTHING = 1e-9  # of the largest vector: a smaller sum is none
+_ONE_LINE = 3  # so many vectors fit into one line
+_NATURAL, _OWN = ("on_n", "on_tau"), ("xi", "eta")  # components by their axes: of a path or a rim, and others
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """An axis with the projections of the vectors on it; ``along`` is a vector that lies on it."""
+
+    angle: Value
+    along: Term | None
+    parts: tuple[Share, ...]
+
+    @property
+    def total(self) -> float:
+        """The sum of the projections."""
+        return sum(sign * part.number(True) for sign, part in signed(self.parts))
+
+    def sum(self, flip: int = 1) -> Expression:
+        """The sum of the projections as an expression, all signs multiplied by ``flip``."""
+        return ordered_sum([(sign * flip, part) for sign, part in signed(self.parts)])
+
+
+def signed(parts: Sequence[Share]) -> list[tuple[int, Expression]]:
+    """Projections of known vectors as signs and expressions."""
+    found: list[tuple[int, Expression]] = []
+    for share in parts:
+        assert share.term.size is not None
+        found.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
+    return found
+
+
+def ordered_sum(terms: Sequence[tuple[int, Expression]]) -> Expression:
+    """A sum of expressions with signs, a positive one first where there is one."""
+    if not terms:
+        return Constant(0.0)
+    ordered = sorted(terms, key=lambda term: -term[0])
+    return ordered[0][1] if len(ordered) == 1 and ordered[0][0] > 0 else Total(tuple(ordered))
+
+
+def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Value:
+    """The magnitude of a sum of known vectors (divided by a whole number), with its lines."""
+    axes = _axes(terms)
+    if max(len(terms), 2) > _ONE_LINE and _oblique(terms, axes[0].angle):
+        found = natural_components(book, name, terms, divisor)
+        return book.derive(name, book.measure, hypotenuse([term.size for term in found if term.size is not None]))
+    _say_lines(book, terms, axes)
+    kept = _kept(book, terms, axes)
+    if not kept:
+        return Value(name, book.measure, 0.0)
+    sums = [axis.sum(1 if axis.total > 0 else -1) for axis in kept]
+    whole = sums[0] if len(sums) == 1 else hypotenuse(sums)
+    return book.derive(name, book.measure, whole if divisor == 1 else Ratio(whole, Constant(float(divisor))))
+
+
+def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Known:
+    """The sum of known vectors as its components on natural axes, which keep their signs, with their lines."""
+    axes = _axes(terms)
+    natural = axes[0].along is not None and axes[0].along.name.part.endswith("n")
+    words = _NATURAL if natural else _OWN
+    _say_axes(book, axes, "n_tau" if natural else "xi_eta")
+    kept = _kept(book, terms, axes)
+    found = []
+    for axis, word in zip(axes, words, strict=True):
+        if axis in kept:
+            whole = axis.sum() if divisor == 1 else Ratio(axis.sum(), Constant(float(divisor)))
+            own = name.component(word)
+            found.append(book.term(own, book.derive(own, book.measure, whole), axis.angle, f"axis_{word}"))
+    return tuple(found)
+
+
+def _kept(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> list[_Axis]:
+    """The axes on which the sum is not zero; of projections that cancel it is said that they do."""
+    largest = max(abs(term.size.exact) for term in terms if term.size is not None)
+    kept = [axis for axis in axes if abs(axis.total) > _NOTHING * largest]
+    for axis in axes:
+        if axis not in kept and len(axis.parts) > 1:
+            facts: dict[str, Fact] = {"vectors": tuple(VectorOf(share.term.name) for share in axis.parts)}
+            straight = all(share.angle is None for share in axis.parts)
+            book.say("natural.cancel" if straight else "natural.cancel_components", False, **facts)
+    return kept
+
+
+def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
+    """The axes that leave the fewest oblique vectors."""
+    best = min(terms, key=lambda term: (_oblique(terms, term.angle), not term.name.part.endswith("n")))
+    first = _Axis(best.angle, best, shares(terms, best.angle))
+    square = (term for term in terms if _is_square(term.angle, best.angle))
+    beside = next(square, None)
+    second = beside.angle if beside is not None else Geometry.turned(best.angle, 90.0)
+    other = _Axis(second, beside, shares(terms, second))
+    if beside is None and other.total < 0:
+        second = Geometry.turned(best.angle, -90.0)
+        other = _Axis(second, None, shares(terms, second))
+    return first, other
+
+
+def _oblique(terms: Sequence[Term], axis: Value) -> int:
+    """How many vectors lie neither on an axis nor across it."""
+    return sum(not _is_line(term.angle, axis) and not _is_square(term.angle, axis) for term in terms)
+
+
+def _is_line(first: Value, second: Value) -> bool:
+    turn = abs(normal_angle(first.exact - second.exact))
+    return min(turn, 180.0 - turn) < _STRAIGHT
+
+
+def _is_square(first: Value, second: Value) -> bool:
+    return abs(abs(normal_angle(first.exact - second.exact)) - 90.0) < _STRAIGHT
+
+
+def _say_lines(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> None:
+    """How the vectors lie, where the magnitude follows in one line."""
+    first, second = axes
+    facts: dict[str, Fact] = {"vector": VectorOf(terms[0].name)}
+    if _oblique(terms, first.angle):
+        assert first.along is not None
+        book.say("natural.across", False, vector=VectorOf(first.along.name))
+    elif len(terms) == 2 and not second.parts:
+        book.say("natural.collinear", False, other=VectorOf(terms[1].name), **facts)
+    elif len(terms) == 2:
+        book.say("natural.square", False, other=VectorOf(terms[1].name), **facts)
+
+
+def _say_axes(book: Book, axes: Sequence[_Axis], letters: str) -> None:
+    """What the axes are that components are named by."""
+    first, second = axes
+    assert first.along is not None
+    facts: dict[str, Fact] = {"vector": VectorOf(first.along.name)}
+    if second.along is not None:
+        book.say(f"natural.{letters}", False, other=VectorOf(second.along.name), **facts)
+    else:
+        book.say(f"natural.{letters}_across", False, side=Word(on_paper(second.angle.exact)), **facts)
+
+
+def unshown_components(book: Book, name: Name, terms: Sequence[Term], divisor: int) -> Known:
+    """The same components without their lines, for what only needs their numbers."""
+    found = []
+    for axis, word in zip(_axes(terms), _OWN, strict=True):
+        whole = Ratio(axis.sum(), Constant(float(divisor)))
+        size = Value(name.component(word), book.measure, whole.number(True), whole, book.size_of(book.measure))
+        if size.exact:
+            found.append(book.term(name.component(word), size, axis.angle, f"axis_{word}"))
+    return tuple(found)
