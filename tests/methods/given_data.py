@@ -10,7 +10,7 @@ from variantgen.families.quantities import parse_quantity
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Sentence, Step, TermTable
+from variantgen.methods.steps.step import Projection, Sentence, Step, TermTable
 from variantgen.variants.variant import Variant, solve_variants
 
 
@@ -31,6 +31,8 @@ def sentences(family_name: str, form_name: str, ask: str, **data: float) -> list
     ]
     while waiting:
         match waiting.pop(0):
+            case Projection(words):
+                waiting = [*words, *waiting]
             case TermTable(terms):
                 waiting = [*(term.way for term in terms), *waiting]
             case Sentence() as sentence:

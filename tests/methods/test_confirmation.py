@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import pytest
@@ -17,7 +17,16 @@ from variantgen.methods.agreement import confirm
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Derived, EquationLine, Item, LinearSystem, Projection, Solution, VectorLine
+from variantgen.methods.steps.step import (
+    Balance,
+    EquationLine,
+    Item,
+    LinearSystem,
+    Projection,
+    Solution,
+    Step,
+    VectorLine,
+)
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
@@ -128,16 +137,15 @@ def test_the_message_names_the_method_the_step_and_the_data(monkeypatch: pytest.
 def test_a_number_that_nothing_follows_from_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
     """Lengths and checks at the end lead to no answer."""
     found = task("slider_crank", "central")
-    right = compose.all_constraints
+    right = compose.third_axis
 
-    def wrong(own: Task, answers: dict[str, Value]) -> list[Item]:
-        items = right(own, answers)
-        last = items[-1]
-        assert isinstance(last, Derived)
-        number = 1.001 * last.value.exact
-        return [*items[:-1], Derived(Value(last.value.name, last.value.measure, number, Constant(number)))]
+    def wrong(steps: Sequence[Step]) -> list[Item]:
+        *items, last = right(steps)
+        assert isinstance(last, Balance)
+        number = 1.001 * last.left.exact
+        return [*items, Balance(Value(None, last.left.measure, number, Constant(number)), last.right)]
 
-    monkeypatch.setattr(compose, "all_constraints", wrong)
+    monkeypatch.setattr(compose, "third_axis", wrong)
     with pytest.raises(VerificationError, match="in the step check is off by"):
         solution(found)
 
@@ -173,7 +181,7 @@ EQUATIONS = [
         "velocity_pole",
         Projection,
         lambda item: Projection(
-            item.axis, item.left, (replace(item.right[0], sign=-item.right[0].sign), *item.right[1:])
+            item.words, item.left, (replace(item.right[0], sign=-item.right[0].sign), *item.right[1:])
         ),
     ),
     ("coordinates", EquationLine, lambda item: EquationLine(item.left, Constant(2.0) * item.right)),

@@ -79,7 +79,7 @@ def test_a_known_vector_across_a_radius_is_told_with_its_sense(sense: int, word:
     about = [s.facts for s in ways if s.key == "ways.about" and s.facts["centre"] == Point("O")]
     assert about
     assert about[0]["sense"] == Word(word)
-    assert "ways.assumed" in {s.key for s in ways}
+    assert {"axes.by_one", "axes.by_all", "axes.by_strongest", "axes.by_sum"} & {s.key for s in ways}
 
 
 def test_bodies_are_called_as_the_statement_calls_them() -> None:

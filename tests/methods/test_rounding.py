@@ -17,7 +17,7 @@ from variantgen.methods.compose import solution
 from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation
 from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.methods.linkage.problem import Task, task_of
-from variantgen.methods.steps.printed_digits import choose_printed_digits
+from variantgen.methods.steps.printed_digits import follow_printed_digits
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 
@@ -71,7 +71,7 @@ def test_the_written_solution_in_three_digits_stays_within_it(name: str, form: s
         # A family may name a method for the whole problem; tolerances come from the usual steps.
         found = solution(task, USUAL if "three_rates" in task.variant.family.solution else ())
         answers = [value for _, value in found.answers]
-        choose_printed_digits([*(item for step in found.steps for item in step.items), *found.check], answers, (3,))
+        follow_printed_digits([*(item for step in found.steps for item in step.items), *found.check], answers, 3)
         for quantity, answer, error in zip(task.asked, answers, errors, strict=True):
             if quantity.component != "sense":
                 # More than 1: what is of second order, and angles that projections round once more.

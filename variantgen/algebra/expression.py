@@ -17,6 +17,7 @@ from variantgen.algebra.name import Name
 
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
+_ROUNDING = 1e-9  # of the natural scale: nothing, in arithmetic with printed numbers
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
 
@@ -89,10 +90,11 @@ class Value(Expression):
         """The full or the printed number."""
         return self.exact if exact else self.shown
 
-    def round_to(self, digits: int) -> None:
-        """Print so many significant digits of the full number; a given one stays as it is."""
+    def round_to(self, digits: int, exact: bool = True) -> None:
+        """Print so many significant digits of the full number, or of that from printed ones; a given one stays."""
         if self.expression is not None:
-            self.shown = rounded(self.exact, digits, self.measure)
+            number = self.exact if exact or self.exact == 0 else self.expression.number(exact=False)
+            self.shown = rounded(number, digits, self.measure)
 
     @property
     def begins_with_one(self) -> bool:
@@ -102,9 +104,12 @@ class Value(Expression):
     @property
     def comes_out(self) -> bool:
         """Whether the printed numbers before it lead a reader to the printed one, but for one in its last digit."""
-        if self.expression is None or self.shown == self.exact == 0:
+        if self.expression is None:
             return True
-        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-self.decimals
+        if self.exact == 0:
+            return abs(self.expression.number(exact=False)) <= _ROUNDING * max(self.size, 1.0)
+        finest = max(self.decimals, self._usual_decimals)  # of 60 that is computed as 59.98 too
+        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-finest
 
     @property
     def decimals(self) -> int:
@@ -112,10 +117,17 @@ class Value(Expression):
         if self.shown == 0 or not math.isfinite(self.shown):
             return 0
         own = decimals_of(self.shown)
-        if abs(self.shown - self.exact) <= _SAME * abs(self.exact):
-            return own
-        usual = {DRAWING_LENGTH: 1, ANGLE: PRINTED_DIGITS - WHOLE_DEGREES}.get(self.measure)
-        return max(own, PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if usual is None else usual)
+        is_exact = abs(self.shown - self.exact) <= _SAME * abs(self.exact)
+        return own if is_exact else max(own, self._usual_decimals)
+
+    @property
+    def _usual_decimals(self) -> int:
+        """The decimals of the last of as many digits as numbers are printed with."""
+        if self.measure == DRAWING_LENGTH:
+            return 1
+        if self.measure == ANGLE:
+            return PRINTED_DIGITS - WHOLE_DEGREES
+        return PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if self.shown else PRINTED_DIGITS
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"

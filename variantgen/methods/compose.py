@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TypeVar
 
-from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
@@ -21,7 +20,7 @@ from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.used import used_lines, used_steps
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.point_vectors import PointVectors
-from variantgen.methods.steps.printed_digits import choose_printed_digits, items_values
+from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 
@@ -120,8 +119,11 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     check = tuple(_checked_by_links(book.task))
-    digits = measured + 1 if measured else PRINTED_DIGITS
-    choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()), digits)
+    items, answers = [*(item for step in steps for item in step.items), *check], list(found.values())
+    if measured:
+        follow_printed_digits(items, answers, measured + 1)
+    else:
+        choose_printed_digits(items, answers)
     return Solution(tuple(steps), tuple(found.items()), check, measured, vectors=_vectors(book, steps))
 
 

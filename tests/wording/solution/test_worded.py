@@ -76,4 +76,4 @@ def test_the_acceleration_centre_of_a_solution_is_in_its_figure_though_it_is_not
 
 def test_a_contact_at_rest_has_the_letter_of_the_velocity_centre() -> None:
     _, text = solved("planetary_train", "two_planets", 1)
-    assert "the velocity of the pitch point P_2 is zero" in sentences(text)
+    assert "the pitch point P_2 is its instantaneous centre" in sentences(text)

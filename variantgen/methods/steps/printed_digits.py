@@ -25,18 +25,38 @@ from variantgen.methods.steps.step import (
 )
 
 
-def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value], digits: int = PRINTED_DIGITS) -> None:
-    """Give every value its printed number, of so many significant digits.
+def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> None:
+    """Give every value its printed number, of four significant digits.
 
-    Where a line does not come out by that, numbers in it that begin with a one have a digit more: ``1037.5 / 36.88``.
+    Where a line does not come out by that, numbers in it that begin with a one have a digit more, ``1037.5 / 36.88``,
+    if it then does, and they follow with it from the numbers before; not answers, which are printed as in the key.
     """
     values = in_order([*items_values(items), *answers])
+    alike: dict[float, list[Value]] = {}
     for value in values:
-        value.round_to(digits)
+        value.round_to(PRINTED_DIGITS)
+        if value.begins_with_one and value.measure != "angle":
+            alike.setdefault(abs(value.exact), []).append(value)
+    for answer in answers:
+        alike.pop(abs(answer.exact), None)
+    longer: set[float] = set()
     for value in values:
         if not value.comes_out and value.expression is not None:
-            for part in (part for part in parts(value.expression) if part.begins_with_one and part.measure != "angle"):
-                part.round_to(digits + 1)
+            sizes = {abs(part.exact) for part in parts(value.expression)} & alike.keys() - longer
+            ones = [item for size in sizes for item in alike[size]]
+            for item in ones:
+                item.round_to(PRINTED_DIGITS + 1)
+            if all(item.comes_out for item in (value, *ones)):
+                longer |= sizes
+            else:
+                for item in ones:
+                    item.round_to(PRINTED_DIGITS)
+
+
+def follow_printed_digits(items: Iterable[Item], answers: Sequence[Value], digits: int) -> None:
+    """Give every value its number with so many digits from the printed ones before it, as on a plan one measures."""
+    for value in in_order([*items_values(items), *answers]):
+        value.round_to(digits, exact=False)
 
 
 def items_values(items: Iterable[Item]) -> list[Value]:

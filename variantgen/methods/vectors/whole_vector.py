@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import Applied, Expression, Magnitude, Ratio, Total, Value
+from variantgen.algebra.expression import Applied, Constant, Expression, Magnitude, Ratio, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
@@ -47,7 +47,10 @@ def _direction(name: Name, first: Term, second: Term) -> Value:
     sign = 1 if normal_angle(end.angle.exact - start.angle.exact) > 0 else -1
     slope = Applied("arctan", Magnitude(Ratio(second.size, first.size)))
     parts: list[tuple[int, Expression]] = [(1, start.angle), (sign, slope)]
-    exact = normal_angle(start.angle.exact + sign * slope.number(True))
+    beyond = start.angle.exact + sign * slope.number(True)
+    exact = normal_angle(beyond)
+    if turns := round((exact - beyond) / 360.0):
+        parts.append((turns, Constant(360.0, "angle")))
     return Value(Name("heading", name.of, name.about, name.part, name.kind), "angle", exact, Total(tuple(parts)))
 
 
