@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, cos, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
-from variantgen.methods.vectors.vector_equation import shares
+from variantgen.methods.vectors.vector_equation import collected, shares
 
 _STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
 _NOTHING = 1e-9  # of the largest vector: a smaller sum is none
@@ -45,11 +45,7 @@ class _Axis:
 
 def signed(parts: Sequence[Share]) -> list[tuple[int, Expression]]:
     """Projections of known vectors as signs and expressions."""
-    found: list[tuple[int, Expression]] = []
-    for share in parts:
-        assert share.term.size is not None
-        found.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
-    return found
+    return collected([(share.sign, share) for share in parts])
 
 
 def ordered_sum(terms: Sequence[tuple[int, Expression]]) -> Expression:
