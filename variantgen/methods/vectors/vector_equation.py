@@ -120,7 +120,7 @@ def _projected(
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     known = [(flip * side * share.sign, share) for side, share in rest]
     words = (_axis_words(book, term, axis, other), *_sense_words(book, term, known))
-    book.items.append(Projection(words, *sides))
+    book.items.append(Projection(words, sides[0], sides[1], axis))
     expression = _quotient([(sign, _share(share)) for sign, share in known], own.angle)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
