@@ -23,6 +23,7 @@ ARROW = "\N{COMBINING RIGHT ARROW ABOVE}"
 WHOLE = re.compile(r"[va]_[A-Z]")  # the vector of a point, which needs no derivation: v_A
 SHORT = 0.05  # of the longest vector: below this an arrow of a plan is too short to be drawn
 NO_PLAN = ("guided_plate", "three_rod_plate")  # groups of the third class
+EQUATION = {1: "velocity_equation", 2: "acceleration_equation"}
 CASES = [(n, f, m) for n, f in FORMS for m in ((), ("graphical",)) if not m or n not in NO_PLAN]
 
 
@@ -105,23 +106,39 @@ def test_a_figure_names_no_vector_that_the_text_does_not(
 
 @pytest.mark.parametrize("lang", languages())
 @pytest.mark.parametrize(("name", "form", "methods"), CASES)
-def test_a_figure_takes_vectors_apart_as_the_text_does(
+def test_a_figure_of_an_equation_has_exactly_its_vectors(
     name: str, form: str, methods: tuple[str, ...], lang: str
 ) -> None:
     text, figures = shown(name, form, lang, methods)
-    sizes = magnitudes(text)
-    compound = load_language(lang).words("index")["rel"]
-    for view, labels in figures.items():
-        for left, right in equations(text, view[0]):
-            # Velocities are taken apart on the mechanism where the motion is compound.
-            if view == "velocities" and not any(compound in term or len(term) == 1 for term in right):
+    for order, letter in enumerate("va", start=1):
+        written = iter(equations(text, letter))
+        views = {view for view in figures if view.startswith(f"{EQUATION[order]}:")}
+        for number, equation in enumerate(text.vectors[order - 1].equations if order <= len(text.vectors) else (), 1):
+            if equation.step < 0:
                 continue
+            left, right = next(written)
+            view = f"{EQUATION[order]}:{number}"
+            if view in figures:
+                views.remove(view)
+                vectors = {label for label in figures[view] if is_vector(label, view)}
+                assert vectors == {*left, *right} - {"0"}, view
+        assert not views
+
+
+@pytest.mark.parametrize("lang", languages())
+@pytest.mark.parametrize(("name", "form"), [(name, form) for name, form, methods in CASES if methods])
+def test_a_plan_takes_vectors_apart_as_the_text_does(name: str, form: str, lang: str) -> None:
+    text, figures = shown(name, form, lang, ("graphical",))
+    sizes = magnitudes(text)
+    for view, labels in ((view, labels) for view, labels in figures.items() if view.endswith("_plan")):
+        for left, right in equations(text, view[0]):
             for term in (term for term in (*left, *right) if term != "0" and term not in labels):
                 whole = re.sub(r"\^\w+_|_", "_", term.split()[0])
                 if term == whole:
-                    # In a graphical solution the vector of a point is named by it even where the data name it.
-                    assert methods and whole[0] in labels, (view, term)
+                    # The vector of a point is named by it even where the data name it.
+                    assert whole[0] in labels, (view, term)
                 elif whole not in labels or len(whole) > 3:
                     # What the text has no number of may be too short here: then it is drawn in another variant.
                     size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t[0] == term[0])
-                    assert size < SHORT or term in shown(name, form, lang, methods, "3")[1][view], (view, term)
+                    other = shown(name, form, lang, ("graphical",), "3")[1]
+                    assert size < SHORT or term in other[view], (view, term)

@@ -13,16 +13,18 @@ from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
-from variantgen.wording.solution.phrases import load_phrases
+from variantgen.wording.solution.phrases import Letter, SentenceField, load_phrases
+from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.text import Text
 from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
 _MOST = 3  # figures in a row
-_UNIT, _SMALLEST = 0.62, 0.5  # mm per unit of a figure of the mechanism: usual, and beside others at least
+# mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
+_STATEMENT_UNIT, _SMALLEST, _UNIT = 0.62, 0.5, 0.83
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
@@ -81,7 +83,11 @@ class SolutionFigures:
     def _figure(self, name: str) -> Drawing:
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
-        drawn: Drawing = view(name).draw(self.variant, *self._place, self._shown, self.language, self._vectors)
+        kind, _, which = name.partition(":")
+        further = (which,) if which else ()
+        drawn: Drawing = view(kind).draw(
+            self.variant, *self._place, self._shown, self.language, self._vectors, *further
+        )
         return drawn
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
@@ -94,14 +100,18 @@ class SolutionFigures:
         return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
 
     def _one(self, name: str, shared: float) -> SolutionFigure:
-        unit = _PLAN_UNIT if _is_plan(name) else round(shared, 3)
+        unit = round(shared, 3) if name == STATEMENT else _unit(name)
         return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
         """The number and title of a figure, and which centres lie outside it."""
         phrases = load_phrases(self.language.name)
         found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
-        found += [part for part in phrases.sentence(f"figures.{name}") if isinstance(part, str)]
+        kind, _, which = name.partition(":")
+        for part in phrases.sentence(f"figures.{kind}"):
+            found += [part] if isinstance(part, str) else self._fact(part, kind, which)
+        if self._drawn[name].lengthened:
+            found += [" ", *(part for part in phrases.sentence("figures.lengthened") if isinstance(part, str))]
         letters = self._drawn[name].beyond if name != STATEMENT else ()
         if letters:
             listed = [part for letter in letters for part in (", ", letter)][1:]
@@ -110,12 +120,21 @@ class SolutionFigures:
                 found += [part] if isinstance(part, str) else listed
         return tuple(found)
 
+    def _fact(self, part: Letter | SentenceField, kind: str, which: str) -> Sequence[str | Formula]:
+        """The point that the equation of a figure is about, or its body."""
+        if isinstance(part, Letter):
+            return (Symbol(part.name),)
+        if part.name == "point":
+            return (Symbol(self._vectors[view(kind).ORDER - 1].equations[int(which) - 1].point),)
+        symbols = Symbols(self.variant.form, self.language, load_phrases(self.language.name), {})
+        return symbols.body(which, part.form)
+
     def _shared(self, row: Sequence[str]) -> float:
-        """The scale of the figures of the mechanism in a row, mm per unit."""
-        plans = sum(_PLAN_UNIT * self._width(name) for name in row if _is_plan(name))
-        free = sum(self._width(name) for name in row if not _is_plan(name))
-        room = _WIDTH - _GUTTER * (len(row) - 1) - plans
-        return min(_UNIT, room / free) if free else (_UNIT if room >= 0 else 0.0)
+        """The scale of the statement's figure in a row, mm per unit: the others have theirs."""
+        taken = sum(_unit(name) * self._width(name) for name in row if name != STATEMENT)
+        free = sum(self._width(name) for name in row if name == STATEMENT)
+        room = _WIDTH - _GUTTER * (len(row) - 1) - taken
+        return min(_STATEMENT_UNIT, room / free) if free else (_STATEMENT_UNIT if room >= 0 else 0.0)
 
     def _fit(self, row: Sequence[str]) -> bool:
         """Whether figures have room beside each other."""
@@ -126,6 +145,6 @@ class SolutionFigures:
         return round(self._drawn[name].width, 2)
 
 
-def _is_plan(name: str) -> bool:
-    """Whether lengths are read from a figure, so that its scale is not free."""
-    return name.endswith("_plan")
+def _unit(name: str) -> float:
+    """Millimetres per unit of a figure: lengths are read from a plan, so that its scale is not free."""
+    return _PLAN_UNIT if name.endswith("_plan") else _UNIT

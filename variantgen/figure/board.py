@@ -21,7 +21,8 @@ class Board:
     """The drawing board of one figure.
 
     ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``given`` the parameters that are
-    marked, ``discs`` the radii (u) of the circles drawn of each body.
+    marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
+    supports of fixed points stand.
     """
 
     sketch: Sketch
@@ -33,6 +34,7 @@ class Board:
     given: frozenset[str] = frozenset()
     clear: dict[str, float] = field(default_factory=dict)
     discs: dict[str, list[float]] = field(default_factory=dict)
+    poses: dict[str, float] = field(default_factory=dict)
 
     @property
     def frame(self) -> Frame:

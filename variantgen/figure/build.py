@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
 from types import ModuleType
@@ -70,15 +70,16 @@ def mechanism(
     marks: bool = True,
     size: float = 1.0,
     scale: float | None = None,
+    poses: Mapping[str, float] | None = None,
 ) -> Board:
     """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
 
     Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
-    in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Raises InputError
-    like :func:`statement_figure`.
+    in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Supports stand as
+    the ``poses`` say, where they say it. Raises InputError like :func:`statement_figure`.
     """
     try:
-        return _fitted(variant, motion, index, asked, language, marks, size, scale)
+        return _fitted(variant, motion, index, asked, language, marks, size, scale, poses or {})
     except (ZeroDivisionError, OverflowError):
         raise InputError(
             Problem(
@@ -99,6 +100,7 @@ def _fitted(
     marks: bool,
     size: float,
     kept: float | None,
+    poses: Mapping[str, float],
 ) -> Board:
     form = variant.form
     shown = shown_points(variant, asked)
@@ -115,6 +117,7 @@ def _fitted(
     while True:
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
         board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
+        board.poses.update(poses)
         _draw(board, [r * scale for r in radii], marks)
         if marks and _has_axes(asked):
             draw_axes(board)

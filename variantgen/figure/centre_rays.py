@@ -55,7 +55,7 @@ def draw_centres(board: Board, now: Instant, points: Collection[str], straight: 
     # One index for all, where there are several, though some are too far away to be shown.
     letters = centre_letters({body: board.form.symbols.get(body, body) for body in plane_bodies(now)}, elsewhere)
     for body, place in places.items():
-        _draw_centre(board, place, letters[body])
+        draw_centre(board, place, letters[body])
     sketch.beyond += [letters[body] for body in beyond]
 
 
@@ -83,7 +83,7 @@ def _draw_ray(board: Board, now: Instant, name: str, body: str, centre: complex 
         sketch.path(corner, Layer.LINK, THIN)
 
 
-def _draw_centre(board: Board, place: complex, letter: Symbol) -> None:
+def draw_centre(board: Board, place: complex, letter: Symbol) -> None:
     """A dot with its letter; a shown point of the same name at the same place says it already."""
     sketch = board.sketch
     here = [name for name in board.shown if abs(sketch.at[name] - place) < DOT]

@@ -94,13 +94,15 @@ Line: TypeAlias = Path | Strokes | Arc
 class Label(NamedTuple):
     """A formula with its centre at a point; ``size`` (width, height) is what placement counted with.
 
-    ``paper`` is what lies behind it: 'paper', or 'shade' on a shaded plate.
+    ``paper`` is what lies behind it: 'paper', or 'shade' on a shaded plate. ``arrow`` are the ends of the straight
+    arrow that it names, if it names one.
     """
 
     formula: Formula
     at: complex
     size: tuple[float, float]
     paper: str = "paper"
+    arrow: tuple[complex, complex] | None = None
 
 
 @dataclass(frozen=True)
@@ -108,7 +110,8 @@ class Drawing:
     """A finished figure: width and height in u, lines back to front, labels; ``tell`` makes its alternative text.
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
-    letters of points to which lines lead that lie outside the paper.
+    letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
+    than to scale, so that it is seen.
     """
 
     width: float
@@ -120,6 +123,7 @@ class Drawing:
     origin: complex = 0j
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
+    lengthened: bool = False
 
     @cached_property
     def alt(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -70,6 +70,37 @@ def count_label_faults(drawing: Drawing) -> int:
         for i in np.flatnonzero(near.any(axis=1))
     )
     return overlaps + crossed + sum(_leaves(label, drawing) for label in drawing.labels)
+
+
+def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
+    """Start, tip and length of the head of the straight arrows: a stroke followed by a filled triangle at its end."""
+    found = []
+    for shaft, head in pairwise(line for line in drawing.lines if isinstance(line, Path)):
+        if len(shaft.points) == 2 and len(head.points) == 3 and head.closed and head.fill == "ink":
+            tip, *wings = head.points
+            found.append((shaft.points[0], tip, abs(tip - 0.5 * sum(wings))))
+    return found
+
+
+def short_arrows(drawing: Drawing) -> list[complex]:
+    """Starts of the arrows that are shorter than twice their heads."""
+    return [start for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
+
+
+def misread_labels(drawing: Drawing) -> list[str]:
+    """Names of arrows that stand nearer to another arrow than to their own; a leader shows what is named."""
+    arrows = {(start, tip) for label in drawing.labels if label.arrow for start, tip in [label.arrow]}
+    found = []
+    for label in drawing.labels:
+        half = (0.5 * label.size[0], 0.5 * label.size[1])
+        ends = [np.array([[line.points[-1]] * 2]) for line in leaders(drawing)]
+        if label.arrow is None or any(gaps_to_box(label.at, half, end)[0] < 1.0 for end in ends):
+            continue
+        others = np.array([arrow for arrow in arrows if arrow != label.arrow], dtype=complex).reshape(-1, 2)
+        own = gaps_to_box(label.at, half, np.array([label.arrow]))[0]
+        if len(others) and float(np.min(gaps_to_box(label.at, half, others))) < own - 1e-6:
+            found.append(to_plain(label.formula))
+    return found
 
 
 def figure_faults(drawing: Drawing) -> list[str]:

@@ -50,6 +50,11 @@ class LabelRequest:
         self.box = (0.5 * width, 0.5 * height)
         self.own = (self.anchor, *self.extent)
 
+    @property
+    def arrow(self) -> tuple[complex, complex] | None:
+        """Start and tip of the straight arrow that it names, if it names one."""
+        return (self.extent[0], self.anchor) if self.vector else None
+
 
 # Nearest to its line or symbol: the free space that a label never gives up and the side of a cell.
 _OFF = 1.0

@@ -36,6 +36,8 @@ _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24
 _BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
+_ALONG = np.linspace(0.0, 1.0, 13)  # places on an arrow that stand for it
+_PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of an arrow stands, u
 _OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
 
@@ -81,7 +83,10 @@ def place_labels(
         for i in crowded:
             choices[i] = _with_leaders(choices[i], occupancy)
         _resolve_overlaps(choices, crowded)
-    labels = [Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1])) for c in choices]
+    labels = [
+        Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
+        for c in choices
+    ]
     return labels, [leader for c in choices if (leader := c.leader)]
 
 
@@ -169,8 +174,33 @@ def _misleading(
     arrow = np.array([bool(r.extent) for r in requests])
     if arrow.any():
         on_arrow = np.repeat([*arrow, False], [*count, len(strangers)])
-        result += _MISREAD * (arrow[owner] & (np.minimum.reduce(foreign[:, on_arrow], axis=1) < nearest))
+        misread = arrow[owner] & (np.minimum.reduce(foreign[:, on_arrow], axis=1) < nearest)
+        result += _MISREAD * (misread | _nearer_to_other_arrow(requests, places, owner))
     return result
+
+
+def _nearer_to_other_arrow(
+    requests: Sequence[LabelRequest], places: Places, owner: NDArray[np.intp]
+) -> NDArray[np.bool_]:
+    """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
+    named = [i for i, request in enumerate(requests) if request.vector]
+    found = np.zeros(len(places), dtype=bool)
+    of = np.flatnonzero(np.isin(owner, named))
+    if len(named) < 2 or not of.size:
+        return found
+    arrows = np.array([requests[i].arrow for i in named], dtype=complex)
+    along = arrows[:, :1] + _ALONG * (arrows[:, 1:] - arrows[:, :1])
+    boxes = np.array([r.box for r in requests])[owner[of]]
+    step = places[of, None, None] - along
+    dx = np.maximum(0.0, np.abs(step.real) - boxes[:, :1, None])
+    dy = np.maximum(0.0, np.abs(step.imag) - boxes[:, 1:, None])
+    gaps = np.minimum.reduce(dx * dx + dy * dy, axis=2)
+    mine = np.searchsorted(named, owner[of])
+    rows = np.arange(len(of))
+    own = np.sqrt(gaps[rows, mine])
+    gaps[rows, mine] = np.inf
+    found[of] = np.sqrt(np.minimum.reduce(gaps, axis=1)) < own + _PLAINLY
+    return found
 
 
 def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:

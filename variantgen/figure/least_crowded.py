@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.faults import count_label_faults, leaders
+from variantgen.figure.faults import count_label_faults, leaders, misread_labels
 
 _FAULT = 10  # a label that is crossed or covered, in leaders
 _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels
@@ -24,7 +24,8 @@ def first_roomy(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
 def _crowding(drawing: Drawing) -> int:
     """Faults, and the leaders that are too many for the labels of a drawing."""
     allowed = max(_FEW, len(drawing.labels) // _SHARE)
-    return _FAULT * count_label_faults(drawing) + max(0, len(leaders(drawing)) - allowed)
+    faults = count_label_faults(drawing) + len(misread_labels(drawing))
+    return _FAULT * faults + max(0, len(leaders(drawing)) - allowed)
 
 
 def _first(makers: Iterable[Callable[[], Drawing]], crowding: Callable[[Drawing], int], allowed: int) -> Drawing:

@@ -21,11 +21,11 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Symbol
 from variantgen.wording.language import Language
 
-LONGEST = 15.0  # length of the longest vector of a figure, u
+LONGEST = 17.0  # length of the longest vector of a figure, u
 LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
-LEAST = 2.0  # vectors shorter than this are drawn with this length, so that they are seen, u
+LEAST = 9.7  # vectors shorter than this are drawn with this length, 8 mm on paper, so that they are seen, u
 NOTHING = 0.02  # vectors shorter than this are none, u
-_MOST = 96.0  # width and height of a figure but for its labels, u
+_MOST = 92.0  # width and height of a figure but for its labels, u
 _LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
 # Sizes of vectors and mechanism, in proportion to the usual ones, that are tried until letters find room.
@@ -57,11 +57,12 @@ class MotionBoard(Board):
         """
         if abs(vector) < NOTHING:
             return False
-        vector *= max(1.0, LEAST / abs(vector))
+        if abs(vector) < LEAST:
+            vector *= LEAST / abs(vector)
+            self.sketch.lengthened = True
         start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
         # Below the hinges: the arrow comes out of the circle.
-        head = min(2.6, 0.6 * abs(vector))
-        self.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head)
+        self.sketch.arrow(start, start + vector, Layer.SLIDER, weight)
         self.sketch.label(along_arrow(name, start, start + vector))
         self.sketch.occupy(point, vector)
         return abs(start - self.sketch.at[point]) < 1e-9
@@ -94,21 +95,22 @@ def draw_on_mechanism(
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
     letters find room.
     """
+    poses = mechanism(variant, motion, index, asked, language).poses
 
     def drawn(stretch: float, size: float) -> Drawing:
         """The figure with vectors of one size on a mechanism of at most one size."""
-        base = partial(mechanism, variant, motion, index, asked, language, False)
+        base = partial(mechanism, variant, motion, index, asked, language, False, poses=poses)
         return _fitted(base, annotate, stretch, size)
 
     return first_roomy(partial(drawn, *sizes) for sizes in _SIZES)
 
 
 def _fitted(
-    base: Callable[[float], Board], annotate: Callable[[MotionBoard, float], None], stretch: float, size: float
+    base: Callable[..., Board], annotate: Callable[[MotionBoard, float], None], stretch: float, size: float
 ) -> Drawing:
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
-        plain = base(size)
+        plain = base(size=size)
         board = MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
         annotate(board, stretch)
         low, high = board.sketch.corners()

@@ -30,7 +30,8 @@ _SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 class Sketch:
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
-    ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them.
+    ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
+    notes that a vector is longer than to scale.
     """
 
     at: dict[str, complex]
@@ -40,6 +41,7 @@ class Sketch:
     busy: dict[str, list[float]] = field(default_factory=dict)
     symbol_radius: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
+    lengthened: bool = False
     _corners: list[complex] = field(default_factory=list)
     _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
@@ -49,6 +51,10 @@ class Sketch:
         """Draw a polyline; it is an obstacle for labels."""
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
         self._add(line, segments_of(line))
+
+    def add(self, line: Line) -> None:
+        """Draw a finished line; it is an obstacle for labels."""
+        self._add(line, segments_of(line, _SAGITTA))
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
@@ -210,11 +216,18 @@ class Sketch:
             high.real - low.real,
             high.imag - low.imag,
             tuple(moved(line, -low) for line in ordered),
-            tuple(Label(x.formula, x.at - low, x.size, _behind(x, plates)) for x in labels),
+            tuple(_on_paper(x, -low, plates) for x in labels),
             scale=self.scale,
             origin=-low,
             beyond=tuple(self.beyond),
+            lengthened=self.lengthened,
         )
+
+
+def _on_paper(label: Label, by: complex, plates: Sequence[Sequence[complex]]) -> Label:
+    """A label moved to its place on the paper; ``plates`` are where it was placed."""
+    arrow = None if label.arrow is None else (label.arrow[0] + by, label.arrow[1] + by)
+    return Label(label.formula, label.at + by, label.size, _behind(label, plates), arrow)
 
 
 def _behind(label: Label, plates: Sequence[Sequence[complex]]) -> str:

@@ -17,7 +17,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
-from variantgen.methods.solution.used import used_steps
+from variantgen.methods.solution.used import used_lines, used_steps
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
@@ -83,6 +83,7 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     steps = used_steps(book.steps, found.values())
     check = tuple(third_axis(steps) or equal_projections(book))
     results = [*found.values(), *items_values(check)]
+    steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     centres, vectors = _acceleration_centres(book), _vectors(book, steps)

@@ -27,7 +27,9 @@ def draw(board: Board, joint: Pivot) -> None:
     """Add the symbol."""
     sketch = board.sketch
     centre = sketch.at[joint.point]
-    angle = _roomiest_side(board, joint.point)
+    if joint.point not in board.poses:
+        board.poses[joint.point] = _roomiest_side(board, joint.point)
+    angle = board.poses[joint.point]
     down = cmath.rect(1.0, angle)
     left, foot = -1j * down, centre + _HEIGHT * down
     for side in (1, -1):

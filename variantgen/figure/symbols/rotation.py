@@ -48,13 +48,13 @@ def draw(board: Board, driver: Rotation) -> None:
     draw_arcs(board, driver.body, [(symbol, rates[kind]) for kind, symbol in symbols.items() if symbol is not None])
 
 
-def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]]) -> None:
+def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]], about: str = "") -> None:
     """Add arcs with the symbols of rates of a body (positive counter-clockwise on paper), where there is most room.
 
-    Their centre is the fixed point of the body.
+    Their centre is the fixed point of the body, or what ``sketch.at`` has under the key ``about``.
     """
     sketch = board.sketch
-    pivot = board.centre_of_rotation(body)
+    pivot = about or board.centre_of_rotation(body)
     radii = _radii(board, body, pivot)
     taken: list[float] = []
     for formula, rate in rates:

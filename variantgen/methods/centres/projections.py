@@ -45,7 +45,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         "sought": VectorOf(Name("v", point)),
         "segment": Segment(pole, point),
     }
-    with book.step("projections.link", "velocities", **facts):
+    with book.step("projections.link", "velocity_projections", **facts):
         _, path = on_path(book, group.point_path)
         side = book.geometry.vector(pole, point)
         if not known or _are_square(side, resultant(known)):
@@ -54,7 +54,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         else:
             _equate(book, pole, path, facts)
     if is_rate_wanted(book.task, 1, body, {point, pole}):
-        with book.step("projections.rotation", "velocities", **facts):
+        with book.step("projections.rotation", "velocity_projections", **facts):
             _compare_across(book, body, pole, point)
 
 

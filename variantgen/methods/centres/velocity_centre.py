@@ -41,7 +41,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body."""
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
-    with book.step("velocity_centre.link", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.link", "velocity_centre", body=Body(body), point=Point(point)):
         _, path = on_path(book, group.point_path)
         if find(book, group, path) is not None:
             _enter_speed(book, body, point, path)
@@ -131,7 +131,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
     if not strict and not is_near_centre(book, body, point):
         carry_by_sum(book, point, body, pole)
         return
-    with book.step("velocity_centre.point", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.point", "velocity_centre", body=Body(body), point=Point(point)):
         centre, rate = centre_of(book, body), book.omega[body]
         if centre.infinite:
             book.say(
@@ -153,7 +153,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
 def distance(book: Book, body: str, point: str) -> Value:
     """The asked distance of a point from the velocity centre; infinite where the body is in translation."""
     known_point(book, body)
-    with book.step("velocity_centre.distance", "velocities", body=Body(body), point=Point(point)):
+    with book.step("velocity_centre.distance", "velocity_centre", body=Body(body), point=Point(point)):
         centre = centre_of(book, body)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)

@@ -19,12 +19,28 @@ class Arrow:
 
 
 @dataclass(frozen=True, slots=True)
+class Axis:
+    """An axis on which an equation is projected: its direction (a unit vector) and its letter in the text, if any."""
+
+    way: complex
+    letter: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class PointEquation:
-    """A vector equation about a point; the vector of any other point is one arrow."""
+    """A vector equation about a point of the ``bodies``; the vector of any other point is one arrow.
+
+    ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is
+    the place of its step in the solution, -1 where no line shows it.
+    """
 
     point: str
     left: tuple[Arrow, ...]
     right: tuple[Arrow, ...]
+    bodies: tuple[str, ...] = ()
+    terms: tuple[Arrow, ...] = ()
+    axes: tuple[Axis, ...] = ()
+    step: int = -1
 
 
 @dataclass(frozen=True, slots=True)

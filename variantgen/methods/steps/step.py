@@ -166,12 +166,15 @@ class Share:
 class Projection:
     """A vector equation projected on an axis; an empty side is zero.
 
-    ``words`` say what the axis is, and why the wanted vector points as it does.
+    ``words`` say what the axis is, and why the wanted vector points as it does; ``axis`` is its direction on paper,
+    ``letter`` what the words call it.
     """
 
     words: tuple[Sentence, ...]
     left: tuple[Share, ...]
     right: tuple[Share, ...]
+    axis: Value | None = None
+    letter: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
-from variantgen.methods.vectors.vector_equation import shares
+from variantgen.methods.vectors.vector_equation import collected, shares
 
 _STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
 _NOTHING = 1e-9  # of the largest vector: a smaller sum is none
@@ -46,10 +46,7 @@ class _Axis:
 
 def signed(parts: Sequence[Share]) -> list[tuple[int, Expression]]:
     """Projections of known vectors as signs and expressions."""
-    found: list[tuple[int, Expression]] = []
-    for share in parts:
-        found.append((share.sign, share.size))
-    return found
+    return collected([(share.sign, share) for share in parts])
 
 
 def ordered_sum(terms: Sequence[tuple[int, Expression]]) -> Expression:

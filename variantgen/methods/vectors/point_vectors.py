@@ -5,20 +5,21 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from itertools import groupby
 
 import numpy as np
 
 from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
-from variantgen.methods.steps.step import Derived, Step, Term, VectorLine
+from variantgen.methods.steps.point_vectors import Arrow, Axis, PointEquation, PointVectors
+from variantgen.methods.steps.step import Body, Derived, Projection, Step, Term, VectorLine
 from variantgen.methods.vectors.given_motion import as_stated
 
 _OWN = ("n", "tau")  # components of the vector of a point on its path
 
 
-def point_vectors(book: Book, steps: Iterable[Step], order: int) -> PointVectors:
+def point_vectors(book: Book, steps: Sequence[Step], order: int) -> PointVectors:
     """What the ``steps`` of a solution say of the vectors of one order, with what its book knows."""
     book = book.at(order)
     task, unit = book.task, book.task.length_unit
@@ -29,19 +30,44 @@ def point_vectors(book: Book, steps: Iterable[Step], order: int) -> PointVectors
     kind = "omega" if order == 1 else "epsilon"
     rates = {body: Name(kind, body) for body in task.scene.bodies}
     rates |= {body: as_stated(rates[body], rate.size) for body, rate in book.rates.items()}
-    lines = [item for step in steps for item in step.items if isinstance(item, VectorLine)]
-    kinds = ({term.name.kind for term in (*line.left, *line.right)} for line in lines)
-    found = [_equation(book, own, line) for line, met in zip(lines, kinds, strict=True) if book.letter in met]
+    found = [
+        replace(_equation(book, own, line), bodies=_bodies(step), axes=_axes(step, line), step=number)
+        for number, step in enumerate(steps)
+        for line in step.items
+        if isinstance(line, VectorLine) and any(term.name.kind == book.letter for term in (*line.left, *line.right))
+    ]
     if order == 2:
         derived = {item.value.name for step in steps for item in step.items if isinstance(item, Derived)}
         found = [*_turning(book, own, found, derived), *found]
     return PointVectors(own, rates, frozenset(point for point, _ in book.relative), tuple(found))
 
 
+def _bodies(step: Step) -> tuple[str, ...]:
+    """The bodies that the heading of a step names."""
+    return tuple(fact.name for fact in step.heading.facts.values() if isinstance(fact, Body))
+
+
+def _axes(step: Step, line: VectorLine) -> tuple[Axis, ...]:
+    """The axes on which an equation is projected in its step."""
+    terms = {term.name for term in (*line.left, *line.right)}
+    axes = [
+        Axis(cmath.rect(1.0, math.radians(item.axis.exact)), item.letter)
+        for item in step.items
+        if isinstance(item, Projection)
+        and item.axis is not None
+        and terms.issuperset(share.term.name for share in (*item.left, *item.right))
+    ]
+    return tuple(dict.fromkeys(axes))
+
+
 def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> PointEquation:
     """A vector equation with its vectors; those of another point than that which it is about are one."""
     point = line.left[0].point if len(line.left) == 1 else line.right[-1].point
     vectors = _vectors(book, own, line)
+
+    terms = tuple(
+        Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in (*line.left, *line.right)
+    )
 
     def arrows(side: Sequence[Term]) -> Iterable[Arrow]:
         """The terms of a side as arrows."""
@@ -51,7 +77,7 @@ def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> PointEquat
             else:
                 yield from (Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in group)
 
-    return PointEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)))
+    return PointEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)), terms=terms)
 
 
 def _way(term: Term) -> complex:

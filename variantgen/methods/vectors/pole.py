@@ -14,7 +14,7 @@ from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.point_paths import directed, on_path, sense_of
-from variantgen.methods.vectors.points import across, modulus, vector
+from variantgen.methods.vectors.points import VIEWS, across, modulus, vector
 from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 
@@ -78,7 +78,7 @@ def solve_two_point_body(book: Book, group: TwoPointBody) -> None:
     if not wanted:
         return
     facts: dict[str, Fact] = {"body": Body(body), "point": Point(point), "pole": Point(pole)}
-    with book.step(f"known_points.{book.letter}", **facts):
+    with book.step(f"known_points.{book.letter}", VIEWS[book.order], **facts):
         book.say(f"known_points.both_{book.letter}", **facts)
         start = len(book.items)
         turning, turn = about_pole(book, point, pole, body)

@@ -122,11 +122,43 @@ def _projected(
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     known = [(flip * side * share.sign, share) for side, share in rest]
     words = (_axis_words(book, term, axis, other), *_sense_words(book, term, known))
-    book.items.append(Projection(words, *sides))
-    expression = _quotient([(sign, _share(share)) for sign, share in known], own.factor)
+    book.items.append(Projection(words, sides[0], sides[1], axis))
+    expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     return value
+
+
+def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]]:
+    """Known projections with their signs as expressions; vectors at one angle with the axis are added first.
+
+    So collinear vectors are subtracted before they are projected: ``(220 - 121) cos 40.60``.
+    """
+    groups: list[list[tuple[int, Share]]] = []
+    for sign, share in known:
+        group = next((found for found in groups if _has_angle(share, found[0][1])), None)
+        groups.append([(sign, share)]) if group is None else group.append((sign, share))
+    found: list[tuple[int, Expression]] = []
+    for group in groups:
+        factor = group[0][1].factor
+        if len(group) == 1 or factor is None:
+            found += [(sign, _share(share)) for sign, share in group]
+            continue
+        sizes = [(sign, share.term.size) for sign, share in group if share.term.size is not None]
+        flip = 1 if sum(sign * size.exact for sign, size in sizes) >= 0 else -1
+        inner = sorted(((flip * sign, size) for sign, size in sizes), key=lambda term: -term[0])
+        found.append((flip, Total(tuple(inner)) * factor))
+    return found
+
+
+def _has_angle(first: Share, second: Share) -> bool:
+    """Whether two vectors make the same angle with the axis."""
+    if first.angle is None or second.angle is None:
+        return first.angle is second.angle
+    acute = [
+        abs(s.angle.exact - (90.0 if s.function == "sin" else 0.0)) for s in (first, second) if s.angle is not None
+    ]
+    return abs(acute[0] - acute[1]) < _PARALLEL
 
 
 def _quotient(parts: Sequence[tuple[int, Expression]], factor: Expression | None) -> Expression:

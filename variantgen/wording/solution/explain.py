@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity, recorded
@@ -11,7 +12,7 @@ from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.methods.steps.step import Sentence, Solution
+from variantgen.methods.steps.step import Body, Sentence, Solution
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
@@ -26,6 +27,10 @@ from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
 _LONG = 6  # steps of a solution that begins with a plan
+
+_OF_EQUATIONS = {"velocities": 1, "accelerations": 2}  # views of steps that may have vector equations, their orders
+_EQUATION = ("velocity_equation", "acceleration_equation")
+_OF_BODIES = ("velocity_centre", "velocity_projections")
 
 
 class UnexplainedError(VariantgenError):
@@ -76,7 +81,9 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         (q, value.shown if found.approximate else value.exact)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)
     ]
-    sections = tuple(writer.section(step) for step in found.steps)
+    sections = tuple(
+        replace(writer.section(step), views=_views(found, number)) for number, step in enumerate(found.steps)
+    )
     return SolutionText(
         _plan([writer.text(step.heading) for step in found.steps]),
         sections,
@@ -85,6 +92,24 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         found.centres,
         found.vectors,
     )
+
+
+def _views(found: Solution, number: int) -> tuple[str, ...]:
+    """The figures of a step: of each of its vector equations one; of a body, or of the mechanism, where it has none."""
+    step = found.steps[number]
+    names: list[str] = []
+    for view in step.views:
+        order = _OF_EQUATIONS.get(view, 0)
+        equations = found.vectors[order - 1].equations if 0 < order <= len(found.vectors) else ()
+        own = [i for i, equation in enumerate(equations, start=1) if equation.step == number]
+        body = step.heading.facts.get("body")
+        if own:
+            names += [f"{_EQUATION[order - 1]}:{i}" for i in own]
+        elif view in _OF_BODIES and isinstance(body, Body):
+            names.append(f"{view}:{body.name}")
+        else:
+            names.append(view)
+    return tuple(names)
 
 
 def _centres(task: Task) -> dict[str, Symbol]:

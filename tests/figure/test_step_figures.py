@@ -1,0 +1,136 @@
+"""Figures of one step: the vectors of one equation at its point, or the velocities of one body with its centre."""
+
+from __future__ import annotations
+
+import cmath
+from functools import cache
+
+import pytest
+
+from tests.figure.reading import FORMS, arrows, dots
+from variantgen.exam.solution_figures import STATEMENT, SolutionFigure, SolutionFigures, view_order
+from variantgen.figure.drawing import Drawing, Layer, Path
+from variantgen.figure.faults import figure_faults, misread_labels, short_arrows
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.solution_options import SolutionOptions
+from variantgen.single import asked_quantities, one_variant
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.document import SolutionText
+from variantgen.wording.solution.explain import explain
+
+SEEDS = ("1", "2", "3")
+SHORTEST = 8.0  # mm on paper
+LANGUAGE = load_language("en")
+
+
+@cache
+def solved(
+    name: str, form: str, seed: str, methods: tuple[str, ...] = ()
+) -> tuple[Motion, SolutionText, dict[str, SolutionFigure]]:
+    """The motion, the solution of a variant and its figures but that of the statement."""
+    variant = one_variant(name, form=form, seed=seed)
+    asked = asked_quantities(variant)
+    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    text = explain(variant, motion, 0, asked, LANGUAGE, SolutionOptions(methods))
+    figures = SolutionFigures(variant, asked, LANGUAGE, (motion, 0), None, text)
+    figures.draw(view_order(text))
+    return motion, text, {f.name: f for row in figures.rows() for f in row if f.name != STATEMENT}
+
+
+def place_of(motion: Motion, point: str, drawing: Drawing) -> complex:
+    """Where a point is on the paper."""
+    return drawing.scale * complex(motion.z[point][0]) + drawing.origin
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_every_arrow_is_seen_and_its_name_stands_with_it(name: str, form: str, seed: str) -> None:
+    for view, figure in solved(name, form, seed)[2].items():
+        assert not short_arrows(figure.drawing), view
+        assert not misread_labels(figure.drawing), view
+        assert not [fault for fault in figure_faults(figure.drawing) if "too" not in fault], view
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_an_equation_is_drawn_at_its_point_in_true_directions(name: str, form: str, seed: str) -> None:
+    motion, text, figures = solved(name, form, seed)
+    for order, kind in enumerate(("velocity_equation", "acceleration_equation")):
+        for view in (view for view in figures if view.startswith(kind)):
+            equation = text.vectors[order].equations[int(view.split(":")[1]) - 1]
+            figure = figures[view]
+            place = place_of(motion, equation.point, figure.drawing)
+            found = arrows(figure.drawing, Layer.SLIDER)
+            moving = [arrow.vector for arrow in equation.terms if abs(arrow.vector) > 1e-9]
+            longest = max(abs(vector) for vector in moving)
+            scale = max(abs(tip - start) for start, tip in found) / longest
+            for start, tip in found:
+                assert abs(tip - start) * figure.unit > SHORTEST, view
+                # At the point, or beside an arrow on which it would lie.
+                assert abs(((start - place) * (tip - start).conjugate()).real) < 1e-6 * abs(tip - start) ** 2, view
+                assert abs(start - place) < 8, view
+            for vector in moving:
+                same = [tip - start for start, tip in found if abs(cmath.phase((tip - start) / vector)) < 1e-6]
+                length = scale * abs(vector)
+                assert any(abs(abs(a) - length) < 1e-6 * longest * scale for a in same) or (
+                    length * figure.unit < SHORTEST + 0.1 and same and figure.drawing.lengthened
+                ), view
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_velocities_are_perpendicular_to_the_rays_to_a_centre_on_the_paper(name: str, form: str) -> None:
+    for view, figure in solved(name, form, "1")[2].items():
+        if not view.startswith("velocity_centre:"):
+            continue
+        motion, drawing = solved(name, form, "1")[0], figure.drawing
+        body = view.split(":")[1]
+        omega = float(motion.omega[body][0])
+        letters = {to_plain(label.formula)[0] for label in drawing.labels}
+        if abs(omega) < 1e-9 * max(abs(float(rate[0])) for rate in motion.omega.values()):
+            assert "P" not in letters
+            continue
+        assert "P" in letters
+        members = [p for p in motion.scene.bodies[body] if abs(motion.v[p][0]) > 1e-9]
+        centre = complex(motion.z[members[0]][0]) + 1j * complex(motion.v[members[0]][0]) / omega
+        at = drawing.scale * centre + drawing.origin
+        points = {p: place_of(motion, p, drawing) for p in motion.scene.bodies[body]}
+        inside = 0 < at.real < drawing.width and 0 < at.imag < drawing.height
+        if inside:
+            seen = [*dots(drawing), *points.values()]
+            near = min(abs(place - at) for place in seen)
+            assert near < 1e-6 or near > 5, view  # at its place, or behind a break
+        for start, tip in arrows(drawing, Layer.SLIDER):
+            point = min(points.values(), key=lambda place: abs(place - start))
+            arm = (at - point) * (tip - start).conjugate()
+            assert abs(arm.real) < 1e-6 * abs(arm), view
+
+
+def test_the_figure_belongs_to_the_method() -> None:
+    shown = {
+        method: {to_plain(label.formula) for f in solved("slider_crank", "offset", "107", (method,))[2].values()
+                 if f.name.startswith("velocity") for label in f.drawing.labels}
+        for method in ("velocity_centre", "projections", "velocity_pole")
+    }  # fmt: skip
+    assert {"P", "v_A", "v_B", "ω_AB"} <= shown["velocity_centre"]
+    assert {"v_A", "v_B"} == {label for label in shown["projections"] if label[0] in "vP"}
+    assert {"v_A", "v_B", "v_BA"} == {label for label in shown["velocity_pole"] if label[0] in "vP"}
+
+
+def test_supports_keep_the_pose_of_the_statement() -> None:
+    variant = one_variant("four_bar", form="crank", seed="174")
+    asked = asked_quantities(variant)
+    motion = solve_variants([variant], 2)
+    text = explain(variant, motion, 0, asked, LANGUAGE)
+    figures = SolutionFigures(variant, asked, LANGUAGE, (motion, 0), None, text)
+    figures.draw(view_order(text))
+    drawn = {f.name: f.drawing for row in figures.rows() for f in row}
+    sides = []
+    for drawing in (drawn[STATEMENT], drawn["velocity_centre:AB"]):
+        at = place_of(motion, "O", drawing)
+        pairs = [line.points for line in drawing.lines if isinstance(line, Path) and len(line.points) == 2]
+        ends = [end - at for start, end in pairs if 0.9 < abs(start - at) < 1.2]
+        sides.append({complex(round(end.real, 3), round(end.imag, 3)) for end in ends if abs(end) < 5.5})
+    assert len(sides[0]) == 2
+    assert sides[0] == sides[1]

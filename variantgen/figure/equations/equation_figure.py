@@ -1,0 +1,108 @@
+"""The figure of a vector equation: the body concerned, and at the point the vectors of the equation and its axes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+
+from variantgen.errors import InputError, Problem
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
+from variantgen.figure.equations.body_board import (
+    BodyBoard,
+    Subject,
+    draw_axes,
+    draw_point,
+    draw_vectors,
+    sizes,
+)
+from variantgen.figure.least_crowded import first_roomy
+from variantgen.figure.motion_board import MotionBoard, named_together
+from variantgen.figure.vectors import Vectors, vectors_of
+from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
+from variantgen.wording.formula import to_plain
+
+LONGEST = 27.0  # length of the longest vector, u
+_NOTHING = 1e-9  # of the longest vector: there is none
+# Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
+_SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
+_STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
+
+
+def equation_figure(subject: Subject, named: Vectors, equation: PointEquation, true_scale: bool = False) -> Drawing:
+    """The figure. Raises InputError where all vectors are zero."""
+    arrows = _arrows(equation)
+    longest = max((abs(arrow.vector) for arrow in arrows), default=0.0)
+    shown = [arrow for arrow in arrows if abs(arrow.vector) > _NOTHING * longest]
+    if not shown:
+        raise InputError(Problem("all vectors of the equation are zero", key="view", value=equation.point))
+    known = set(subject.motion.z)
+    met = [name for arrow in shown for name in (arrow.name.of, arrow.name.about) if name in known]
+    others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
+    bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others)))
+    return first_roomy(
+        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, true_scale) for stretch, size in _SIZES
+    )
+
+
+def draw_equation(subject: Subject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
+    """The figure of the equation of an order with the number ``which`` (none: the first); InputError without one."""
+    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
+    equations = named.found.equations
+    number = int(which or 1)
+    if not 1 <= number <= len(equations):
+        raise InputError(Problem("the solution has no such vector equation", key="view", value=which or "1"))
+    return equation_figure(subject, named, equations[number - 1])
+
+
+def _is_on(subject: Subject, equation: PointEquation, name: str) -> bool:
+    """Whether a point belongs to one of the bodies of the equation."""
+    return any(name in subject.variant.form.bodies.get(body, ()) for body in equation.bodies)
+
+
+def _arrows(equation: PointEquation) -> list[Arrow]:
+    """The vectors of an equation, each once."""
+    found: dict[object, Arrow] = {}
+    for arrow in equation.terms or (*equation.left, *equation.right):
+        found.setdefault(arrow.name, arrow)
+    return list(found.values())
+
+
+def _drawn(
+    bodies: BodyBoard,
+    named: Vectors,
+    equation: PointEquation,
+    arrows: Sequence[Arrow],
+    longest: float,
+    size: float,
+    true_scale: bool,
+) -> Drawing:
+    place = bodies.place(equation.point)
+    letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
+    # Equal vectors are one arrow with both names; none is left out, however short.
+    together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
+    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, true_scale)
+    drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
+    scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
+    board = bodies.drawn(scale)
+    draw_point(board, equation.point)
+    at = board.sketch.at[equation.point]
+    if not lengthened:
+        _draw_parallelogram(board, at, equation, longest / max(abs(arrow.vector) for arrow in arrows))
+    bold = {to_plain(letters[arrow.name]) for arrow in equation.left if arrow.name in letters}
+    names = [formula for formula, _ in together]
+    weights = [BOLD if to_plain(name).split(" = ")[0] in bold else MEDIUM for name in names]
+    draw_vectors(board, at, list(zip(names, drawn, weights, strict=True)), [])
+    board.sketch.lengthened = lengthened
+    draw_axes(board, at, [(axis.way, axis.letter) for axis in equation.axes if axis.letter], longest)
+    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def _draw_parallelogram(board: MotionBoard, at: complex, equation: PointEquation, scale: float) -> None:
+    """Dashed lines from the tips of two vectors to that of their sum."""
+    if len(equation.left) != 1 or len(equation.right) != 2:
+        return
+    whole, first, second = (scale * arrow.vector for arrow in (*equation.left, *equation.right))
+    if abs((first.conjugate() * second).imag) > _STRAIGHT * abs(first) * abs(second) > 0:
+        for part in (first, second):
+            board.sketch.path((at + part, at + whole), Layer.GROUND, THIN, dash="dashed")

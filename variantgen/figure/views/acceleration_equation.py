@@ -1,0 +1,29 @@
+"""The figure of one vector equation of accelerations: the body concerned, and at the point what it adds up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.families.quantities import Quantity
+from variantgen.figure.drawing import Drawing
+from variantgen.figure.equations.body_board import Subject
+from variantgen.figure.equations.equation_figure import draw_equation
+from variantgen.mechanism.motion import Motion
+from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.variants.variant import Variant
+from variantgen.wording.language import Language
+
+ORDER = 2
+
+
+def draw(
+    variant: Variant,
+    motion: Motion,
+    index: int,
+    asked: Sequence[Quantity],
+    language: Language,
+    vectors: Sequence[PointVectors] = (),
+    which: str = "",
+) -> Drawing:
+    """The figure of the equation numbered ``which``. Raises InputError where there is no such equation."""
+    return draw_equation(Subject(variant, motion, index, asked, language), ORDER, vectors, which)
