@@ -37,6 +37,8 @@ def rotation(book: Book, point: str, pole: str, body: str, name: Name) -> Known:
         size = book.derive(name.component("n"), book.measure, normal)
         angle = book.geometry.direction(point, pole)
         found = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
+    elif name.about:
+        book.say("rates.no_normal", omega=Name("omega", body), vector=name.component("n"))
     return found + _across(book, name.component("tau"), book.epsilon[body], arm, (point, pole), body)
 
 
