@@ -9,7 +9,7 @@ from variantgen.algebra.name import Name
 
 
 @dataclass(frozen=True, slots=True)
-class Arrow:
+class NamedVector:
     """A vector (m/s or m/s^2); ``sought`` says that an equation starts from its direction ``way`` (a unit vector)."""
 
     name: Name
@@ -19,12 +19,12 @@ class Arrow:
 
 
 @dataclass(frozen=True, slots=True)
-class Equation:
+class VectorEquation:
     """A vector equation about a point; the vector of any other point is one arrow."""
 
     point: str
-    left: tuple[Arrow, ...]
-    right: tuple[Arrow, ...]
+    left: tuple[NamedVector, ...]
+    right: tuple[NamedVector, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,12 @@ class PointVectors:
     the names of the rates of all bodies.
     """
 
-    own: Mapping[str, Arrow]
+    own: Mapping[str, NamedVector]
     rates: Mapping[str, Name]
     compound: frozenset[str]
-    equations: tuple[Equation, ...]
+    equations: tuple[VectorEquation, ...]
 
-    def terms(self, point: str) -> Iterator[Arrow]:
+    def terms(self, point: str) -> Iterator[NamedVector]:
         """What the vector of a point is put together from, in the order of the equations.
 
         At B with ``a^n_B + a^tau_B = a_A + a^n_BA + a^tau_BA`` these are all five vectors.
