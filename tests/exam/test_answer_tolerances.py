@@ -116,7 +116,7 @@ def test_where_no_method_leads_to_an_answer_the_data_decide(monkeypatch: pytest.
     def nothing(book: object) -> None:
         raise LookupError("no method")
 
-    monkeypatch.setattr("variantgen.methods.hand.rounding.work_out", nothing)
+    monkeypatch.setattr("variantgen.methods.hand.repeatable_calculation.work_out", nothing)
     family = restrict(load_family("slider_crank"), None, None, ("central",))
     variants = draw(family, ["v_A", "v_B"], [("data", i) for i in range(5)])
     asked = read_ask(variants[0].form, ["v_A", "v_B"])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.algebra.name import Name
 from variantgen.figure.plans import PlanVector, VectorPlan
 from variantgen.figure.vectors import Vectors
-from variantgen.methods.steps.point_vectors import NamedVector, VectorEquation
+from variantgen.methods.steps.point_vectors import Arrow, PointEquation
 from variantgen.wording.formula import Symbol
 
 
@@ -27,7 +27,7 @@ def solution_plan(named: Vectors, letter: str, pole: Symbol, points: Sequence[st
     return plan
 
 
-def _laid(side: Sequence[NamedVector]) -> list[NamedVector]:
+def _laid(side: Sequence[Arrow]) -> list[Arrow]:
     """The vectors of a side as they are laid off: two that are sought meet, what is known follows."""
     first = next((i for i, arrow in enumerate(side) if arrow.sought), len(side))
     rest = side[first:]
@@ -35,9 +35,7 @@ def _laid(side: Sequence[NamedVector]) -> list[NamedVector]:
     return [*side[:first], *(arrow for arrow in rest if arrow.sought), *reversed(known)]
 
 
-def _add_side(
-    plan: VectorPlan, named: Vectors, equation: VectorEquation, side: Sequence[NamedVector], crossing: bool
-) -> None:
+def _add_side(plan: VectorPlan, named: Vectors, equation: PointEquation, side: Sequence[Arrow], crossing: bool) -> None:
     """The vectors of a side one after the other; lines of the directions of sought ones that cross."""
     place, meeting = 0j, None
     whole = {arrow.name for arrow in named.found.own.values()}
@@ -54,7 +52,7 @@ def _add_side(
         plan.lines += [(meeting, arrow.way) for arrow in side if arrow.sought]
 
 
-def _add_transport(plan: VectorPlan, named: Vectors, letter: str, equation: VectorEquation) -> None:
+def _add_transport(plan: VectorPlan, named: Vectors, letter: str, equation: PointEquation) -> None:
     """The point of a turning carrier below a sliding point: its image where it is sought, its ray where it has one.
 
     About a fixed axis the components of a transport acceleration stand for it.

@@ -13,7 +13,7 @@ from variantgen.wording.formula import Symbol, to_plain
 
 
 @dataclass(frozen=True)
-class Arrow:
+class RateArrow:
     """A given rate: the phrase, its symbol and, for a straight arrow, the point and the way on paper (unit)."""
 
     phrase: str
@@ -45,7 +45,7 @@ class AltText(DrawnMechanism):
 
     hinged: set[str] = field(default_factory=set)
     guided: dict[str, complex] = field(default_factory=dict)
-    arrows: list[Arrow] = field(default_factory=list)
+    arrows: list[RateArrow] = field(default_factory=list)
 
     def say(self, key: str, **words: str | Noun) -> str:
         """A phrase of the table ``[figure]``, filled."""
@@ -102,7 +102,9 @@ class AltText(DrawnMechanism):
         """``clockwise`` for a negative rate on paper, else ``counter-clockwise``."""
         return self.say("counter_clockwise" if rate > 0 else "clockwise")
 
-    def straight_arrow(self, key: str, point: str, ahead: complex, symbol: Symbol | None, **words: str) -> list[Arrow]:
+    def straight_arrow(
+        self, key: str, point: str, ahead: complex, symbol: Symbol | None, **words: str
+    ) -> list[RateArrow]:
         """An arrow at a point, or at a body by one of its points without a name; none for a rate that is not given."""
         if symbol is None or ahead == 0:
             return []
@@ -111,7 +113,7 @@ class AltText(DrawnMechanism):
         where = self.say("at_point", point=self.name(point))
         if not self.is_shown(point) and owners:
             where = self.say("at_body", body=self.body(owners[0]))
-        return [Arrow(self.say(key, symbol=name, where=where, **words), name, point, ahead / abs(ahead))]
+        return [RateArrow(self.say(key, symbol=name, where=where, **words), name, point, ahead / abs(ahead))]
 
     # Bodies.
 

@@ -9,7 +9,7 @@ from variantgen.algebra.name import Name
 
 
 @dataclass(frozen=True, slots=True)
-class NamedVector:
+class Arrow:
     """A vector (m/s or m/s^2); ``sought`` says that an equation starts from its direction ``way`` (a unit vector)."""
 
     name: Name
@@ -19,12 +19,12 @@ class NamedVector:
 
 
 @dataclass(frozen=True, slots=True)
-class VectorEquation:
+class PointEquation:
     """A vector equation about a point; the vector of any other point is one arrow."""
 
     point: str
-    left: tuple[NamedVector, ...]
-    right: tuple[NamedVector, ...]
+    left: tuple[Arrow, ...]
+    right: tuple[Arrow, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,12 @@ class PointVectors:
     the names of the rates of all bodies.
     """
 
-    own: Mapping[str, NamedVector]
+    own: Mapping[str, Arrow]
     rates: Mapping[str, Name]
     compound: frozenset[str]
-    equations: tuple[VectorEquation, ...]
+    equations: tuple[PointEquation, ...]
 
-    def terms(self, point: str) -> Iterator[NamedVector]:
+    def terms(self, point: str) -> Iterator[Arrow]:
         """What the vector of a point is put together from, in the order of the equations.
 
         At B with ``a^n_B + a^tau_B = a_A + a^n_BA + a^tau_BA`` these are all five vectors.

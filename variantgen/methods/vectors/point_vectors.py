@@ -11,7 +11,7 @@ import numpy as np
 
 from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.point_vectors import NamedVector, PointVectors, VectorEquation
+from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.methods.steps.step import Derived, Step, Term, VectorLine
 from variantgen.methods.vectors.given_motion import as_stated
 
@@ -22,10 +22,10 @@ def point_vectors(book: Book, steps: Iterable[Step], order: int) -> PointVectors
     """What the ``steps`` of a solution say of the vectors of one order, with what its book knows."""
     book = book.at(order)
     task, unit = book.task, book.task.length_unit
-    own = {point: NamedVector(Name(book.letter, point), book.exact(point) * unit) for point in task.now.z}
+    own = {point: Arrow(Name(book.letter, point), book.exact(point) * unit) for point in task.now.z}
     for point, known in book.vectors.items():
         if len(known) == 1 and known[0].name.kind == "parameter" and known[0].point == point:
-            own[point] = NamedVector(known[0].name, own[point].vector)
+            own[point] = Arrow(known[0].name, own[point].vector)
     kind = "omega" if order == 1 else "epsilon"
     rates = {body: Name(kind, body) for body in task.scene.bodies}
     rates |= {body: as_stated(rates[body], rate.size) for body, rate in book.rates.items()}
@@ -38,27 +38,27 @@ def point_vectors(book: Book, steps: Iterable[Step], order: int) -> PointVectors
     return PointVectors(own, rates, frozenset(point for point, _ in book.relative), tuple(found))
 
 
-def _equation(book: Book, own: dict[str, NamedVector], line: VectorLine) -> VectorEquation:
+def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> PointEquation:
     """A vector equation with its vectors; those of another point than that which it is about are one."""
     point = line.left[0].point if len(line.left) == 1 else line.right[-1].point
     vectors = _vectors(book, own, line)
 
-    def arrows(side: Sequence[Term]) -> Iterable[NamedVector]:
+    def arrows(side: Sequence[Term]) -> Iterable[Arrow]:
         """The terms of a side as arrows."""
         for other, group in groupby(side, lambda term: term.point):
             if other != point:
                 yield own[other]
             else:
-                yield from (NamedVector(term.name, vectors[term.name], term.size is None, _way(term)) for term in group)
+                yield from (Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in group)
 
-    return VectorEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)))
+    return PointEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)))
 
 
 def _way(term: Term) -> complex:
     return cmath.rect(1.0, math.radians(term.angle.exact))
 
 
-def _vectors(book: Book, own: dict[str, NamedVector], line: VectorLine) -> dict[Name, complex]:
+def _vectors(book: Book, own: dict[str, Arrow], line: VectorLine) -> dict[Name, complex]:
     """The vectors of an equation (SI) by name; what is not known of them closes it."""
     vectors: dict[Name, complex] = {}
     unknown: list[tuple[Name, complex, int]] = []
@@ -84,8 +84,8 @@ def _vectors(book: Book, own: dict[str, NamedVector], line: VectorLine) -> dict[
 
 
 def _turning(
-    book: Book, own: dict[str, NamedVector], found: Sequence[VectorEquation], derived: set[Name | None]
-) -> Iterable[VectorEquation]:
+    book: Book, own: dict[str, Arrow], found: Sequence[PointEquation], derived: set[Name | None]
+) -> Iterable[PointEquation]:
     """Normal and tangential acceleration of one point of each body on a fixed axis where no equation shows them.
 
     Only what is ``derived`` in the solution.
@@ -105,7 +105,7 @@ def _turning(
     # First the points whose accelerations are terms of equations.
     for point, known in sorted(book.acceleration.items(), key=lambda item: own[item[0]].name not in named):
         parts = tuple(
-            NamedVector(term.name, term.size.exact * task.length_unit * _way(term))
+            Arrow(term.name, term.size.exact * task.length_unit * _way(term))
             for term in known
             if term.size is not None and _is_own(term.name) and term.name in derived
         )
@@ -113,7 +113,7 @@ def _turning(
         repeated = task.translating.issuperset(task.linkage.owners(point))
         if parts and axis(point) not in shown and not repeated:
             shown.add(axis(point))
-            yield VectorEquation(point, (own[point],), parts)
+            yield PointEquation(point, (own[point],), parts)
 
 
 def _is_own(name: Name) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.mechanism.drivers.circling import Circling
 
 
@@ -13,12 +13,12 @@ def tell(alt_text: AltText, items: Sequence[Circling]) -> list[str]:
     return []
 
 
-def arrows(alt_text: AltText, driver: Circling) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: Circling) -> list[RateArrow]:
     """Relative velocity and, where accelerations are asked, tangential relative acceleration."""
     board = alt_text.board
     sense = float(board.frame.sense)
     tangent = 1j * sense * (alt_text.at(driver.point) - alt_text.at(driver.centre))
-    found: list[Arrow] = []
+    found: list[RateArrow] = []
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:
             words = {"centre": alt_text.name(driver.centre), "sense": alt_text.sense(sense * rate)}

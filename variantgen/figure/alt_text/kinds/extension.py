@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.figure.arrows import directed
 from variantgen.mechanism.drivers.extension import Extension
 
@@ -16,11 +16,11 @@ def tell(alt_text: AltText, items: Sequence[Extension]) -> list[str]:
     ]
 
 
-def arrows(alt_text: AltText, driver: Extension) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: Extension) -> list[RateArrow]:
     """The rate of the length and, where accelerations are asked, its own rate: arrows along the cylinder."""
     board = alt_text.board
     step = alt_text.at(driver.end) - alt_text.at(driver.start)
-    found: list[Arrow] = []
+    found: list[RateArrow] = []
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:
             target = driver.end if rate > 0 else driver.start

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.figure.arrows import directed
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 
@@ -14,11 +14,11 @@ def tell(alt_text: AltText, items: Sequence[RelativeTravel]) -> list[str]:
     return []
 
 
-def arrows(alt_text: AltText, driver: RelativeTravel) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: RelativeTravel) -> list[RateArrow]:
     """Relative velocity and, where accelerations are asked, relative acceleration."""
     board = alt_text.board
     step = alt_text.at(driver.along[1]) - alt_text.at(driver.along[0])
-    found: list[Arrow] = []
+    found: list[RateArrow] = []
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:
             ahead, symbol = directed(rate, step), board.rate(driver, kind)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import to_plain
 
@@ -14,7 +14,7 @@ def tell(alt_text: AltText, items: Sequence[Rotation]) -> list[str]:
     return []
 
 
-def arrows(alt_text: AltText, driver: Rotation) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: Rotation) -> list[RateArrow]:
     """The angular velocity and, where accelerations are asked, the angular acceleration."""
     board = alt_text.board
     rates = [("omega", float(driver.omega))]
@@ -26,7 +26,7 @@ def arrows(alt_text: AltText, driver: Rotation) -> list[Arrow]:
         symbol = board.rate(driver, kind) if rate else None
         if symbol is not None:
             name, sense = to_plain(symbol), alt_text.sense(float(board.frame.sense) * rate)
-            found.append(Arrow(alt_text.say("rotation", symbol=name, sense=sense, where=where), name))
+            found.append(RateArrow(alt_text.say("rotation", symbol=name, sense=sense, where=where), name))
     return found
 
 

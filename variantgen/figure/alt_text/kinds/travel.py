@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.figure.arrows import directed
 from variantgen.mechanism.drivers.travel import Travel
 
@@ -14,11 +14,11 @@ def tell(alt_text: AltText, items: Sequence[Travel]) -> list[str]:
     return []
 
 
-def arrows(alt_text: AltText, driver: Travel) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: Travel) -> list[RateArrow]:
     """Velocity and, where accelerations are asked, acceleration."""
     board = alt_text.board
     way = alt_text.heading(driver.angle)
-    found: list[Arrow] = []
+    found: list[RateArrow] = []
     for kind, rate in (("v", float(driver.v)), ("a", float(driver.a) if board.accelerations else 0.0)):
         if rate:
             ahead = directed(rate, way)

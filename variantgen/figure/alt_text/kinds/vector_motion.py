@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.alt_text.alt_text import AltText, Arrow
+from variantgen.figure.alt_text.alt_text import AltText, RateArrow
 from variantgen.figure.arrows import directed
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 
@@ -14,13 +14,13 @@ def tell(alt_text: AltText, items: Sequence[VectorMotion]) -> list[str]:
     return []
 
 
-def arrows(alt_text: AltText, driver: VectorMotion) -> list[Arrow]:
+def arrows(alt_text: AltText, driver: VectorMotion) -> list[RateArrow]:
     """Velocity and, where accelerations are asked, acceleration, each in its direction."""
     board = alt_text.board
     rates = [("v", float(driver.v), driver.angle)]
     if board.accelerations:
         rates.append(("a", float(driver.a), driver.a_angle))
-    found: list[Arrow] = []
+    found: list[RateArrow] = []
     for kind, rate, angle in rates:
         if rate:
             ahead = directed(rate, alt_text.heading(angle))
