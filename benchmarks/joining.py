@@ -28,6 +28,7 @@ from variantgen.outputs.documents.solution_data import solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.join import join_pdfs
 from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
 
 TITLE = "Joining PDFs"
 SIZES = (100, 500, 2000)  # students; solutions of the first two
@@ -53,10 +54,10 @@ def parts_of(folder: Path, count: int) -> dict[str, list[Path]]:
         for start in range(0, count, STUDENTS_PER_PART):
             content = Content(exam, sheets[start : start + STUDENTS_PER_PART])
             for kind, standards in ((SHEETS, ()), (TAGGED, ("ua-1",))):
-                data = sheets_data(content)
+                data = sheets_data(content, TYPST)
                 put(kind, engine.compile("sheets.typ", data, tagged=kind == TAGGED, standards=standards))
             for number in range(len(content.sheets)):
-                data = solutions_data(content, number)
+                data = solutions_data(content, number, TYPST)
                 put(SOLUTIONS, engine.compile("solutions.typ", data, tagged=True, standards=("ua-1",)))
     return found
 

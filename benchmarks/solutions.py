@@ -17,6 +17,7 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -79,10 +80,10 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
         with clock.measuring(FIGURES):
             figures.draw(view_order(text))
         with clock.measuring(DATA):
-            solved = SolvedProblem(item.variant, posed.statement, text, figures.rows(), figures.numbers)
-            made.append(problem_data(solved, language, TYPST, known))
+            problem = SolvedProblem(item.variant, posed.statement, text, figures.rows(), figures.numbers)
+            made.append(problem_data(problem, language, TYPST, known))
     with clock.measuring(JSON):
-        json.dumps(made, ensure_ascii=False, separators=(",", ":"))
+        json.dumps(made, ensure_ascii=False, separators=(",", ":"), default=attrgetter("alt"))
 
 
 def typesetting_cost(exam: Path, students: int) -> Clock:

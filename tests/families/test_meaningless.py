@@ -151,9 +151,13 @@ def show_ladder(page: Path, phi: str, gamma: str) -> int:
     return main(["show", "ladder", "--form", "oblique", *settings, "--out", str(page)])
 
 
-def test_a_wall_that_nearly_lies_on_the_floor_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("gamma", ["0.0000001", "0.000001", "0.0001"])
+def test_a_wall_that_nearly_lies_on_the_floor_is_drawn(
+    gamma: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The corner is up to 2 million km away: the ladder's coordinates are rounded to half a micrometre."""
     page = tmp_path / "page.svg"
-    assert show_ladder(page, "45", "0.0000001") == 0, capsys.readouterr().err
+    assert show_ladder(page, "45", gamma) == 0, capsys.readouterr().err
     assert "</svg>" in page.read_text("utf-8")
 
 

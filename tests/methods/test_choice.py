@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from tests.methods.applying import APPLYING
-from tests.methods.forms import FORMS, IDS, tasks
+from tests.methods.forms import FORMS, IDS, tasks, variants
 from variantgen.errors import InputError
+from variantgen.families.asking import read_ask
 from variantgen.families.method_names import METHODS
 from variantgen.methods.choice import Choice, applicable, choose
+from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.method_style import MethodStyle
 
 
@@ -18,6 +20,17 @@ def test_what_applies(name: str, form: str) -> None:
     expected = {method for method, forms in APPLYING.items() if (name, form) in forms}
     assert applicable(task) == sorted(expected)
     assert set(METHODS) == set(APPLYING)
+
+
+@pytest.mark.parametrize("asked", ["mu_OA", "P_OA.O", "Q_OA.O"])
+@pytest.mark.parametrize(
+    ("name", "form"), [("quick_return_shaper", ""), ("slotted_rocker", "swinging"), ("slotted_rocker", "rotating")]
+)
+def test_where_only_the_pole_would_be_drawn_there_is_no_graphical_method(name: str, form: str, asked: str) -> None:
+    """A crank whose rates are given: no point that moves is needed for the answer."""
+    ((variant, *_), motion) = variants(name, form, 1)
+    task = task_of(variant, motion, 0, read_ask(variant.form, [asked]))
+    assert applicable(task) == ["analytical", "coordinates", "relative_motion"]
 
 
 def first(name: str, form: str = "") -> object:

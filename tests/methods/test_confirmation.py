@@ -103,7 +103,7 @@ DAMAGES = [
     ("slider_crank", "offset", "coordinates", "v", sign),
     ("slider_crank", "offset", "graphical", "v A", other_arm),
     ("slider_crank", "offset", "graphical", "a n", without_square),
-    ("falling_rod", "", "acceleration_pole", "parameter", factor),
+    ("falling_rod", "", "analytical", "parameter", factor),
 ]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
+import re
 
 import pytest
 
@@ -13,9 +14,13 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.mechanism.component import discover
 from variantgen.methods.agreement import AGREES, deviation
+from variantgen.methods.compose import solution
 from variantgen.methods.coordinates import coordinates
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, LinearSystem
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.explain import written
+from variantgen.wording.solution.plain import plain_solution
 
 SEEDS = 2
 JOINTS, DRIVERS = (discover(f"variantgen.mechanism.{folder}") for folder in ("joints", "drivers"))
@@ -74,6 +79,16 @@ def test_zero_terms_are_left_out() -> None:
         for name in names
         if name is not None and name.of == "B" and name.kind in ("x", "y") and _across(item, name)
     ]
+
+
+def test_a_coordinate_that_follows_from_no_data_is_written_once() -> None:
+    """The guide of the ram is where the drawing has room: y_G = -14.25 cm, not -14.249999999999998 = -14.25 cm."""
+    language = load_language("en")
+    for item in tasks("quick_return_shaper", "", 8):
+        lines = plain_solution(written(item, solution(item, ["coordinates"]), language, False), language).splitlines()
+        (free, known) = sorted((line.strip() for line in lines if re.match(r" *[xy]_G = ", line)), key=len)
+        assert re.fullmatch(r"[xy]_G = \N{MINUS SIGN}?\d+(\.\d{1,4})?\N{NO-BREAK SPACE}cm", free)
+        assert "OC" in known
 
 
 def _across(item: object, name: Name) -> bool:

@@ -15,6 +15,7 @@ import pytest
 
 from tests.solved_cases import case_of, task
 from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
 from variantgen.families.family import Form
 from variantgen.families.load import family_names, load_family, parse_family
@@ -256,5 +257,6 @@ def test_the_sine_rule_of_the_slider_crank() -> None:
     variant = Variant(family, form, printed)
     geometry = Geometry(task_of(variant, solve_variants([variant], 1), 0, ()))
     assert geometry.direction("A", "B").exact == pytest.approx(-math.degrees(math.asin(20 * 0.5 / 80)), rel=1e-14)
-    assert len(geometry.items) == 1  # OA sin phi / AB in one line, no coordinates
+    # The corner by OA sin phi / AB and the direction by it, no coordinates.
+    assert [item.value.name for item in geometry.items] == [Name("angle", "B", "A O"), Name("direction", "A", "B")]
     assert geometry.length("O", "B").exact == pytest.approx(10 * math.sqrt(3) + math.sqrt(80**2 - 10**2), rel=1e-14)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 from itertools import pairwise
 from typing import ClassVar
@@ -202,7 +203,8 @@ def recomputed(line: FormulaLine) -> int:
     assert isinstance(last, Measured)
     result = float(last.number.text.replace("−", "-"))
     unit = TENTH if last.unit.parts == (("mm", 1),) else fourth_digit(result)
-    numbers = [to_plain(piece) for piece in pieces[2:]]
+    # A law may come down to a symbol, as the tangential acceleration of a wheel to that of its axle: that is no number.
+    numbers = [text for text in map(to_plain, pieces[2:]) if not re.fullmatch(r"[av][_^]\S+", text)]
     for text in numbers:
         assert abs(evaluate(text, {}, ".") - result) <= unit * (1 + 1e-9), text
     return len(numbers)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from tests.calculator import last_unit
 from tests.methods.applying import cases
 from tests.methods.forms import variants
-from tests.wording.solution.test_recomputed import Reader, known_data
+from tests.wording.solution.test_recomputed import DIGITS, Reader, known_data, number_of
 from variantgen.families.asking import read_ask
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.wording.formula import Measured, to_plain
@@ -26,8 +27,9 @@ def results(section: Section) -> list[FormulaLine]:
 
 def note(reader: Reader, line: FormulaLine) -> None:
     """Take a printed number as known: how the position is found has its own test."""
-    text = line.pieces[-1][1].number.text.replace("−", "-").replace(reader.mark, ".")
-    reader.known[to_plain(line.pieces[0][1])] = float(text)
+    number, name = line.pieces[-1][1].number.text, to_plain(line.pieces[0][1])
+    reader.known[name] = number_of(number, reader.mark)
+    reader.halves[name] = last_unit(number, reader.mark, DIGITS) / 2
 
 
 @pytest.mark.parametrize(("name", "form", "method"), CASES, ids=IDS)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import cos, radians, sqrt
+from math import acos, cos, degrees, radians, sqrt
 
 import pytest
 
@@ -30,7 +30,10 @@ def solved(family: str, case: str, names: tuple[str, ...], **changed: float) -> 
 def angles(book: Book) -> list[list[float]]:
     """The angles of the two velocities with the line of their points, equation by equation."""
     lines = [item for step in book.steps for item in step.items if isinstance(item, Projection)]
-    return [[share.angle.exact for share in (*line.left, *line.right) if share.angle] for line in lines]
+    return [
+        [degrees(acos(share.factor.number(True))) for share in (*line.left, *line.right) if share.factor]
+        for line in lines
+    ]
 
 
 def test_example_23() -> None:

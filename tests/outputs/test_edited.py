@@ -181,7 +181,7 @@ def test_an_interruption_of_the_change_loses_nothing(
 def test_what_comes_while_the_output_is_made(tmp_path: Path) -> None:
     """A folder that appears meanwhile is not replaced."""
     out = tmp_path / "out"
-    with pytest.raises(Exception, match="exists"), whole_folder(out, False, known_files(), []) as work:
+    with pytest.raises(Exception, match="exists"), whole_folder(out, False, known_files, []) as work:
         (work / "key.csv").write_text("ours")
         out.mkdir()
         (out / "key.csv").write_text("theirs")

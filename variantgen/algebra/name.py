@@ -13,13 +13,13 @@ class Name(NamedTuple):
     """The name of a quantity of a solution, apart from its symbol in a language.
 
     ``kind``: ``v a omega epsilon``, ``x y`` (coordinates), ``length`` (of a segment), ``angle`` (a corner of a
-    triangle), ``direction`` (the angle of a ray with the x axis), ``parameter``, ``radius``. ``of`` is the point,
-    the body or the first point of a segment; ``about`` the pole (v_BA), the second point, or the number of a
-    further radius of a body; ``part``: words from ``n tau rel tr cor`` and AXES (such as ``rel tau``), or ``centre``
-    where the second point of a segment is the velocity (P) or acceleration centre (Q) of the body ``body``. An
-    ``angle`` has its vertex at ``of`` and the points ``about`` on its sides (``"B P"``); ``part`` tells which is
-    such a centre: ``centre`` the second of them, ``vertex`` the vertex. ``mu`` is the angle between accelerations
-    of a body and the rays to Q.
+    triangle), ``inclination`` (a further angle, by its letter), ``direction`` (the angle of a ray with the x axis),
+    ``parameter``, ``radius``. ``of`` is the point, the body or the first point of a segment; ``about`` the pole
+    (v_BA), the second point, or the number of a further radius of a body; ``part``: words from ``n tau rel tr cor`` and
+    AXES (such as ``rel tau``), or ``centre`` where the second point of a segment is the velocity (P) or acceleration
+    centre (Q) of the body ``body``. An ``angle`` has its vertex at ``of`` and the points ``about`` on its sides
+    (``"B P"``); ``part`` tells which is such a centre: ``centre`` the second of them, ``vertex`` the vertex. ``mu`` is
+    the angle between accelerations of a body and the rays to Q.
 
     In graphical solutions: ``drawn`` is the length on paper of a vector with that index (``body``: ``v``, ``a``) or of
     a segment (``l``), ``scale`` the scale of a plan (``of``: ``v``, ``a``, ``l``), ``pole`` its pole (``of`` is the

@@ -86,7 +86,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
         _check_ceiling(sheets, ceiling)
     notes: list[str] = []
     renewed: set[str] = set()
-    with whole_folder(folder, True, _EVERYTHING, notes, renewed) as work:
+    with whole_folder(folder, True, lambda: _EVERYTHING, notes, renewed) as work:
         fresh, parts = work / ".fresh", work / ".parts"
         fresh.mkdir()
         parts.mkdir()

@@ -184,7 +184,7 @@ class PrintedNumbers:
 
     def _projections(self, side: float, share: Share) -> list[complex]:
         """What stands in a projected equation, with the sign of its side."""
-        cosine = 1.0 if share.angle is None else math.cos(math.radians(share.angle.exact))
+        cosine = 1.0 if share.factor is None else share.factor.number(True)
         sizes = [(vector / _vector(1.0, share.term)).real for vector in self._meant(share.term)]
         return [complex(side * share.sign * size * cosine) for size in sizes]
 

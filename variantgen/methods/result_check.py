@@ -10,10 +10,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from variantgen.algebra.expression import Constant, Value, cos
+from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order
 from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.steps.step import (
     Balance,
     Body,
@@ -101,7 +102,7 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     if terms[0].size is terms[1].size or terms[0].angle.exact == terms[1].angle.exact:
         return []
     axis = book.geometry.direction(first, second)
-    found = [share_of(term, axis) for term in terms]
+    found = [None if share is None else renamed(book, share) for share in (share_of(term, axis) for term in terms)]
     if any(share is None for share in found):
         return []
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
@@ -114,14 +115,14 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
 
 def _is_new(book: Book, value: Value) -> bool:
     """Whether a value is a corner of a triangle that no step has needed: the directions here follow from it."""
-    return value.name is not None and value.name.kind == "angle" and value.name not in book.values
+    return value.name is not None and value.name.part in ("centre", "vertex") and value.name not in book.values
 
 
 def _projection(share: Share) -> Value:
     """The projection of a vector as a value with its arithmetic."""
     size = share.term.size
     assert size is not None
-    expression = size if share.angle is None else size * cos(share.angle)
+    expression = share.size
     if share.sign < 0:
         expression = -expression
     name = Name("projection", share.term.name.of, share.term.name.about, share.term.name.part, share.term.name.kind)

@@ -82,8 +82,8 @@ def write_gallery(wanted: GalleryRequest, out: Path, force: bool = False) -> int
     families = [family for family in wanted.families if not wanted.nice or family.nice_forms]
     if not families:
         raise InputError(no_nice_forms(wanted.families[0]))
-    check_free(out, force, FILES)
-    with whole_folder(out, force, FILES) as folder:
+    check_free(out, force, lambda: FILES)
+    with whole_folder(out, force, lambda: FILES) as folder:
         shown = [(family, _rows(wanted, family, language)) for family in families]
         every = [example for _, rows in shown for row in rows for example in row.examples]
         (folder / "figures").mkdir()

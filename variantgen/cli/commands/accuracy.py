@@ -31,9 +31,9 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.outputs.files.folder import check_free, whole_folder
 
     need_matplotlib()
-    check_free(arguments.out, arguments.force, FILES)
+    check_free(arguments.out, arguments.force, lambda: FILES)
     measured = measure(QUICK if arguments.quick else FULL, tell)
-    with whole_folder(arguments.out, arguments.force, FILES) as folder:
+    with whole_folder(arguments.out, arguments.force, lambda: FILES) as folder:
         write(measured, folder)
     for finding in findings(measured):
         say(finding)

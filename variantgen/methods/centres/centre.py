@@ -9,15 +9,17 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value, cos, sin
 from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angle_sums import difference
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.named_angles import by_name, note_sum
 from variantgen.methods.solution.rays import Centre, CentreRay
-from variantgen.methods.steps.step import Derived, Fact, NumberOf, Point, Segment
+from variantgen.methods.steps.step import Derived, Fact, Point
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
 SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
@@ -37,35 +39,16 @@ def named_place(book: Book, place: complex) -> str:
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 
-def difference(name: Name | None, first: Value, second: Value) -> Value:
-    """The angle between two directions, 0 to 180 degrees, as their difference.
-
-    Raises ArithmeticError where it is no difference of the two: a defect of the caller.
-    """
-    exact = between(first.exact, second.exact)
-    for sign in (1, -1):
-        turn = exact - sign * (first.exact - second.exact)
-        whole = round(turn / 360.0) * 360.0
-        if abs(turn - whole) < 1e-6:
-            parts: list[tuple[int, Expression]] = [(sign, first), (-sign, second)]
-            parts.sort(key=lambda part: -part[0])
-            parts += [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
-            return Value(name, "angle", exact, Total(tuple(parts)))
-    raise ArithmeticError("an angle between two directions is not their difference")
-
-
-def note_angle(book: Book, value: Value, symbolic: bool = False) -> Value:
-    """Show once how an angle is found: by the numbers of others that are only read off, or first in symbols."""
-    assert value.name is not None
-    if value.name not in book.values:
-        book.items.append(Derived(value, symbolic))
-        book.values[value.name] = value
-    return book.values[value.name]
-
-
-def say_rays(book: Book, rays: Mapping[Segment, Value]) -> None:
-    """Say the directions of rays, from which the angles between them follow."""
-    book.say("centre.rays", True, rays=tuple(rays), angles=tuple(NumberOf(angle) for angle in rays.values()))
+def note_angle(book: Book, value: Value) -> Value:
+    """Show once how an angle is found."""
+    name = value.name
+    assert name is not None
+    if name not in book.values:
+        value = by_name(book, value)
+        book.items.append(Derived(value))
+        book.values[name] = value
+        note_sum(book, value)
+    return book.values[name]
 
 
 def is_angle(value: float, *others: float) -> bool:
@@ -154,8 +137,6 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
         "centre": centre.fact,
         "ray": centre.segment(base),
     }
-    if shape in (_ISOSCELES, _GENERAL):
-        say_rays(book, {centre.segment(base): ray.angle, Segment(base, mark): there})
     book.say(f"centre.{_SHAPES[shape]}", **facts)
     spread = difference(centre.corner(base, mark), ray.angle, there)
     if shape in (_ISOSCELES, _GENERAL):
@@ -170,8 +151,7 @@ def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool
     sign = min((1, -1), key=lambda s: abs(normal_angle(back.exact + s * corner.exact - goal)))
     angle = turned_by(centre.direction(point), back, sign, corner)
     if with_direction:
-        note_angle(book, corner, symbolic=True)
-        note_angle(book, angle)
+        note_angle(book, corner)
     return CentreRay(arm, angle)
 
 

@@ -12,7 +12,8 @@ from collections.abc import Iterator
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.algebra.name import Name
-from variantgen.methods.centres.centre import difference, is_angle, is_near, named_place, note_angle, say_rays
+from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle
+from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.rays import Centre, CentreRay
@@ -116,20 +117,16 @@ def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tup
     ways = geometry.direction(a, b), geometry.direction(b, a)
     at_a = difference(centre.corner(a, b), rays[0], ways[0])
     at_b = difference(centre.corner(b, a), rays[1], ways[1])
-    vertex = Constant(180.0, "angle") - at_a - at_b
-    at_p = Value(centre.vertex(a, b), "angle", vertex.number(True), vertex)
+    at_p = difference(centre.vertex(a, b), *rays)
+    if not is_short(angle_sum(at_p)):
+        rest = Constant(180.0, "angle") - at_a - at_b
+        at_p = Value(at_p.name, "angle", rest.number(True), rest)
     angles = (at_a, at_b, at_p)
     shape, needed, arms = next(case for case in _shapes(side, *angles) if case[0])
     facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
-    said: dict[Segment, Value] = {}
-    for angle, way, ray, (start, end) in zip((at_a, at_b), ways, rays, (ends, ends[::-1]), strict=True):
-        if angle in needed:
-            said |= {Segment(start, end): way, centre.segment(start): ray}
-    if said:
-        say_rays(book, said)
     book.say(f"perpendiculars.{shape}", True, **facts)
     for angle in needed:
-        note_angle(book, angle, symbolic=angle is at_p)
+        note_angle(book, angle)
     for point, arm, ray in zip(ends, arms, rays, strict=True):
         centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", arm), ray)
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import Value, cos
+from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
-from variantgen.methods.centres.centre import difference
+from variantgen.methods.geometry.angle_sums import difference
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
@@ -14,7 +14,7 @@ from variantgen.methods.vectors.contact_parts import enter_rate
 from variantgen.methods.vectors.natural_sum import ordered_sum, signed
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.vector_equation import share_of, shares
+from variantgen.methods.vectors.vector_equation import named_shares, share_of
 
 _NOTHING = 1e-10  # of the natural scale
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
@@ -69,19 +69,19 @@ def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     path = Term(path.name, None, way, path.way)
     book.say("projections.theorem", True, **facts)
     book.say("projections.same_sign", True, start=Point(start), end=Point(end), **facts)
-    first, second = shares(known, axis), _share(path, axis)
+    first, second = named_shares(book, known, axis), _share(path, axis)
     line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), first, (second,)))
-    speed = ordered_sum(signed(first))
-    size = book.derive(path.name, "velocity", speed if second.angle is None else speed / cos(second.angle))
+    speed, beside = ordered_sum(signed(first)), second.factor
+    size = book.derive(path.name, "velocity", speed if beside is None else speed / beside)
     book.velocity[point] = (Term(path.name, size, path.angle, path.way),)
 
 
 def _compare_across(book: Book, body: str, pole: str, point: str) -> None:
     """``omega = (v_B across - v_A across) / AB``, to the left of AB positive."""
     axis = Geometry.turned(book.geometry.direction(pole, point), 90.0)
-    at_pole = [(-sign, part) for sign, part in signed(shares(book.velocity[pole], axis))]
-    parts = [*signed(shares(book.velocity[point], axis)), *at_pole]
+    at_pole = [(-sign, part) for sign, part in signed(named_shares(book, book.velocity[pole], axis))]
+    parts = [*signed(named_shares(book, book.velocity[point], axis)), *at_pole]
     turning = sum(sign * part.number(True) for sign, part in parts)
     sense = 0 if abs(turning) <= _NOTHING * book.scale else 1 if turning > 0 else -1
     if sense:

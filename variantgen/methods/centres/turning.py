@@ -12,7 +12,7 @@ from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.vectors.turning_speed import turning_speed
-from variantgen.methods.vectors.vector_equation import shares
+from variantgen.methods.vectors.vector_equation import named_shares
 
 
 def solve_pivoted_link(book: Book, group: PivotedLink) -> None:
@@ -37,7 +37,7 @@ def _tangential(book: Book, name: Name, terms: Known, ends: tuple[str, str], sen
         return None
     sought = across(book, name, None, ends, sense)
     book.say("known_points.tangential", vector=VectorOf(name))
-    size = book.derive(name, book.measure, sum_of(shares(terms, sought.angle)))
+    size = book.derive(name, book.measure, sum_of(named_shares(book, terms, sought.angle)))
     return Term(name, size, sought.angle, sought.way)
 
 

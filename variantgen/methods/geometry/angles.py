@@ -19,8 +19,9 @@ from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.linkage.time_laws import angle_law
 
-# A given angle or a law of time by its name, or the direction of the ray from one point to another.
-Atom: TypeAlias = "str | tuple[str, str]"
+# A given angle or a law of time by its name, the direction of the ray from one point to another, or a corner of a
+# triangle.
+Atom: TypeAlias = "str | tuple[str, str] | Value"
 
 _SAME = 1e-9  # degrees
 _ROUNDING = 1e-11  # degrees: some roundings of an angle in radians

@@ -14,7 +14,9 @@ from collections.abc import Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
+from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
+from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
@@ -22,11 +24,13 @@ from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
-from variantgen.methods.steps.step import Derived, Segment
+from variantgen.methods.steps.step import Derived, Point, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
+_SAME = 1e-7  # degrees within which two directions are one
 _X, _Y = AngleForm(), AngleForm((), 90.0)
+_LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # for angles without points
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
@@ -37,6 +41,8 @@ class Geometry(PositionLines):
         super().__init__(task)
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
+        self._corners: dict[tuple[str, frozenset[str]], Value] = {}
+        self._letters = 0  # given to angles
         self.unnamed_radii = UnnamedRadii()
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
@@ -58,7 +64,7 @@ class Geometry(PositionLines):
         """Whether a direction is given or worked out."""
         if (start, end) in self._directions or (end, start) in self._directions:
             return True
-        rays = [atom for atom, _ in self.form(start, end).parts if not isinstance(atom, str)]
+        rays = [atom for atom, _ in self.form(start, end).parts if isinstance(atom, tuple)]
         return all(set(ray) != {start, end} and self.has_direction(*ray) for ray in rays)
 
     def has_length(self, start: str, end: str) -> bool:
@@ -143,8 +149,8 @@ class Geometry(PositionLines):
             if self.is_drawn(start, end):
                 return self._drawn(name)
             return self._entered(name, "angle", self._worked_direction(start, end))
-        if len(form.parts) == 1 and form.constant % 180.0 == 0 and not isinstance(form.parts[0][0], str):
-            return self.turned(self.direction(*form.parts[0][0]), form.constant, name)
+        if len(form.parts) == 1 and form.constant % 180.0 == 0 and isinstance(ray := form.parts[0][0], tuple):
+            return self.turned(self.direction(*ray), form.constant, name)
         return self._given_direction(name, form)
 
     def _drawn(self, name: Name) -> Value:
@@ -177,7 +183,57 @@ class Geometry(PositionLines):
     def _worked_direction(self, low: str, high: str) -> Expression:
         place = self.places[high]
         own = place.direction(low) if low in place.neighbours() and not self.has_coordinates(low, high) else None
-        return own if own is not None else trigonometry.direction_of(self, self._triangle(low, high))
+        return own if own is not None else trigonometry.direction_of(self, self._triangle(low, high), (low, high))
+
+    # Corners of triangles.
+
+    def corner(self, vertex: str, first: str, second: str, expression: Expression) -> Expression:
+        """The angle of a triangle at a vertex, 0 to 180 degrees, with its line; a plain number needs none."""
+        if isinstance(expression, Constant) or {vertex, first, second} & set(self.task.form.figure.hidden):
+            return expression
+        key = (vertex, frozenset((first, second)))
+        if key not in self._corners:
+            self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
+        return self._corners[key]
+
+    def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
+        """The acute angle between a segment and a line that has no second point, under a letter of its own.
+
+        ``line`` is the key of the sentence that says which angle it is: ``guide``, ``horizontal``, ``vertical``.
+        """
+        if isinstance(expression, Constant) or {start, end} & set(self.task.form.figure.hidden):
+            return expression
+        name = self.letter()
+        self.say(f"inclination_{line}", False, angle=name, segment=Segment(start, end), point=Point(end))
+        return self._entered(name, "angle", expression)
+
+    def letter(self) -> Name:
+        """A Greek letter that stands for nothing yet; when they are used up, with a number."""
+        form = self.task.form
+        letters = [letter for letter in _LETTERS if letter not in {*form.parameters, *form.symbols.values()}]
+        self._letters += 1
+        number, place = divmod(self._letters - 1, len(letters))
+        return Name("inclination", letters[place], str(number) if number else "")
+
+    def ahead_on(self, start: str, form: AngleForm) -> str:
+        """A point of the figure that lies in a direction from another one as it is given, or nothing."""
+        hidden = self.task.form.figure.hidden
+        for name in self.places:
+            if name != start and name not in hidden and abs(self.vector(start, name)) > self.nothing:
+                found = self.data(start, name)
+                if found is not None and found.is_along(form) and between(self.number(found), self.number(form)) < 90:
+                    return name
+        return ""
+
+    def stated_angle(self, stated: object, way: complex) -> Value:
+        """The direction of a line that the family gives by an angle, to the side of ``way`` (paper)."""
+        if isinstance(stated, FamilyExpression):
+            form = self.on_bases(self.angles.on_paper(self.angles.read(stated)))
+            form = form if between(self.number(form), degrees(way)) < 90.0 else form.turned(180.0)
+            if form.parts and between(self.number(form), degrees(way)) < _SAME:
+                expression = self.angle(form)
+                return Value(None, "angle", expression.number(True), expression)
+        return Value(None, "angle", degrees(way))
 
     @staticmethod
     def turned(angle: Value, by: float, name: Name | None = None) -> Value:
@@ -197,16 +253,16 @@ class Geometry(PositionLines):
 
     def atom(self, atom: Atom) -> Value:
         """A given angle or the direction of a ray."""
+        if isinstance(atom, Value):
+            return atom
         return self._taken(self.angles.value(atom)) if isinstance(atom, str) else self.direction(*atom)
 
-    def without_numbers(self, form: AngleForm) -> AngleForm:
-        """A sum of angles with directions that are plain numbers, along an axis, counted as such."""
-        for atom, coefficient in form.parts:
-            if not isinstance(atom, str) and self.direction(*atom).expression is None:
-                value = self.direction(*atom)
-                if value.name is not None and value.name.kind == "direction":
-                    form = form.minus(AngleForm(((atom, coefficient),))).turned(coefficient * value.exact)
-        return form
+    def taken_apart(self, form: AngleForm) -> AngleForm:
+        """A sum of angles with directions taken apart into given angles, corners of triangles and numbers."""
+        found = AngleForm((), form.constant)
+        for atom, count in form.parts:
+            found = found.plus(angle_sum(self.atom(atom)), count)
+        return found
 
     def trigonometric(self, function: str, form: AngleForm) -> tuple[int, Expression | None]:
         """A cosine or sine: its sign and its expression, None for one; sign 0 for zero."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from variantgen.algebra.expression import Constant, Expression, Total
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.normal_form import summed
 from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
@@ -112,6 +112,8 @@ class Layout:
         return form.constant + sum(c * self._degrees(atom) for atom, c in form.parts)
 
     def _degrees(self, atom: Atom) -> float:
+        if isinstance(atom, Value):
+            return atom.exact
         return self.angles.value(atom).exact if isinstance(atom, str) else self.bearing(*atom)
 
     def is_nothing(self, length: Expression) -> bool:

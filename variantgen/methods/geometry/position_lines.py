@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.values import parts
 from variantgen.methods.geometry.layout import Layout
 from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.linkage.problem import Task
@@ -30,7 +31,7 @@ class PositionLines(Layout):
         """Add the lines of coordinates other than zero; what is a number already is written once."""
         for value in pair:
             if value.exact != 0:
-                plain = isinstance(value.expression, Constant)
+                plain = value.expression is None or not any(parts(value.expression))
                 self.items.append(Derived(value, symbolic=not plain, numeric=not plain))
 
     def say(self, key: str, detail: bool = True, /, **facts: Fact) -> None:

@@ -23,8 +23,8 @@ class Angular(Protocol):
     (:class:`variantgen.methods.geometry.geometry.Geometry`).
     """
 
-    def without_numbers(self, form: AngleForm) -> AngleForm:
-        """A form in which parts that are plain numbers are added to the constant."""
+    def taken_apart(self, form: AngleForm) -> AngleForm:
+        """A form in which directions are taken apart into given angles, corners of triangles and numbers."""
 
     def atom(self, atom: Atom) -> Value:
         """The value of a given angle or of the direction of a ray."""
@@ -35,13 +35,22 @@ class Angular(Protocol):
     def total(self, form: AngleForm) -> float:
         """The sum of the parts, whole turns with it."""
 
+    def corner(self, vertex: str, first: str, second: str, expression: Expression) -> Expression:
+        """The angle of a triangle at a vertex."""
+
+    def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
+        """The acute angle between a segment and a line."""
+
+    def ahead_on(self, start: str, form: AngleForm) -> str:
+        """A point that lies in a direction from another one, or nothing."""
+
     def is_nothing(self, length: Expression) -> bool:
         """Whether a length is zero but for rounding."""
 
 
 def angle_of(geometry: Angular, form: AngleForm, extra: Sequence[Signed] = ()) -> Expression:
     """A sum of angles and of further terms as an expression between -180 and 180 degrees."""
-    form = geometry.without_numbers(form)
+    form = geometry.taken_apart(form)
     terms = [*_terms(geometry, form), *extra]
     total = form.constant + sum(sign * term.number(True) for sign, term in terms)
     return _sum_of(terms, form.constant + 360.0 * round((normal_angle(total) - total) / 360.0))
@@ -77,7 +86,7 @@ def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Exp
         return 0, None
     if abs(other) < _NOTHING:
         return (1 if value > 0 else -1), None
-    sign, form = 1, geometry.without_numbers(form)
+    sign, form = 1, geometry.taken_apart(form)
     quarter = round(form.constant / 90.0)
     if abs(form.constant - 90.0 * quarter) < 1e-9:
         function, sign = _QUARTERS[function][quarter % 4]
@@ -106,7 +115,7 @@ def projected(geometry: Angular, function: str, legs: Iterable[Leg], axis: Angle
     return found
 
 
-def direction_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
+def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> Expression:
     """The direction of the sum of legs: that of a leg, turned by an angle of the triangle (arc tangent)."""
     axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
@@ -118,9 +127,16 @@ def direction_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
     if along == across:
         return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
     corner = Applied("arctan", Ratio(across, along))
-    if ahead > 0:
-        return angle_of(geometry, axis, ((left, corner),))
-    return angle_of(geometry, axis.turned(180.0), ((-left, corner),))
+    axis, left = (axis, left) if ahead > 0 else (axis.turned(180.0), -left)
+    start, end = ends
+    on_side = geometry.ahead_on(start, axis)
+    named: Expression = corner
+    if on_side:
+        named = geometry.corner(start, on_side, end, corner)
+    elif not axis.parts and axis.constant % 90.0 == 0:
+        line = "horizontal" if axis.constant % 180.0 == 0 else "vertical"
+        named = geometry.inclination(start, end, line, corner)
+    return angle_of(geometry, axis, ((left, named),))
 
 
 def length_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:

@@ -13,6 +13,7 @@ from itertools import accumulate
 
 from variantgen.methods.graphical.vector_chain import VectorChain, taken_apart
 from variantgen.methods.linkage.instant import Instant
+from variantgen.methods.steps.not_applicable import NotApplicableError
 
 MILLIMETRES = 0.8  # on paper, of one figure unit, where the paper does not ask for less
 ROOM = (64.0, 56.0)  # for a plan without its letters, width and height, mm
@@ -21,9 +22,14 @@ _SLACK = 1e-9  # of the room: rounding decides nothing
 
 
 def per_millimetre(places: Sequence[complex], room: tuple[float, float] = ROOM) -> Decimal:
-    """The value of one millimetre: the finest round scale at which all places find room (mm)."""
+    """The value of one millimetre: the finest round scale at which all places find room (mm).
+
+    Raises NotApplicableError where all places are one: nothing of a plan is drawn.
+    """
     x, y = [place.real for place in places], [place.imag for place in places]
     least = max((max(x) - min(x)) / room[0], (max(y) - min(y)) / room[1]) * (1 - _SLACK)
+    if not least:
+        raise NotApplicableError("a plan of one point has no scale")
     power = Decimal(10) ** math.floor(math.log10(least))
     return next(step * power for step in _STEPS if float(step * power) >= least).normalize()
 

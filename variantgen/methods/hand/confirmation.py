@@ -24,6 +24,8 @@ from variantgen.variants.variant import Variant
 
 _MOST = 64  # steps that are kept for variants to come
 _SAME_ANGLE = 1e-7  # radians
+_ROUNDING = 16 * float(np.finfo(float).eps)  # of a coordinate
+_NOTHING = 1e-12  # of the size: points of one place, but for rounding
 _OF_AXES = ("x", "y", "angle")
 
 
@@ -85,6 +87,7 @@ class _Batch:
         self._data, self._places = printed_data(self._form, variants), list(places)
         length = variants[0].family.length_unit
         self._right = [quantity.unit(length).from_si(quantity.value(motion)[self._places]) for quantity in asked]
+        self._shortest = _shortest(motion)[self._places]
         self._near = [self._tolerance(quantity, motion, length) for quantity in asked]
         self.left = list(range(len(variants)))
 
@@ -137,4 +140,17 @@ class _Batch:
             return np.where(value <= AGREES * scale, np.inf, np.degrees(_SAME_ANGLE) if quantity.is_angle else 0.0)
         if quantity.is_angle:
             return np.full(len(self._places), np.degrees(_SAME_ANGLE))
-        return np.asarray(quantity.unit(length).from_si(AGREES * scale))
+        far = size / self._shortest  # also a rate is of the smallest body, not of the size
+        agrees = np.maximum(AGREES, _ROUNDING * far * (far if quantity.is_rotation else 1.0))
+        return np.asarray(quantity.unit(length).from_si(agrees * scale))
+
+
+def _shortest(motion: Motion) -> Array:
+    """The extent of the smallest body (m), shape (N,): to it, the rounding of large coordinates is largest."""
+    found: Array = motion.length_scale()
+    least = _NOTHING * found
+    for points in motion.scene.bodies.values():
+        places = np.array([motion.z[point] for point in points])
+        extent = np.max(np.abs(places - places[0]), axis=0)
+        found = np.where(extent > least, np.minimum(found, extent), found)
+    return found

@@ -12,6 +12,7 @@ from typing import Protocol
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angles import AngleForm
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.rays import Centre
@@ -80,6 +81,7 @@ class Book:
     style: MethodStyle = field(default_factory=MethodStyle)
     centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
     carry: Callable[[Book, str, str, str], None] | None = None
+    named_angles: dict[AngleForm, Value] = field(default_factory=dict)  # sums of angles that have a name
 
     def __post_init__(self) -> None:
         self.geometry = Geometry(self.task)

@@ -16,15 +16,15 @@ from variantgen.methods.steps.step import (
     Fact,
     Item,
     Point,
-    Projection,
     Sentence,
     Step,
     VectorLine,
 )
 from variantgen.variants.printed_data import shown_points
 
-_RAYS = "centre.rays"  # the sentence that tells the angles of rays with an axis
-_OF_AXES = ("direction", "x", "y")  # kinds of names that mean something only with axes
+_OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean something only with axes
+# Sentences that say what the angle in the next line is.
+_OF_NEXT = ("position.drawn", *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")))
 
 
 def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
@@ -74,7 +74,7 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
     for item in items:
         if not isinstance(item, Derived) or item.value.name in needed:
             kept.append(item)
-        elif kept and isinstance(kept[-1], Sentence) and kept[-1].key == "position.drawn":
+        elif kept and isinstance(kept[-1], Sentence) and kept[-1].key in _OF_NEXT:
             kept.pop()
     return kept
 
@@ -112,8 +112,6 @@ def _reads(items: Iterable[Item], value: Value) -> bool:
 
 def _needs_axes(item: Item) -> bool:
     """Whether an item cannot be understood without axes."""
-    if isinstance(item, Projection) or (isinstance(item, Sentence) and item.key == _RAYS):
-        return True
     names = (value.name for value in _met(item) if value.name is not None)
     return any(name.kind in _OF_AXES or {"x", "y"} & set(name.part.split()) for name in names)
 

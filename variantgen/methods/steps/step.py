@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.expression import Applied, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -148,11 +148,26 @@ class TermTable:
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """The projection of a vector on an axis: ``sign * size * cos(angle)``; ``angle`` None is a zero angle."""
+    """The projection of a vector on an axis: ``sign * size * cos(angle)``; ``angle`` None is a zero angle.
+
+    ``function`` "sin" stands for the cosine of the angle to 90 degrees.
+    """
 
     sign: int
     term: Term
     angle: Value | None
+    function: str = "cos"
+
+    @property
+    def factor(self) -> Expression | None:
+        """What stands with the magnitude of the vector."""
+        return None if self.angle is None else Applied(self.function, self.angle)
+
+    @property
+    def size(self) -> Expression:
+        """The projection of a known vector without its sign."""
+        assert self.term.size is not None, "a known vector has a magnitude"
+        return self.term.size if self.angle is None else self.term.size * Applied(self.function, self.angle)
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from variantgen.algebra.expression import Expression, Total, Value, cos
+from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.contact import ContactSide, NoSlipContact
@@ -16,7 +16,7 @@ from variantgen.methods.steps.step import Body, CentreOf, Fact, Point, Sentence,
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
 from variantgen.methods.vectors.turning_speed import turning_speed
-from variantgen.methods.vectors.vector_equation import share_of, shares
+from variantgen.methods.vectors.vector_equation import named_shares, share_of
 
 _NOTHING = 1e-10  # of the natural scale
 Parts = list[tuple[int, Expression]]
@@ -135,9 +135,8 @@ def say_sum(book: Book, side: ContactSide) -> None:
 def centre_parts(book: Book, side: ContactSide) -> Parts:
     """The projections of the vectors of the centre on the line of the side."""
     parts: Parts = []
-    for share in shares(book.vectors[side.centre], side.axis(book)):
-        assert share.term.size is not None
-        parts.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
+    for share in named_shares(book, book.vectors[side.centre], side.axis(book)):
+        parts.append((share.sign, share.size))
     return parts
 
 
@@ -201,9 +200,8 @@ def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Part
     assert group.point_path is not None
     normal, path = on_path(book, group.point_path)
     axis = side.axis(book)
-    for share in shares(normal, axis):
-        assert share.term.size is not None
-        parts.append((-share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
+    for share in named_shares(book, normal, axis):
+        parts.append((-share.sign, share.size))
     exact = sum(sign * part.number(True) for sign, part in parts)
     if not parts or abs(exact) <= _NOTHING * book.size_of(book.measure):
         book.vectors[group.point] = normal
@@ -211,7 +209,7 @@ def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Part
     along = share_of(path, axis)
     assert along is not None, "the path of the centre is across the thread or tangent"
     whole = signed_sum(parts, 1 if exact > 0 else -1)
-    size = book.derive(path.name, book.measure, whole if along.angle is None else whole / cos(along.angle))
+    size = book.derive(path.name, book.measure, whole if along.factor is None else whole / along.factor)
     angle = path.angle if (exact > 0) == (along.sign > 0) else Geometry.turned(path.angle, 180.0)
     book.vectors[group.point] = (*normal, Term(path.name, size, angle, path.way))
     if normal and any(q.point == group.point and q.kind == book.letter for q in book.task.asked):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
@@ -14,10 +16,11 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.linkage import driven_body, driven_point
 from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
+from variantgen.methods.groups.group import PointPath
 from variantgen.methods.groups.route import Route
 from variantgen.methods.linkage.time_laws import law_behind
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
-from variantgen.methods.steps.step import Body, Fact, Point
+from variantgen.methods.steps.step import Body, Fact, Point, Term
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
 
@@ -48,8 +51,12 @@ def enter_given_motion(book: Book) -> None:
 def _enter_travel(book: Book, template: ComponentTemplate, point: str) -> None:
     """A given vector along a path; on a circle the given acceleration is the tangential one, the normal one follows."""
     point_path = Route(book).point_path(point)
-    if book.order == 1 or point_path is None or point_path.straight:
+    if point_path is None or point_path.straight:
         book.vectors[point] = _straight(book, template, point)
+        return
+    if book.order == 1:
+        found = _straight(book, template, point)
+        book.vectors[point] = tuple(replace(term, angle=_on_circle(book, point_path, term)) for term in found)
         return
     normal, path = on_path(book, point_path)
     rest = book.exact(point) - resultant(normal)
@@ -65,13 +72,21 @@ def _enter_travel(book: Book, template: ComponentTemplate, point: str) -> None:
     sum_up(book, point)
 
 
+def _on_circle(book: Book, point_path: PointPath, term: Term) -> Value:
+    """The direction of a given velocity, across the radius of the path."""
+    _, path = on_path(book, point_path)
+    ahead = abs(normal_angle(path.angle.exact - term.angle.exact)) < 90.0
+    return path.angle if ahead else Geometry.turned(path.angle, 180.0)
+
+
 def _straight(book: Book, template: ComponentTemplate, point: str) -> Known:
     """A given vector of a point: its magnitude by the data, its direction as the figure shows it."""
     vector = book.exact(point)
     if abs(vector) <= _REST * book.scale:
         return ()
     size = amount(book, template, book.letter, book.measure)
-    angle = Value(None, "angle", degrees(vector))
+    key = "a_angle" if book.order == 2 and "a_angle" in template.fields else "angle"
+    angle = book.geometry.stated_angle(template.fields.get(key), vector)
     return (book.term(as_stated(Name(book.letter, point), size), size, angle, "given", point=Point(point)),)
 
 

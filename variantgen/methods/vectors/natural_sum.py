@@ -9,15 +9,16 @@ own.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, cos, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
+from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
-from variantgen.methods.vectors.vector_equation import shares
+from variantgen.methods.vectors.vector_equation import collected, shares
 
 _STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
 _NOTHING = 1e-9  # of the largest vector: a smaller sum is none
@@ -45,11 +46,7 @@ class _Axis:
 
 def signed(parts: Sequence[Share]) -> list[tuple[int, Expression]]:
     """Projections of known vectors as signs and expressions."""
-    found: list[tuple[int, Expression]] = []
-    for share in parts:
-        assert share.term.size is not None
-        found.append((share.sign, share.term.size if share.angle is None else share.term.size * cos(share.angle)))
-    return found
+    return collected([(share.sign, share) for share in parts])
 
 
 def ordered_sum(terms: Sequence[tuple[int, Expression]]) -> Expression:
@@ -66,6 +63,7 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
     if max(len(terms), 2) > _ONE_LINE and _oblique(terms, axes[0].angle):
         found = natural_components(book, name, terms, divisor)
         return book.derive(name, book.measure, hypotenuse([term.size for term in found if term.size is not None]))
+    axes = _named(book, axes)
     _say_lines(book, terms, axes)
     kept = _kept(book, terms, axes)
     if not kept:
@@ -77,7 +75,7 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
 
 def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Known:
     """The sum of known vectors as its components on natural axes, which keep their signs, with their lines."""
-    axes = _axes(terms)
+    axes = _named(book, _axes(terms))
     natural = axes[0].along is not None and axes[0].along.name.part.endswith("n")
     words = _NATURAL if natural else _OWN
     _say_axes(book, axes, "n_tau" if natural else "xi_eta")
@@ -115,6 +113,12 @@ def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
         second = Geometry.turned(best.angle, -90.0)
         other = _Axis(second, None, shares(terms, second))
     return first, other
+
+
+def _named(book: Book, axes: tuple[_Axis, _Axis]) -> tuple[_Axis, _Axis]:
+    """The axes with names for angles that are long sums."""
+    first, second = (replace(axis, parts=tuple(named(book, share) for share in axis.parts)) for axis in axes)
+    return first, second
 
 
 def _oblique(terms: Sequence[Term], axis: Value) -> int:

@@ -37,13 +37,16 @@ def line_angle(book: Book, point_path: PointPath) -> Value:
     """The angle of a straight path with the x axis: one of the data, or that of a side of a body along the path."""
     way = forward(point_path.line)
     exact = degrees(way)
+    for template, joint in zip(book.task.form.joints, book.task.scene.joints, strict=True):
+        if isinstance(joint, Guide) and joint.point == point_path.point:
+            return book.geometry.stated_angle(template.fields.get("angle"), way)
     if abs(exact - round(exact, _DATA_DIGITS)) < _ROUNDING:
         return Value(None, "angle", exact)
     if other := _side_along(book, point_path):
         angle = book.geometry.direction(point_path.point, other)
         ahead = (book.geometry.vector(point_path.point, other).conjugate() * way).real > 0
         return angle if ahead else Geometry.turned(angle, 180.0)
-    return Value(None, "angle", exact, Constant(exact))
+    return Value(None, "angle", exact, Constant(exact, "angle"))
 
 
 def _side_along(book: Book, point_path: PointPath) -> str | None:

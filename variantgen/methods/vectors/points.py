@@ -15,7 +15,7 @@ from variantgen.methods.vectors.directions import on_paper
 from variantgen.methods.vectors.midpoint import enter_midpoint, midpoint_ends
 from variantgen.methods.vectors.natural_sum import natural_components, natural_modulus, signed
 from variantgen.methods.vectors.turning_speed import is_same, turning_speed
-from variantgen.methods.vectors.vector_equation import shares, write
+from variantgen.methods.vectors.vector_equation import named_shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
 RIGHT = Value(None, "angle", 0.0)
@@ -37,6 +37,8 @@ def rotation(book: Book, point: str, pole: str, body: str, name: Name) -> Known:
         size = book.derive(name.component("n"), book.measure, normal)
         angle = book.geometry.direction(point, pole)
         found = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
+    elif name.about:
+        book.say("rates.no_normal", omega=Name("omega", body), vector=name.component("n"))
     return found + _across(book, name.component("tau"), book.epsilon[body], arm, (point, pole), body)
 
 
@@ -186,7 +188,7 @@ def components(book: Book, name: Name, terms: Sequence[Term]) -> Known:
     """The sum of known vectors by its projections on the axes x and y, which keep their signs."""
     found = []
     for axis, word in ((RIGHT, "x"), (UP, "y")):
-        parts = shares(terms, axis)
+        parts = named_shares(book, terms, axis)
         own = name.component(word)
         whole = sum_of(parts) if book.graphics is None else book.graphics.component(book, own, terms)
         size = book.derive(own, book.measure, whole)

@@ -100,6 +100,8 @@ def about_pole(book: Book, point: str, pole: str, body: str) -> tuple[Known, Ter
         size = book.derive(name.component("n"), "acceleration", rate.size**2 * book.geometry.length(point, pole))
         angle = book.geometry.direction(point, pole)
         known = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
+    elif name.about:
+        book.say("rates.no_normal", omega=Name("omega", body), vector=name.component("n"))
     return known, across(book, name.component("tau"), None, (point, pole), 1)
 
 

@@ -11,16 +11,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
-from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.groups.wanted import is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Known
-from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
+from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
+from variantgen.methods.vectors.coriolis import coriolis_of, say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import RIGHT, across, enter_sum, modulus, rotation, vector
@@ -136,7 +136,7 @@ def _sides(book: Book, group: SlidingPair) -> _Sides:
     else:
         sides.left = list(book.vectors[point])
     _add_transport(book, group, sides)
-    coriolis = _coriolis(book, group)
+    coriolis = coriolis_of(book, point, group.carrier)
     if book.order == 2:
         book.coriolis[point, group.carrier] = coriolis
     sides.right += coriolis
@@ -173,23 +173,6 @@ def _transport(term: Term) -> Term:
     if term.size is not None:
         term.size.name = name
     return Term(name, term.size, term.angle, term.way)
-
-
-def _coriolis(book: Book, group: SlidingPair) -> Known:
-    """The Coriolis acceleration, known once the velocities are."""
-    point, carrier = group.path.point, group.carrier
-    if book.order == 1:
-        return ()
-    rate = book.omega.get(carrier)
-    relative = book.relative[point, carrier]
-    if rate is None or not rate.sense or not relative:
-        return ()
-    name = Name("a", point, part="cor")
-    assert relative[0].size is not None
-    size = book.derive(name, "acceleration", Constant(2) * rate.size * relative[0].size)
-    book.say("relative.zhukovsky", vector=VectorOf(name), relative=VectorOf(relative[0].name), sense=Word(rate.word))
-    angle = Geometry.turned(relative[0].angle, 90.0 * rate.sense)
-    return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(relative[0].name)),)
 
 
 def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
@@ -251,6 +234,7 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
+    say_unneeded(book, point, carrier)
     _enter(book, group, sides, sizes)
 
 

@@ -11,7 +11,7 @@ import cmath
 import math
 from typing import NamedTuple
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.group import Support, ThirdClassGroup
@@ -32,7 +32,7 @@ from variantgen.methods.steps.step import (
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.pole import about_pole
-from variantgen.methods.vectors.vector_equation import AXES, share_of, shares, write
+from variantgen.methods.vectors.vector_equation import AXES, named_shares, share_of, write
 
 
 class SupportEquation(NamedTuple):
@@ -98,10 +98,10 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
     words = (Sentence("axes.across", {"vector": VectorOf(private.name), "axis": AxisOf(AXES[0])}),)
-    sides = shares((*own, private), axis), shares((*known, path, *turning, turn), axis)
+    sides = named_shares(book, (*own, private), axis), named_shares(book, (*known, path, *turning, turn), axis)
     book.items.append(Projection(words, sides[0], sides[1], axis, AXES[0]))
-    right = [(share.sign, _projection(share.term.size, share.angle)) for share in shares(own, axis)]
-    right += [(-share.sign, _projection(share.term.size, share.angle)) for share in shares((*known, *turning), axis)]
+    right = [(share.sign, share.size) for share in named_shares(book, own, axis)]
+    right += [(-share.sign, share.size) for share in named_shares(book, (*known, *turning), axis)]
     arm = book.geometry.length(support.point, pole)
     return SupportEquation(
         _coefficient(path, axis, None),
@@ -121,18 +121,13 @@ def _supported(book: Book, support: Support) -> tuple[Known, Term, Value]:
     return (*book.vectors[support.far], *turning), private, book.geometry.direction(support.point, support.far)
 
 
-def _projection(size: Value | None, angle: Value | None) -> Expression:
-    assert size is not None, "a known vector has a magnitude"
-    return size if angle is None else size * cos(angle)
-
-
 def _coefficient(term: Term, axis: Value, arm: Value | None) -> Value:
     """What stands with an unknown: the cosine of its angle with the axis, times the arm for a rate."""
     share = share_of(term, axis)
     measure = "number" if arm is None else "length"
     if share is None:
         return Value(None, measure, 0.0)
-    factors: list[Expression] = [item for item in (arm, None if share.angle is None else cos(share.angle)) if item]
+    factors: list[Expression] = [item for item in (arm, share.factor) if item]
     whole = factors[0] if factors else Constant(1.0)
     for factor in factors[1:]:
         whole = whole * factor

@@ -6,10 +6,12 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, cos
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angle_sums import acute
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, resultant
+from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.not_applicable import NotApplicableError
 from variantgen.methods.steps.step import (
     AxisOf,
@@ -108,7 +110,7 @@ def _projected(
     book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
-    sides = [shares(side, axis) for side in (left, right)]
+    sides = [named_shares(book, side, axis) for side in (left, right)]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
     for side, items in zip((-1, 1), sides, strict=True):
@@ -123,18 +125,50 @@ def _projected(
     known = [(flip * side * share.sign, share) for side, share in rest]
     words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
-    expression = _quotient([(sign, _share(share)) for sign, share in known], own.angle)
+    expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     return value
 
 
-def _quotient(parts: Sequence[tuple[int, Expression]], angle: Value | None) -> Expression:
+def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]]:
+    """Known projections with their signs as expressions; vectors at one angle with the axis are added first.
+
+    So collinear vectors are subtracted before they are projected: ``(220 - 121) cos 40.60``.
+    """
+    groups: list[list[tuple[int, Share]]] = []
+    for sign, share in known:
+        group = next((found for found in groups if _has_angle(share, found[0][1])), None)
+        groups.append([(sign, share)]) if group is None else group.append((sign, share))
+    found: list[tuple[int, Expression]] = []
+    for group in groups:
+        factor = group[0][1].factor
+        if len(group) == 1 or factor is None:
+            found += [(sign, _share(share)) for sign, share in group]
+            continue
+        sizes = [(sign, share.term.size) for sign, share in group if share.term.size is not None]
+        flip = 1 if sum(sign * size.exact for sign, size in sizes) >= 0 else -1
+        inner = sorted(((flip * sign, size) for sign, size in sizes), key=lambda term: -term[0])
+        found.append((flip, Total(tuple(inner)) * factor))
+    return found
+
+
+def _has_angle(first: Share, second: Share) -> bool:
+    """Whether two vectors make the same angle with the axis."""
+    if first.angle is None or second.angle is None:
+        return first.angle is second.angle
+    acute = [
+        abs(s.angle.exact - (90.0 if s.function == "sin" else 0.0)) for s in (first, second) if s.angle is not None
+    ]
+    return abs(acute[0] - acute[1]) < _PARALLEL
+
+
+def _quotient(parts: Sequence[tuple[int, Expression]], factor: Expression | None) -> Expression:
     """The sum of the parts over the cosine that stands with the unknown."""
     if not parts:
         return Constant(0.0)
     above: Expression = parts[0][1] if len(parts) == 1 and parts[0][0] > 0 else Total(tuple(parts))
-    return above if angle is None else above / cos(angle)
+    return above if factor is None else above / factor
 
 
 def _share(share: Share) -> Expression:
@@ -143,7 +177,7 @@ def _share(share: Share) -> Expression:
         raise NotApplicableError(
             f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}"
         )
-    return share.term.size if share.angle is None else share.term.size * cos(share.angle)
+    return share.size
 
 
 def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
@@ -158,28 +192,22 @@ def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
     return tuple(found)
 
 
+def named_shares(book: Book, terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
+    """The same, to be written: angles that are long sums have a name, with a line."""
+    return tuple(named(book, share) for share in shares(terms, axis))
+
+
 def share_of(term: Term, axis: Value) -> Share | None:
     """The projection of a vector on an axis; None for one across it."""
     angle = normal_angle(term.angle.exact - axis.exact)
     if abs(abs(angle) - 90.0) < _PERPENDICULAR:
         return None
     obtuse = abs(angle) > 90.0
-    acute = 180.0 - abs(angle) if obtuse else abs(angle)
-    if acute < _PARALLEL:
+    size = 180.0 - abs(angle) if obtuse else abs(angle)
+    if size < _PARALLEL:
         return Share(-1 if obtuse else 1, term, None)
-    return Share(-1 if obtuse else 1, term, _acute(term.angle, axis, acute))
-
-
-def _acute(direction: Value, axis: Value, acute: float) -> Value:
-    """The acute angle between a vector and an axis, as a difference of the two printed directions."""
-    for sign in (1, -1):
-        turn = acute - sign * (direction.exact - axis.exact)
-        whole = round(turn / 180.0) * 180.0
-        if abs(turn - whole) < 1e-6:
-            parts: list[tuple[int, Expression]] = [(sign, direction), (-sign, axis)]
-            parts += [(1 if whole > 0 else -1, Constant(abs(whole), "angle"))] if whole else []
-            return Value(None, "angle", acute, Total(tuple(parts)))
-    raise ArithmeticError("an angle between two directions is not their difference")
+    function, written = acute(term.angle, axis, size)
+    return Share(-1 if obtuse else 1, term, written, function)
 
 
 def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:

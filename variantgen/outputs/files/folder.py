@@ -8,7 +8,7 @@ import shutil
 import signal
 import tempfile
 import threading
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -19,6 +19,8 @@ from variantgen.outputs.files.edited import EDITED, file_hash, keep_edited
 
 _SINGLY = 100  # files that are brought to the disk one by one, at some 5 ms each; of more, all at once is sooner
 
+KnownFiles = Callable[[], Collection[str]]
+
 
 class WritingError(InputError):
     """The system refused to write: no room, no rights, no disk; or the place was taken in the meantime."""
@@ -26,11 +28,11 @@ class WritingError(InputError):
     may_pass = True
 
 
-def check_free(target: Path, force: bool, known: Collection[str]) -> None:
+def check_free(target: Path, force: bool, known: KnownFiles) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made.
 
-    ``known`` are the files of an output, which may be replaced: names or patterns like ``figures/*.svg`` (a star stands
-    for folders too).
+    ``known`` says the files of an output, which may be replaced: names or patterns like ``figures/*.svg`` (a star
+    stands for folders too). It is asked only where there is something to replace.
     """
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
@@ -38,7 +40,7 @@ def check_free(target: Path, force: bool, known: Collection[str]) -> None:
         remedy = "choose another, or --force replaces an earlier output"
         raise InputError(Problem("the output folder exists", key="--out", value=str(target), remedy=remedy))
     if target.exists():
-        foreign = list(_foreign(target, known))
+        foreign = list(_foreign(target, known()))
         if foreign or target.resolve() in (Path.cwd(), *Path.cwd().parents):
             remedy = "--force replaces only an empty folder or an earlier output; choose another folder"
             what = ", ".join(foreign[:3]) or "the working folder"
@@ -81,7 +83,7 @@ def file_hashes(folder: Path) -> dict[str, str]:
 def whole_folder(
     target: Path,
     force: bool,
-    known: Collection[str],
+    known: KnownFiles,
     notes: list[str] | None = None,
     renewed: Collection[str] | None = None,
 ) -> Iterator[Path]:
@@ -90,7 +92,7 @@ def whole_folder(
     An error, Ctrl-C or a termination signal removes it; if the process is killed outright, only a hidden folder
     ``.NAME.partial-*`` is left behind, which the next run removes. An earlier output that is being replaced keeps
     the name ``.NAME.replaced`` for the moment of the change; the next run ends the change if it was cut short.
-    ``known`` are the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
+    ``known`` says the files of an output (see :func:`check_free`). With ``notes``, for outputs that have a manifest,
     files that were edited are kept (see :func:`variantgen.outputs.files.edited.keep_edited`), and it is noted where;
     ``renewed``, which may be filled inside the block, are the only ones that the new folder does not have as they are.
     """
@@ -128,7 +130,7 @@ def _flush(folder: Path) -> None:
             os.fsync(file.fileno())
 
 
-def _check_still_free(target: Path, force: bool, known: Collection[str]) -> None:
+def _check_still_free(target: Path, force: bool, known: KnownFiles) -> None:
     """Raise WritingError if the target was taken since the work began: the work is not lost."""
     try:
         check_free(target, force, known)

@@ -37,6 +37,8 @@ from variantgen.wording.formula import (
 from variantgen.wording.language import Language
 from variantgen.wording.solution.quantity_symbols import Symbols
 
+_SHORT_SUM = 2  # terms
+
 
 class Formulas:
     """Writes the expressions of one variant in a language; ``units`` gives the name of the unit of a measure."""
@@ -78,8 +80,12 @@ class Formulas:
         return self.language.fixed(value.shown, places) if places > 0 else self.number(value.shown)
 
     def symbol(self, value: Value) -> Formula:
-        """The symbol of a value; one without a name is its number."""
-        return self.measured(value) if value.name is None else self.symbols.of(value.name)
+        """The symbol of a value; one without a name is its number, an angle the short sum that it is."""
+        if value.name is not None:
+            return self.symbols.of(value.name)
+        if value.measure == "angle" and value.expression is not None and _is_short(value.expression):
+            return self.symbolic(value.expression)
+        return self.measured(value)
 
     def symbolic(self, item: Expression) -> Formula:
         """An expression in symbols."""
@@ -130,6 +136,12 @@ class Formulas:
         for factor, plain in zip(factors, bare, strict=True):
             sign = sign if plain is factor else -sign
         return sign, self._written(Times(bare) if isinstance(term, Times) else bare[0], numbers)
+
+
+def _is_short(item: Expression) -> bool:
+    """Whether a sum of angles is short enough to be written in place of its number."""
+    terms = [term for _, term in item.terms] if isinstance(item, Total) else [item]
+    return len(terms) <= _SHORT_SUM and all(isinstance(term, Constant | Ratio | Times | Value) for term in terms)
 
 
 def without_sign(item: Expression) -> Expression:

@@ -51,6 +51,8 @@ class Symbols:
                 return Symbol(name.kind, (Index(name.of),))
             case "angle":
                 return self._corner(name)
+            case "inclination":
+                return Symbol(name.of, (Index(name.about),) if name.about else ())
             case "mu":
                 return Symbol("mu", self._body_index(name.of))
             case "length" | "direction":

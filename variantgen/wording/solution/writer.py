@@ -34,7 +34,6 @@ from variantgen.methods.steps.step import (
 )
 from variantgen.wording.formula import (
     Formula,
-    Function,
     Graph,
     Measured,
     Number,
@@ -245,9 +244,9 @@ class Writer:
 
     def _share(self, share: Share) -> Formula:
         size = self.symbols.of(share.term.name)
-        if share.angle is None:
+        if share.factor is None:
             return size
-        return Product((size, Function(self.phrases.functions["cos"], self.formulas.measured(share.angle))))
+        return Product((size, self.formulas.symbolic(share.factor)))
 
     def _equation(self, system: LinearSystem, row: int) -> FormulaLine:
         """A row of a linear system with its numbers: ``9.63 omega_2 - 37.91 omega_3 = -84.85``."""

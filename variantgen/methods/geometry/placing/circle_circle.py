@@ -38,7 +38,8 @@ class Derivation(ConstructedPoint):
         )
         to_third, here = geometry.vector(other, third), geometry.vector(other, self.point)
         side = 1 if (to_third.conjugate() * here).imag > 0 else -1
-        return geometry.angle(geometry.form(other, third), ((side, corner),))
+        named = geometry.corner(other, third, self.point, corner)
+        return geometry.angle(geometry.form(other, third), ((side, named),))
 
     def coordinates(self) -> Pair | None:
         """The solution of the equations of both circles, unless the direction of a link is known."""

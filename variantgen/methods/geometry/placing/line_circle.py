@@ -50,8 +50,17 @@ class Derivation(ConstructedPoint):
         sign, height = positive(summed(geometry.projected("sin", self._way(), line)))
         if geometry.is_nothing(height):
             return geometry.angle(base)
-        beta = Applied("arcsin", Ratio(height, geometry.length(other, self.point)))
+        beta = self._corner(Applied("arcsin", Ratio(height, geometry.length(other, self.point))))
         return geometry.angle(base, ((-sign if ahead else sign, beta),))
+
+    def _corner(self, beta: Expression) -> Expression:
+        """The angle of the link with the line: a corner of the triangle with a point of the line, or one by itself."""
+        start, centre = self.neighbours()
+        shown = start not in self.geometry.task.form.figure.hidden
+        ways = [self.geometry.vector(self.point, name) for name in (start, centre)]
+        if shown and len(self._way()) == 1 and (ways[0].conjugate() * ways[1]).real > 0:
+            return self.geometry.corner(self.point, centre, start, beta)
+        return self.geometry.inclination(centre, self.point, "guide", beta)
 
     def length(self, other: str) -> Expression:
         """The projections of the way and of the link on the line."""

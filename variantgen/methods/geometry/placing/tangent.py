@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.algebra.expression import Applied, Expression, Ratio
+from variantgen.algebra.expression import Applied, Constant, Expression, Ratio
 from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 
@@ -34,6 +34,5 @@ class Derivation(ConstructedPoint):
         if geometry.is_nothing(offset):
             return geometry.angle(line.turned(90.0 * side))
         corner = Applied("arccos", Ratio(offset, geometry.length(other, to)))
-        if sign > 0:
-            return geometry.angle(line, ((side, corner),))
-        return geometry.angle(line.turned(180.0), ((-side, corner),))
+        whole = corner if sign > 0 else Constant(180.0, "angle") - corner
+        return geometry.angle(line, ((side, geometry.corner(other, to, self.point, whole)),))

@@ -1,0 +1,228 @@
+"""How worked solutions read: length, digits, angles, senses, what is computed and not used; all forms, both languages.
+
+    python -m benchmarks.solution_texts [--seeds N] [--family NAME ...] [--against PATH]
+
+Prints Markdown tables and, run on the whole catalogue, writes them to ``benchmarks/solution_texts.md``. With
+``--against`` another checkout is measured by the same rules in the same run: its numbers stand before the arrows.
+Nothing here is a time; the numbers are the same on every machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from statistics import mean, median
+from typing import Any
+
+from variantgen.families.asking import read_ask
+from variantgen.families.load import family_names, load_family
+from variantgen.families.restrict import restrict
+from variantgen.methods.compose import solution
+from variantgen.methods.linkage.problem import task_of
+from variantgen.variants.draw import draw
+from variantgen.variants.variant import solve_variants
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.explain import written
+from variantgen.wording.solution.plain import plain_solution
+
+HERE = Path(__file__).resolve()
+LANGUAGES = ("en", "ru")
+LONGEST = 5  # significant digits of a decimal that is not too long
+COLUMNS = {
+    "characters": "characters of the text",
+    "numbers": "numbers in it",
+    "long": "decimals with more than five significant digits, %",
+    "given again": "angles worked out that are given",
+    "unknown": "vectors of unknown magnitude",
+    "minus": "of them with a negative magnitude, %",
+    "unused": "quantities worked out and not used",
+    "nearly": "lines with ≈",
+    "axis x": "texts that speak of the x axis, %",
+    "coordinates": "checks by the coordinate method, %",
+    "figures": "figures",
+}
+SHARES = {"long": "decimals", "minus": "unknown", "axis x": "", "coordinates": ""}  # of what; "" of the texts
+_NUMBER = re.compile(r"(?<![\w^,.])\d+(?:[.,]\d+)?")
+_X_AXIS = re.compile(r"\baxis\s+x\b|\bx[\s\N{NO-BREAK SPACE}]axis\b|\bос(?:ь|и|ью)[\s\N{NO-BREAK SPACE}]x\b")
+_COORDINATES = re.compile(r"coordinate\s+method|координатный\s+метод")
+_FREE = "ways.unknown"  # a vector that a sum gives: it has no direction beforehand
+_SAME = 1e-9
+
+
+def inside(item: Any) -> Iterator[Any]:
+    """All objects of an item of a solution, values without what they are computed from."""
+    yield item
+    if type(item).__name__ == "Value":
+        return
+    if isinstance(item, Mapping):
+        item = tuple(item.values())
+    parts = [getattr(item, field.name) for field in fields(item)] if is_dataclass(item) else item
+    if isinstance(parts, list | tuple):
+        for part in parts:
+            yield from inside(part)
+
+
+def values_in(item: Any) -> list[Any]:
+    """The values in an item or an expression."""
+    return [part for part in inside(item) if type(part).__name__ == "Value"]
+
+
+def one(variant: Any, motion: Any, index: int) -> dict[str, dict[str, float]]:
+    """What is counted in the solution of one variant, by language."""
+    asked = read_ask(variant.form)
+    task = task_of(variant, motion, index, asked)
+    found = solution(task)
+    counted = of_steps(found, [abs(float(variant.printed[name])) for name in angles_given(variant)])
+    return {name: counted | of_text(written(task, found, load_language(name)), name) for name in LANGUAGES}
+
+
+def angles_given(variant: Any) -> list[str]:
+    """The parameters that are angles."""
+    known = variant.form.parameters.items()
+    return [name for name, parameter in known if parameter.unit is not None and parameter.unit.name == "deg"]
+
+
+def of_steps(found: Any, given: Sequence[float]) -> dict[str, float]:
+    """What is counted in the steps themselves."""
+    items = [item for step in found.steps for item in step.items]
+    derived = [item.value for item in items if type(item).__name__ == "Derived"]
+    used = {name for name, _ in ((value.name, value) for _, value in found.answers)}
+    used |= {value.name for value in derived for value in values_in(value.expression)}
+    for item in (*items, *found.check):
+        if type(item).__name__ != "Derived":
+            used |= {value.name for value in values_in(item)}
+    answers = [abs(value.exact) for _, value in found.answers]
+    again = [value for value in derived if value.measure == "angle" and reproduces(value, given)]
+    free = {
+        term.name
+        for item in items
+        for term in inside(item)
+        if type(term).__name__ == "Term" and term.size is None and term.way.key != _FREE
+    }
+    sought = {value.name: value for value in derived if value.name in free}
+    unused = [v for v in derived if v.name not in used and not any(abs(abs(v.exact) - a) <= _SAME * a for a in answers)]
+    return {
+        "given again": len(again),
+        "unknown": len(sought),
+        "minus": sum(value.exact < 0 for value in sought.values()),
+        "unused": len(unused),
+        "figures": sum(len(step.views) for step in found.steps),
+    }
+
+
+def reproduces(value: Any, given: Sequence[float]) -> bool:
+    """Whether an angle is a sum of others that comes to one of those that are given."""
+    if type(value.expression).__name__ != "Total":
+        return False
+    return any(abs(abs(value.exact) - angle) <= _SAME * max(angle, 1.0) for angle in given)
+
+
+def of_text(text: Any, language: str) -> dict[str, float]:
+    """What is counted in the text of a solution."""
+    plain = plain_solution(text, load_language(language))
+    numbers = _NUMBER.findall(plain)
+    decimals = [number for number in numbers if re.search("[.,]", number)]
+    return {
+        "characters": len(plain),
+        "numbers": len(numbers),
+        "decimals": len(decimals),
+        "long": sum(len(re.sub("[.,]", "", number).lstrip("0")) > LONGEST for number in decimals),
+        "nearly": plain.count("≈"),
+        "axis x": bool(_X_AXIS.search(plain)),
+        "coordinates": bool(_COORDINATES.search(plain)),
+    }
+
+
+def rows(families: Sequence[str], seeds: int) -> dict[str, dict[str, float]]:
+    """The mean of each count by form and language; of shares the sums are kept too."""
+    found = {}
+    for name in families:
+        family = load_family(name)
+        for form in family.forms:
+            own = restrict(family, None, None, (form,) if form else ())
+            variants = draw(own, None, [("solution texts", i) for i in range(seeds)])
+            motion = solve_variants(variants, 2)
+            counted = [one(variant, motion, i) for i, variant in enumerate(variants)]
+            for language in LANGUAGES:
+                own_counts = [item[language] for item in counted]
+                means = {key: mean(item[key] for item in own_counts) for key in own_counts[0]}
+                found[f"{name} {form}".strip() + f", {language}"] = means
+    return found
+
+
+def of_checkout(path: Path, families: Sequence[str], seeds: int) -> dict[str, dict[str, float]]:
+    """The rows of another checkout, by this script in a process of its own."""
+    command = [sys.executable, "-P", str(HERE), "--rows", "--seeds", str(seeds), "--family", *families]
+    settings = {**os.environ, "PYTHONPATH": str(path.resolve())}
+    done = subprocess.run(command, check=True, capture_output=True, text=True, env=settings, cwd=path)
+    found: dict[str, dict[str, float]] = json.loads(done.stdout)
+    return found
+
+
+def shown(row: Mapping[str, float], key: str) -> float:
+    """A number of the table: shares in percent of what they are shares of."""
+    if key not in SHARES:
+        return row[key]
+    whole = row[SHARES[key]] if SHARES[key] else 1.0
+    return 100.0 * row[key] / whole if whole else 0.0
+
+
+def cell(values: Sequence[float]) -> str:
+    """One number, or two with an arrow between."""
+    return " → ".join(f"{value:.0f}" if value >= 100 else f"{value:.3g}" for value in values)
+
+
+def overall(table: Mapping[str, Mapping[str, float]], key: str) -> float:
+    """The share of a count in all texts together, or its mean."""
+    whole = SHARES.get(key, "")
+    sums = {name: sum(row[name] for row in table.values()) for name in {key, whole} - {""}}
+    if whole:
+        return 100.0 * sums[key] / sums[whole] if sums[whole] else 0.0
+    return sums[key] / len(table) * (100.0 if key in SHARES else 1.0)
+
+
+def document(tables: Sequence[Mapping[str, Mapping[str, float]]]) -> list[str]:
+    """The tables in Markdown: medians over the forms and means over all, and a line for each form and language."""
+    lines = ["| | median of the forms | all texts |", "|---|---|---|"]
+    for key, title in COLUMNS.items():
+        medians = [median(shown(row, key) for row in table.values()) for table in tables]
+        lines.append(f"| {title} | {cell(medians)} | {cell([overall(table, key) for table in tables])} |")
+    lines += ["", "| form | " + " | ".join(COLUMNS) + " |", "|---" * (len(COLUMNS) + 1) + "|"]
+    for name in tables[-1]:
+        cells = [cell([shown(table[name], key) for table in tables if name in table]) for key in COLUMNS]
+        lines.append(f"| {name} | {' | '.join(cells)} |")
+    return lines
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seeds", type=int, default=20, help="variants of every form")
+    parser.add_argument("--family", nargs="*", help="only these")
+    parser.add_argument("--against", type=Path, metavar="PATH", help="another checkout, measured before this one")
+    parser.add_argument("--rows", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    known = family_names()
+    families = [name for name in options.family or known if name in known]
+    if options.rows:
+        print(json.dumps(rows(families, options.seeds)))
+        return
+    before = [of_checkout(options.against, families, options.seeds)] if options.against else []
+    note = f"{options.seeds} variants of each form, English and Russian"
+    if before:
+        note += "; another checkout → this one"
+    title = f"# Worked solutions, how they read\n\n`python -m benchmarks.solution_texts`: {note}."
+    lines = [title, "", *document([*before, rows(families, options.seeds)])]
+    print(*lines, sep="\n")
+    if options.family is None:
+        HERE.with_suffix(".md").write_text("\n".join(lines) + "\n", "utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,41 @@
+"""The measures of worked solutions: what is counted as a number, a long decimal, a sum that gives a known angle."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+from benchmarks import solution_texts
+from variantgen.algebra.expression import Constant, Value
+from variantgen.wording.solution.document import Paragraph, Section, SolutionText
+
+
+def text_of(words: str) -> SolutionText:
+    return SolutionText((), (Section(("A",), (Paragraph((words,)),)),), ("no",))
+
+
+def test_numbers_and_long_decimals_are_counted() -> None:
+    counted = solution_texts.of_text(text_of("v_2 = 3.25 + 12 ≈ 15.2500001, the x axis, b^2"), "en")
+    assert counted["numbers"] == 3 + 1  # and that of the step
+    assert (counted["decimals"], counted["long"], counted["nearly"]) == (2, 1, 1)
+    assert counted["axis x"]
+    assert not counted["coordinates"]
+
+
+def test_a_sum_that_gives_a_known_angle() -> None:
+    corner = Constant(180.0, "angle") - Value(None, "angle", 120.0)
+    assert solution_texts.reproduces(Value(None, "angle", 60.0, corner), [60.0])
+    assert not solution_texts.reproduces(Value(None, "angle", 60.0, corner), [30.0])
+    assert not solution_texts.reproduces(Value(None, "angle", 60.0, Constant(60.0)), [60.0])
+
+
+def test_shares_are_of_what_they_are_shares_of() -> None:
+    row = {"long": 1.0, "decimals": 4.0, "minus": 0.0, "unknown": 0.0, "figures": 2.0, "axis x": 0.5}
+    assert [solution_texts.shown(row, key) for key in ("long", "minus", "axis x", "figures")] == [25.0, 0.0, 50.0, 2.0]
+
+
+def test_a_quantity_that_nothing_uses_is_counted() -> None:
+    rows = solution_texts.rows(["wedge_and_rod"], 1)
+    assert set(rows) == {f"wedge_and_rod {form}, {name}" for form in ("vertical", "inclined") for name in ("en", "ru")}
+    assert all(row["unknown"] == 4 and row["minus"] == 0 for row in rows.values())
+    empty = SimpleNamespace(steps=(), answers=(), check=())
+    assert solution_texts.of_steps(empty, [])["unused"] == 0

@@ -1,0 +1,114 @@
+"""Angles between directions as sums of given angles and of corners of triangles.
+
+A direction is worked out from others; taken apart, it is a sum of given angles, of corners (arc functions of sides) and
+of a number of degrees. In the difference of two directions what both are counted from cancels, so that the angle
+between them is written as what it is: ``phi``, ``90 deg - phi``, ``phi + psi``.
+"""
+
+from __future__ import annotations
+
+from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angles import AngleForm, between, form_of, tidy
+
+_SAME = 1e-6  # degrees within which a difference of two directions is the angle between them
+_SHORT = 2  # parts of a sum that is written out where it stands
+
+
+def angle_sum(angle: Value) -> AngleForm:
+    """A direction or angle taken apart; one that is no sum is its own part."""
+    kind = "" if angle.name is None else angle.name.kind
+    if angle.expression is None and kind in ("", "direction", "angle"):
+        return AngleForm((), tidy(angle.exact))
+    found = None if angle.expression is None or kind == "parameter" else _sum(angle.expression)
+    if found is None or (kind == "direction" and isinstance(angle.expression, Constant)):
+        return AngleForm(((angle, 1.0),))
+    turns = round((angle.exact - _number(found)) / 360.0)
+    return found.turned(360.0 * turns)
+
+
+def _sum(item: Expression) -> AngleForm | None:
+    """An expression as a sum of angles; None for another one."""
+    match item:
+        case Value():
+            return angle_sum(item)
+        case Constant(value):
+            return AngleForm((), float(value))
+        case Total(terms):
+            found = AngleForm()
+            for sign, term in terms:
+                part = _sum(term)
+                if part is None:
+                    return None
+                found = found.plus(part, float(sign))
+            return found
+        case Ratio(above, Constant(count)):
+            return None if (part := _sum(above)) is None else part.times(1.0 / count)
+        case Times((Constant(count), factor)):
+            return None if (part := _sum(factor)) is None else part.times(count)
+    return None
+
+
+def _number(form: AngleForm) -> float:
+    return form.constant + sum(c * atom.exact for atom, c in form.parts if isinstance(atom, Value))
+
+
+def written(form: AngleForm) -> Expression:
+    """A sum of angles as an expression, what is positive first."""
+    parts: list[tuple[int, Expression]] = []
+    for atom, count in form.parts:
+        assert isinstance(atom, Value), "a direction that was taken apart is made of values"
+        size = abs(count)
+        part = atom if size == 1 else Ratio(atom, Constant(2.0)) if size == 0.5 else Constant(size) * atom
+        parts.append((1 if count > 0 else -1, part))
+    constant = tidy(form.constant)
+    if constant or not parts:
+        own = (1 if constant >= 0 else -1, Constant(abs(constant), "angle"))
+        parts = [own, *parts] if own[0] > 0 else [*parts, own]
+    parts.sort(key=lambda part: -part[0])
+    return parts[0][1] if len(parts) == 1 and parts[0][0] > 0 else Total(tuple(parts))
+
+
+def is_short(form: AngleForm) -> bool:
+    """Whether a sum is written out where it stands, not worked out before."""
+    return len(form.parts) + bool(tidy(form.constant)) <= _SHORT
+
+
+def valued(name: Name | None, form: AngleForm) -> Value:
+    """A sum of angles as a value; without a name a single angle stands for itself."""
+    expression = written(form)
+    if name is None and isinstance(expression, Value):
+        return expression
+    number = expression.number(True)
+    return Value(name, "angle", number, None if isinstance(expression, Constant) else expression)
+
+
+def difference(name: Name | None, first: Value, second: Value) -> Value:
+    """The angle between two directions, 0 to 180 degrees, as their difference.
+
+    Raises ArithmeticError where it is no difference of the two: a defect of the caller.
+    """
+    return valued(name, _matched(angle_sum(first).minus(angle_sum(second)), between(first.exact, second.exact), 360.0))
+
+
+def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
+    """The acute angle ``size`` between two lines for a cosine, or the angle to 90 degrees for a sine if that is
+    the simpler one.
+    """
+    form = _matched(angle_sum(first).minus(angle_sum(second)), size, 180.0)
+    rest = form.times(-1.0).turned(90.0)
+    for found in (rest, form.turned(90.0)):
+        if found.parts and not tidy(found.constant) and any(count > 0 for _, count in found.parts):
+            return "sin", valued(None, found)
+    return "cos", valued(None, form)
+
+
+def _matched(form: AngleForm, size: float, period: float) -> AngleForm:
+    """A difference with the sign and the turns that make it an angle of this size."""
+    for sign in (1.0, -1.0):
+        found = form.times(sign)
+        turns = round((size - _number(found)) / period)
+        if abs(size - _number(found) - period * turns) < _SAME:
+            found = found.turned(period * turns)
+            return form_of(found.parts, tidy(found.constant))
+    raise ArithmeticError("an angle between two directions is not their difference")
