@@ -74,6 +74,11 @@ def is_short(form: AngleForm) -> bool:
     return len(form.parts) + bool(tidy(form.constant)) <= _SHORT
 
 
+def is_single(form: AngleForm) -> bool:
+    """Whether it is one angle or a number."""
+    return len(form.parts) + bool(tidy(form.constant)) <= 1
+
+
 def valued(name: Name | None, form: AngleForm) -> Value:
     """A sum of angles as a value; without a name a single angle stands for itself."""
     expression = written(form)

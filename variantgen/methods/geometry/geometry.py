@@ -30,7 +30,6 @@ __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
 _SAME = 1e-7  # degrees within which two directions are one
 _X, _Y = AngleForm(), AngleForm((), 90.0)
-_LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # for angles without points
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
@@ -203,17 +202,15 @@ class Geometry(PositionLines):
         """
         if isinstance(expression, Constant) or {start, end} & set(self.task.form.figure.hidden):
             return expression
-        name = self.letter()
-        self.say(f"inclination_{line}", False, angle=name, segment=Segment(start, end), point=Point(end))
-        return self._entered(name, "angle", expression)
+        value = Value(self.letter(), "angle", expression.number(True), expression)
+        self.say(f"inclination_{line}", False, angle=value, segment=Segment(start, end), point=Point(end))
+        self.items.append(Derived(value))
+        return value
 
     def letter(self) -> Name:
-        """A Greek letter that stands for nothing yet; when they are used up, with a number."""
-        form = self.task.form
-        letters = [letter for letter in _LETTERS if letter not in {*form.parameters, *form.symbols.values()}]
+        """The name of an angle without points, by a number: those that are written get their Greek letters at last."""
         self._letters += 1
-        number, place = divmod(self._letters - 1, len(letters))
-        return Name("inclination", letters[place], str(number) if number else "")
+        return Name("inclination", str(self._letters))
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point of the figure that lies in a direction from another one as it is given, or nothing."""

@@ -25,6 +25,7 @@ from variantgen.variants.printed_data import shown_points
 _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean something only with axes
 # Sentences that say what the angle in the next line is.
 _OF_NEXT = ("position.drawn", *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")))
+_LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # of angles without points
 
 
 def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
@@ -40,7 +41,24 @@ def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], resu
     first = next((step for step in written if any(map(_needs_axes, step.items))), None)
     if first is not None:
         first.items[:0] = [_axes(first.items), *_origin(task, [item for step in written for item in step.items])]
+    _give_letters(task, written)
     return written
+
+
+def _give_letters(task: Task, steps: Sequence[Step]) -> None:
+    """Greek letters for angles without points, in the order in which they are met; when used up, with numbers."""
+    form = task.form
+    letters = [letter for letter in _LETTERS if letter not in {*form.parameters, *form.symbols.values()}]
+    values = dict.fromkeys(item.value for step in steps for item in step.items if isinstance(item, Derived))
+    angles = (value for value in values if value.name is not None and value.name.kind == "inclination")
+    for number, value in enumerate(angles):
+        again, place = divmod(number, len(letters))
+        value.name = Name("inclination", letters[place], str(again) if again else "")
+
+
+def _is_of_next(item: Item) -> bool:
+    """Whether an item is a sentence that says what the next line is."""
+    return isinstance(item, Sentence) and item.key in _OF_NEXT
 
 
 def _axes(items: Sequence[Item]) -> Sentence:
@@ -68,13 +86,13 @@ def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
 def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:
     """The items of the position without the lines of values that no other item is computed from."""
     roots = [value for item in later for value in read(item)]
-    roots += items_values(item for item in items if not isinstance(item, Derived))
+    roots += items_values(item for item in items if not isinstance(item, Derived) and not _is_of_next(item))
     needed = {value.name for value in in_order([*roots, *results])}
     kept: list[Item] = []
     for item in items:
         if not isinstance(item, Derived) or item.value.name in needed:
             kept.append(item)
-        elif kept and isinstance(kept[-1], Sentence) and kept[-1].key in _OF_NEXT:
+        elif kept and _is_of_next(kept[-1]):
             kept.pop()
     return kept
 

@@ -39,7 +39,9 @@ def line_angle(book: Book, point_path: PointPath) -> Value:
     exact = degrees(way)
     for template, joint in zip(book.task.form.joints, book.task.scene.joints, strict=True):
         if isinstance(joint, Guide) and joint.point == point_path.point:
-            return book.geometry.stated_angle(template.fields.get("angle"), way)
+            stated = book.geometry.stated_angle(template.fields.get("angle"), way)
+            if stated.expression is not None:
+                return stated
     if abs(exact - round(exact, _DATA_DIGITS)) < _ROUNDING:
         return Value(None, "angle", exact)
     if other := _side_along(book, point_path):
