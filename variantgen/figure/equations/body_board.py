@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 
@@ -17,12 +18,15 @@ from variantgen.figure.label_requests import along_arrow, around
 from variantgen.figure.motion_board import LEAST, MotionBoard
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.scene import fixed_points
+from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 
-WIDE, HIGH = 92.0, 60.0  # room for a figure but for its labels, u
+WIDE, HIGH = 90.0, 58.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 60.0, 44.0  # room for the bodies, u
+_SMALLER = 0.93  # steps in which room is sought
 _LANE = 2.3  # between arrows that would lie on each other, u
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
@@ -52,12 +56,11 @@ class BodyBoard:
 
     def __init__(self, subject: Subject, bodies: Iterable[str], points: Iterable[str]) -> None:
         self.subject = subject
-        self._statement = subject.board(marks=True)
         self._bodies = tuple(bodies)
         points = tuple(points)
-        self.named = self._statement.shown
+        self.named = shown_points(subject.variant, subject.asked)
         shown = {*self.named, *points}
-        members = [self._statement.scene.bodies[body] for body in self._bodies]
+        members = [subject.variant.form.bodies[body] for body in self._bodies]
         self.points = tuple(dict.fromkeys([*points, *(name for member in members for name in member if name in shown)]))
 
     def place(self, point: str) -> complex:
@@ -66,26 +69,23 @@ class BodyBoard:
 
     def scale(self, spread: Callable[[float], Sequence[complex]] = lambda scale: (), size: float = 1.0) -> float:
         """The largest scale (u per metre) at which the bodies have room with what is ``spread`` at a scale."""
-        bodies = self._surroundings(self._statement).extent()
-        known = self._statement.sketch.scale
-        most = known * min(largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH), 1e3)
-        if not np.isfinite(most) or most >= 999 * known:
-            most = known
-        low, high = 0.05 * most, most
-        for _ in range(14):
-            middle = 0.5 * (low + high) if low < 0.999 * high else high
-            extent = [place * middle / known for place in bodies]
-            if largest([*extent, *spread(middle)], WIDE, HIGH) >= 1.0:
-                low = middle
-            else:
-                high = middle
-        extent = [place * most / known for place in bodies]
-        return most if largest([*extent, *spread(most)], WIDE, HIGH) >= 1.0 else low
+        z = {name: self.place(name) for name in self.subject.motion.z}
+        bodies = self._surroundings(z, 1.0).extent()
+        most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
+        if not math.isfinite(most):
+            most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
+        scale = most
+        while scale > 0.05 * most and largest([*(scale * place for place in bodies), *spread(scale)], WIDE, HIGH) < 1.0:
+            scale *= _SMALLER
+        return scale
 
     def drawn(self, scale: float) -> MotionBoard:
         """The board at a scale with the bodies on it."""
-        board = self.subject.board(False, scale, self._statement.poses)
-        kept = self._surroundings(board)
+        # Only where there are supports it matters how they stand in the figure of the statement.
+        held = fixed_points(self.subject.motion.scene) & set(self.points)
+        poses = self.subject.board(True).poses if held else {}
+        board = self.subject.board(False, scale, poses)
+        kept = self._surroundings(board.sketch.at, scale)
         whole = board.sketch
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)
         for line in whole.lines:
@@ -97,13 +97,15 @@ class BodyBoard:
         board.shown = tuple(name for name in board.shown if name in self.points)
         return board
 
-    def _surroundings(self, board: MotionBoard) -> Surroundings:
-        at, discs = board.sketch.at, board.form.figure.discs
-        members = [tuple(at[p] for p in board.scene.bodies[b] if p in self.points) for b in self._bodies]
-        own = {d.body for d in discs if d.body in self._bodies or d.centre == self.points[0]}
-        rims = [(at[d.centre], r) for d in discs if d.body in own for r in board.discs.get(d.body, ())]
-        points = [at[name] for name in self.points if name in at]
-        return Surroundings(tuple(points), tuple(members), tuple(rims))
+    def _surroundings(self, at: Mapping[str, complex], scale: float) -> Surroundings:
+        """What is drawn, where the points are ``at`` places to a scale."""
+        variant = self.subject.variant
+        values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
+        members = [tuple(at[p] for p in variant.form.bodies[b] if p in self.points) for b in self._bodies]
+        discs = [disc for disc in variant.form.figure.discs if not disc.arc]
+        own = {disc.body for disc in discs if disc.body in self._bodies or disc.centre == self.points[0]}
+        rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
+        return Surroundings(tuple(at[name] for name in self.points), tuple(members), tuple(rims))
 
 
 def draw_point(board: MotionBoard, point: str) -> None:
@@ -163,13 +165,17 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
         return
     drawn = np.array([p for path in board.sketch.lines for s in _ends(path) for p in s], dtype=complex)
     ways = np.exp(1j * np.radians(np.arange(0, 360, 15)))
-    best = (-1.0, place)
+    best = (-math.inf, place)
+    low, high = board.sketch.corners()
     for radius in (0.55 * longest, 0.8 * longest, 1.05 * longest):
         for way in ways.tolist():
             origin = place + radius * way
             arms = np.concatenate([origin + _SAMPLES * (_AXIS + 3.0) * axis for axis, _ in axes])
-            free = float(np.min(np.abs(arms[:, None] - drawn))) - 0.05 * radius
-            best = max(best, (min(free, 5.0) - 0.03 * radius, origin), key=lambda item: item[0])
+            free = min(5.0, float(np.min(np.abs(arms[:, None] - drawn)))) - 0.08 * radius
+            # Best within the box of what is drawn: the figure does not grow.
+            out = np.maximum(arms.real - high.real, low.real - arms.real).max(initial=0.0)
+            out += np.maximum(arms.imag - high.imag, low.imag - arms.imag).max(initial=0.0)
+            best = max(best, (free - 0.15 * out, origin), key=lambda item: item[0])
     origin = best[1]
     for axis, letter in axes:
         board.sketch.arrow(origin, origin + _AXIS * axis, Layer.MARK, THIN, 1.8)

@@ -171,7 +171,7 @@ def solve_divided(book: Book, group: TwoPointBody) -> None:
         vector(book, point)
     if is_rate_wanted(book.task, 1, group.body, {group.pole, group.point}):
         facts: dict[str, Fact] = {"body": Body(group.body), "point": Point(group.point), "pole": Point(group.pole)}
-        with book.step("known_points.v", "velocities", **facts):
+        with book.step("known_points.v", "velocity_centre", **facts):
             divide(book, group.body, group.pole, group.point)
 
 

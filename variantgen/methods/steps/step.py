@@ -60,6 +60,13 @@ class CentreOf:
 
 
 @dataclass(frozen=True, slots=True)
+class AxisOf:
+    """The letter of an axis of projection in a sentence."""
+
+    letter: str
+
+
+@dataclass(frozen=True, slots=True)
 class NumberOf:
     """A value in a sentence as its number with its unit only."""
 
@@ -68,7 +75,8 @@ class NumberOf:
 
 # A Name or a Value in a sentence is written as its symbol; a tuple as a list.
 Fact: TypeAlias = (
-    "Body | Point | Segment | Word | VectorOf | CentreOf | NumberOf | Name | Value | Sentence | tuple[Fact, ...]"
+    "Body | Point | Segment | Word | VectorOf | CentreOf | AxisOf | NumberOf | Name | Value | Sentence "
+    "| tuple[Fact, ...]"
 )
 
 

@@ -98,7 +98,7 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the vector of a point of a body by that of its pole."""
     name = Name(book.letter, point)
     if is_translating(book, body):
-        with book.step(f"points.translation_{book.letter}", body=Body(body), point=Point(point)):
+        with book.step(f"points.translation_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point)):
             book.say("points.same", first=VectorOf(name), second=VectorOf(Name(book.letter, pole)), body=Body(body))
             book.vectors[point] = renamed(book, book.vectors[pole], point)
             sum_up(book, point)

@@ -14,6 +14,7 @@ from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.not_applicable import NotApplicableError
 from variantgen.methods.steps.step import (
+    AxisOf,
     Derived,
     Fact,
     NumberOf,
@@ -34,6 +35,7 @@ _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is
 _PARALLEL = 1e-7
 _CLEAR = 1.05  # how much larger than the others together a projection is that is said to prevail
 _CROSSING = 1e-9  # sine of the angle between two directions that determine their vectors
+AXES = ("xi", "eta")  # letters of the axes of an equation: x and y are those of the figure of the statement
 _ROUNDING = 1e-9  # of the largest vector: what is smaller is zero
 
 
@@ -86,10 +88,10 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
         return book.graphics.solve(book, left, right, wanted)
     free = unknowns((*left, *right))
     found = []
-    for term in wanted:
+    for letter, term in zip(AXES, wanted, strict=False):
         other = next((item for item in free if item is not term), None)
         axis = _axis(term, other)
-        found.append(_projected(book, left, right, term, axis, other))
+        found.append(_projected(book, left, right, term, axis, other, letter))
     return found
 
 
@@ -105,7 +107,7 @@ def _axis(term: Term, other: Term | None) -> Value:
 
 
 def _projected(
-    book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None
+    book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
     sides = [named_shares(book, side, axis) for side in (left, right)]
@@ -121,8 +123,8 @@ def _projected(
     if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     known = [(flip * side * share.sign, share) for side, share in rest]
-    words = (_axis_words(book, term, axis, other), *_sense_words(book, term, known))
-    book.items.append(Projection(words, sides[0], sides[1], axis))
+    words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
+    book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
     expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
@@ -208,7 +210,7 @@ def share_of(term: Term, axis: Value) -> Share | None:
     return Share(-1 if obtuse else 1, term, written, function)
 
 
-def _axis_words(book: Book, term: Term, axis: Value, other: Term | None) -> Sentence:
+def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:
     """How the axis is described: along a line of the figure or across the other unknown vector, or along the wanted."""
     if other is None:
         return Sentence("axes.along", {"vector": VectorOf(term.name)})
@@ -217,10 +219,11 @@ def _axis_words(book: Book, term: Term, axis: Value, other: Term | None) -> Sent
         ahead = book.geometry.vector(segment.start, segment.end) * cmath.rect(1.0, -math.radians(axis.exact))
         ends = (segment.start, segment.end) if ahead.real > 0 else (segment.end, segment.start)
         facts: dict[str, Fact] = {"start": Point(ends[0]), "end": Point(ends[1]), "vector": VectorOf(other.name)}
-        return Sentence("axes.on_line", facts)
+        return Sentence("axes.on_line", {**facts, "axis": AxisOf(letter)})
     side = on_paper(axis.exact)
     return Sentence(
-        f"axes.{side}" if side in QUARTERS else "axes.across", {"vector": VectorOf(other.name), "side": Word(side)}
+        f"axes.{side}" if side in QUARTERS else "axes.across",
+        {"vector": VectorOf(other.name), "side": Word(side), "axis": AxisOf(letter)},
     )
 
 

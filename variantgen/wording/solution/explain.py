@@ -107,7 +107,8 @@ def _views(found: Solution, number: int) -> tuple[str, ...]:
             names += [f"{_EQUATION[order - 1]}:{i}" for i in own]
         elif view in _OF_BODIES and isinstance(body, Body):
             names.append(f"{view}:{body.name}")
-        else:
+        elif not (step.heading.key.startswith("points.translation") and any(e.step >= 0 for e in equations)):
+            # Equal vectors of a translating body need no figure where the equations have theirs.
             names.append(view)
     return tuple(names)
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.steps.step import (
+    AxisOf,
     Balance,
     Body,
     CentreOf,
@@ -160,6 +161,8 @@ class Writer:
                 return (self.vector(name),)
             case CentreOf(body, kind):
                 return (self.symbols.centre(kind, body),)
+            case AxisOf(letter):
+                return (Symbol(letter),)
             case NumberOf(value):
                 return (self.formulas.measured(value),)
             case Value():
