@@ -69,11 +69,6 @@ def test_a_reason_for_two_contacts_is_given_once(name: str, form: str, reason: s
     assert text_of(name, form).count(reason) == 1
 
 
-def test_axes_are_named_before_angles_of_rays_are_told() -> None:
-    text = text_of("plate_acceleration_centre", "square")
-    assert 0 < text.index("The axis x points to the right") < text.index("The angles of the rays")
-
-
 def test_lengths_of_points_that_are_not_shown_are_not_named() -> None:
     data = {"OA": 60, "OC": 32, "AB": 56, "h": 42, "phi": 90, "omega_OA": 3.5, "epsilon_OA": 2}
     text = str(explain(one_variant("sleeve_on_crank", data), language="en"))

@@ -136,7 +136,7 @@ READINGS = [
         ("v_B",),
         ("projections.theorem",),
         {"v_B": (5 / sqrt(3), 1e-3)},
-        projections=("v_A cos 60° = v_B cos 30°",),
+        projections=("v_A sin φ = v_B cos φ",),
     ),
     Reading(
         "rolling_wheel",

@@ -46,11 +46,6 @@ def test_numbers_leave_out_what_is_zero_now_and_symbols_keep_it() -> None:
     assert not any(re.search(r"(?<!\d)0° [+−]", line) for line in rates)
 
 
-def test_an_angle_of_a_triangle_follows_from_rays_that_are_named_before() -> None:
-    _, text = solved("wheel_between_racks", "one_fixed", 2)
-    assert re.search(r"The angles of the rays OP and OM with the x axis are -?−?\d+° and −?\d+°", sentences(text))
-
-
 def test_a_way_along_an_oblique_line_is_introduced_before_it_is_used() -> None:
     for method in ("analytical", "coordinates"):
         _, text = solved("scotch_yoke", "oblique", 1, method)

@@ -141,7 +141,11 @@ class Formulas:
 def _is_short(item: Expression) -> bool:
     """Whether a sum of angles is short enough to be written in place of its number."""
     terms = [term for _, term in item.terms] if isinstance(item, Total) else [item]
-    return len(terms) <= _SHORT_SUM and all(isinstance(term, Constant | Ratio | Times | Value) for term in terms)
+    return (
+        not isinstance(item, Constant)
+        and len(terms) <= _SHORT_SUM
+        and all(isinstance(term, Constant | Ratio | Times | Value) for term in terms)
+    )
 
 
 def without_sign(item: Expression) -> Expression:
