@@ -1,0 +1,43 @@
+"""Angles between directions are what they are in the figure: given angles, corners, short sums of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from variantgen.algebra.expression import Applied, Constant, Total, Value
+from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angle_sums import acute, angle_sum, difference
+from variantgen.methods.geometry.geometry import Geometry
+from variantgen.outputs.single.explanation import explain
+from variantgen.single import one_variant
+
+PHI = Value(Name("parameter", "phi"), "angle", 30.0)
+BASE = Value(Name("direction", "O", "A"), "angle", 100.0, Constant(100.0, "angle"))
+CORNER = Value(Name("angle", "A", "B O"), "angle", 60.0, Applied("arccos", Constant(0.5)))
+
+
+def test_what_directions_are_counted_from_cancels() -> None:
+    first = Value(None, "angle", 130.0, Total(((1, BASE), (1, PHI))))
+    assert difference(None, first, BASE) is PHI
+    assert difference(None, BASE, Geometry.turned(first, 180.0)).exact == 150.0
+
+
+def test_a_corner_stays_and_a_sum_is_taken_apart() -> None:
+    direction = Value(Name("direction", "A", "B"), "angle", -70.0, Total(((1, PHI), (-1, BASE))))
+    turned = Value(None, "angle", -10.0, Total(((1, direction), (1, CORNER))))
+    assert dict(angle_sum(turned).parts) == {PHI: 1.0, BASE: -1.0, CORNER: 1.0}
+    assert difference(None, turned, direction) is CORNER
+
+
+@pytest.mark.parametrize(("by", "function"), [(0.0, "cos"), (90.0, "sin"), (-90.0, "sin"), (180.0, "cos")])
+def test_an_acute_angle_is_that_of_the_simplest_function(by: float, function: str) -> None:
+    first = Value(None, "angle", 130.0, Total(((1, BASE), (1, PHI))))
+    size = 30.0 if by % 180.0 == 0 else 60.0
+    assert acute(first, Geometry.turned(BASE, by), size) == (function, PHI)
+
+
+@pytest.mark.parametrize("name", ["planetary_pair", "disc_in_cylinder", "crank_and_disc", "gear_pair_with_crank"])
+def test_no_direction_is_taken_from_the_drawing(name: str) -> None:
+    text = str(explain(one_variant(name, seed="23"), language="en"))
+    assert "from the figure" not in text
+    assert "φ_" not in text
