@@ -134,3 +134,19 @@ def test_supports_keep_the_pose_of_the_statement() -> None:
         sides.append({complex(round(end.real, 3), round(end.imag, 3)) for end in ends if abs(end) < 5.5})
     assert len(sides[0]) == 2
     assert sides[0] == sides[1]
+
+
+@pytest.mark.parametrize(
+    ("name", "form"), [("three_rod_plate", ""), ("guided_plate", ""), ("two_loop_mechanism", "inclined")]
+)
+def test_an_equation_that_is_used_twice_is_drawn_once(name: str, form: str) -> None:
+    text, figures = solved(name, form, "2")[1:]
+    drawn = [
+        (equation.point, frozenset(arrow.name for arrow in equation.terms))
+        for order, kind in enumerate(("velocity_equation", "acceleration_equation"))
+        for view in figures
+        if view.startswith(kind)
+        for equation in [text.vectors[order].equations[int(view.split(":")[1]) - 1]]
+    ]
+    assert drawn
+    assert len(set(drawn)) == len(drawn)
