@@ -24,7 +24,7 @@ from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
-from variantgen.methods.steps.step import Derived, Point, Segment
+from variantgen.methods.steps.step import Derived, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
@@ -40,8 +40,6 @@ class Geometry(PositionLines):
         super().__init__(task)
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
-        self._corners: dict[tuple[str, frozenset[str]], Value] = {}
-        self._letters = 0  # given to angles
         self.unnamed_radii = UnnamedRadii()
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
@@ -183,44 +181,6 @@ class Geometry(PositionLines):
         place = self.places[high]
         own = place.direction(low) if low in place.neighbours() and not self.has_coordinates(low, high) else None
         return own if own is not None else trigonometry.direction_of(self, self._triangle(low, high), (low, high))
-
-    # Corners of triangles.
-
-    def corner(self, vertex: str, first: str, second: str, expression: Expression) -> Expression:
-        """The angle of a triangle at a vertex, 0 to 180 degrees, with its line; a plain number needs none."""
-        if isinstance(expression, Constant) or {vertex, first, second} & set(self.task.form.figure.hidden):
-            return expression
-        key = (vertex, frozenset((first, second)))
-        if key not in self._corners:
-            self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
-        return self._corners[key]
-
-    def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
-        """The acute angle between a segment and a line that has no second point, under a letter of its own.
-
-        ``line`` is the key of the sentence that says which angle it is: ``guide``, ``horizontal``, ``vertical``.
-        """
-        if isinstance(expression, Constant) or {start, end} & set(self.task.form.figure.hidden):
-            return expression
-        value = Value(self.letter(), "angle", expression.number(True), expression)
-        self.say(f"inclination_{line}", False, angle=value, segment=Segment(start, end), point=Point(end))
-        self.items.append(Derived(value))
-        return value
-
-    def letter(self) -> Name:
-        """The name of an angle without points, by a number: those that are written get their Greek letters at last."""
-        self._letters += 1
-        return Name("inclination", str(self._letters))
-
-    def ahead_on(self, start: str, form: AngleForm) -> str:
-        """A point of the figure that lies in a direction from another one as it is given, or nothing."""
-        hidden = self.task.form.figure.hidden
-        for name in self.places:
-            if name != start and name not in hidden and abs(self.vector(start, name)) > self.nothing:
-                found = self.data(start, name)
-                if found is not None and found.is_along(form) and between(self.number(found), self.number(form)) < 90:
-                    return name
-        return ""
 
     def stated_angle(self, stated: object, way: complex) -> Value:
         """The direction of a line that the family gives by an angle, to the side of ``way`` (paper)."""

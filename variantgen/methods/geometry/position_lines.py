@@ -5,10 +5,11 @@ from __future__ import annotations
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
+from variantgen.methods.geometry.angles import AngleForm, between
 from variantgen.methods.geometry.layout import Layout
 from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.steps.step import Derived, Fact, Item, Sentence
+from variantgen.methods.steps.step import Derived, Fact, Item, Point, Segment, Sentence
 
 
 class PositionLines(Layout):
@@ -17,6 +18,8 @@ class PositionLines(Layout):
     def __init__(self, task: Task) -> None:
         super().__init__(task)
         self.items: list[Item] = []
+        self._corners: dict[tuple[str, frozenset[str]], Value] = {}
+        self._letters = 0  # given to angles
 
     def located(self, name: Name, expression: Expression) -> Value:
         """A coordinate by an expression; zero is a plain number."""
@@ -54,3 +57,41 @@ class PositionLines(Layout):
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
             self.items.append(Derived(value))
         return value
+
+    # Corners of triangles.
+
+    def corner(self, vertex: str, first: str, second: str, expression: Expression) -> Expression:
+        """The angle of a triangle at a vertex, 0 to 180 degrees, with its line; a plain number needs none."""
+        if isinstance(expression, Constant) or {vertex, first, second} & set(self.task.form.figure.hidden):
+            return expression
+        key = (vertex, frozenset((first, second)))
+        if key not in self._corners:
+            self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
+        return self._corners[key]
+
+    def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
+        """The acute angle between a segment and a line that has no second point, under a letter of its own.
+
+        ``line`` is the key of the sentence that says which angle it is: ``guide``, ``horizontal``, ``vertical``.
+        """
+        if isinstance(expression, Constant) or {start, end} & set(self.task.form.figure.hidden):
+            return expression
+        value = Value(self.letter(), "angle", expression.number(True), expression)
+        self.say(f"inclination_{line}", False, angle=value, segment=Segment(start, end), point=Point(end))
+        self.items.append(Derived(value))
+        return value
+
+    def letter(self) -> Name:
+        """The name of an angle without points, by a number: those that are written get their Greek letters at last."""
+        self._letters += 1
+        return Name("inclination", str(self._letters))
+
+    def ahead_on(self, start: str, form: AngleForm) -> str:
+        """A point of the figure that lies in a direction from another one as it is given, or nothing."""
+        hidden = self.task.form.figure.hidden
+        for name in self.places:
+            if name != start and name not in hidden and abs(self.vector(start, name)) > self.nothing:
+                found = self.data(start, name)
+                if found is not None and found.is_along(form) and between(self.number(found), self.number(form)) < 90:
+                    return name
+        return ""
