@@ -46,10 +46,12 @@ def all_constraints(task: Task, found: Mapping[str, Value]) -> list[Item]:
     for quantity in asked:
         if quantity.kind == "a":
             number = float(abs(gains.points[quantity.target][0])) / task.length_unit
+            scale = task.largest_acceleration
         else:
             number = float(gains.bodies[quantity.target][0])
-        shown = found[quantity.name]
-        values.append(Derived(Value(Name(quantity.kind, quantity.target), shown.measure, number, Constant(number))))
+            scale = task.largest_acceleration / task.size
+        name, measure = Name(quantity.kind, quantity.target), found[quantity.name].measure
+        values.append(Derived(Value(name, measure, number, Constant(number), scale)))
     return [Sentence("check.constraints", {}, detail=False), *values]
 
 
