@@ -116,7 +116,7 @@ def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose, "work_out", nowhere)
+    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     path = written(tmp_path, LEVEL)
     assert answers(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
@@ -139,7 +139,7 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose, "work_out", nowhere)
+    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     assert main(["check", written(tmp_path, LEVEL)]) == 0
     assert "no method of solution leads to omega_p, v_O" in capsys.readouterr().out
@@ -149,7 +149,7 @@ def test_build_and_show_without_any_method(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose, "work_out", nowhere)
+    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     monkeypatch.chdir(tmp_path)
     own = tmp_path / "level"

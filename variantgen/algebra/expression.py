@@ -93,13 +93,11 @@ class Value(Expression):
     def round_to(self, digits: int, exact: bool = True) -> None:
         """Print so many significant digits of the full number, or of that from printed ones; a given one stays."""
         if self.expression is not None:
-            number = self.exact if exact or self.exact == 0 else self.expression.number(exact=False)
+            # A sum of angles that is written out in symbols is the sum of the printed ones.
+            sums = self.name is None and self.measure == ANGLE and isinstance(self.expression, Total)
+            follows = (sums or not exact) and self.exact != 0
+            number = self.expression.number(exact=False) if follows else self.exact
             self.shown = rounded(number, digits, self.measure)
-
-    @property
-    def begins_with_one(self) -> bool:
-        """Whether its first digit is a one: of so many digits it has the least precision."""
-        return f"{abs(self.exact):e}".startswith("1")
 
     @property
     def comes_out(self) -> bool:

@@ -125,9 +125,11 @@ class _Batch:
 
     def _tolerance(self, quantity: Quantity, motion: Motion, length: str) -> Array:
         """What rounding of the arithmetic may change in an answer, in its printed unit (degrees), shape (N,)."""
-        vectors = motion.v if quantity.order == 1 else motion.a
         size = motion.length_scale()[self._places]
-        largest = np.max([np.abs(vector) for vector in vectors.values()], axis=0)[self._places]
+        largest = np.max([np.abs(vector) for vector in motion.v.values()], axis=0)[self._places]
+        if quantity.order == 2:  # a steady motion along lines has only what rounding leaves of accelerations
+            vectors = [np.abs(vector)[self._places] for vector in motion.a.values()]
+            largest = np.max([largest**2 / size, *vectors], axis=0)
         value = np.abs(quantity.whole.value(motion)[self._places])
         scale = (
             largest / size

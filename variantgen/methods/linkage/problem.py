@@ -105,8 +105,9 @@ class Task:
 
     @property
     def largest_acceleration(self) -> float:
-        """The largest acceleration of the mechanism, in printed units."""
-        return max((abs(a) for a in self.now.a.values()), default=0.0)
+        """The natural scale of accelerations, in printed units: the largest one, or what its speeds tell of them."""
+        told = self.largest_speed**2 / self.size if self.size else 0.0  # steady motion has only rounding
+        return max([told, *(abs(a) for a in self.now.a.values())])
 
     @cached_property
     def si(self) -> Mapping[str, float]:

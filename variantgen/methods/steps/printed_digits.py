@@ -35,7 +35,7 @@ def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> No
     alike: dict[float, list[Value]] = {}
     for value in values:
         value.round_to(PRINTED_DIGITS)
-        if value.begins_with_one and value.measure != "angle":
+        if f"{abs(value.exact):e}".startswith("1") and value.measure != "angle":
             alike.setdefault(abs(value.exact), []).append(value)
     for answer in answers:
         alike.pop(abs(answer.exact), None)
