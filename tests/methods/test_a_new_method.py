@@ -57,7 +57,9 @@ def test_it_is_chosen_told_and_confirmed() -> None:
     (task,) = tasks("four_bar", "crank", 1)
     assert NAME in applicable(task)
     assert choose(task, [NAME]).style.velocities == NAME
-    assert choose(task, ["acceleration_pole", NAME, "projections"]).style == MethodStyle(NAME, "acceleration_pole")
+    assert choose(task, ["acceleration_pole", NAME, "projections"]).style == MethodStyle(
+        NAME, "acceleration_pole", strict=True
+    )
     language = load_language("en")
     text = plain_solution(written(task, solution(task, [NAME]), language, False), language)
     assert "An example of link\N{NO-BREAK SPACE}AB." in text

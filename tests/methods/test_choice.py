@@ -43,7 +43,7 @@ def test_wishes_decide() -> None:
     assert choose(task) == Choice(MethodStyle())
     assert choose(task, ["projections"]).style.velocities == "projections"
     assert choose(task, ["velocity_pole", "acceleration_pole"]).style == MethodStyle(
-        "velocity_pole", "acceleration_pole"
+        "velocity_pole", "acceleration_pole", strict=True
     )
     assert choose(task, ["graphical"]).whole == "graphical"
     assert choose(first("plate_acceleration_centre")).style.accelerations == "acceleration_centre"

@@ -94,9 +94,8 @@ class Value(Expression):
         """Print so many significant digits of the full number, or of that from printed ones; a given one stays."""
         if self.expression is not None:
             # A sum of angles that is written out in symbols is the sum of the printed ones.
-            sums = self.name is None and self.measure == ANGLE and isinstance(self.expression, Total)
-            follows = (sums or not exact) and self.exact != 0
-            number = self.expression.number(exact=False) if follows else self.exact
+            follows = not exact or (self.name is None and self.measure == ANGLE and isinstance(self.expression, Total))
+            number = self.expression.number(exact=False) if follows and self.exact != 0 else self.exact
             self.shown = rounded(number, digits, self.measure)
 
     @property
@@ -121,11 +120,8 @@ class Value(Expression):
     @property
     def _usual_decimals(self) -> int:
         """The decimals of the last of as many digits as numbers are printed with."""
-        if self.measure == DRAWING_LENGTH:
-            return 1
-        if self.measure == ANGLE:
-            return PRINTED_DIGITS - WHOLE_DEGREES
-        return PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if self.shown else PRINTED_DIGITS
+        of_number = PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if self.shown else PRINTED_DIGITS
+        return {DRAWING_LENGTH: 1, ANGLE: PRINTED_DIGITS - WHOLE_DEGREES}.get(self.measure, of_number)
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"

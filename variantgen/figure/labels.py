@@ -18,27 +18,21 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
 from variantgen.figure.label_requests import Costs, LabelRequest, Places, far_from
+from variantgen.figure.misleading_places import misleading_costs
 from variantgen.figure.occupancy import Occupancy
 
 GAP = 0.8  # free space around a label, u
 _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 # Costs of ink under a label and per cell of it, of less than the wished free space, of two labels over each other, of a
-# label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own (which would be
-# misread), of a leader and of each line or label that it crosses.
-_INK, _INK_CELL, _CLOSE, _LABEL, _STRANGER, _MISREAD, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 12.0, 60.0, 30.0, 4.0
+# leader and of each line or label that it crosses.
+_INK, _INK_CELL, _CLOSE, _LABEL, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 30.0, 4.0
 _FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
-# Of two labels that stand side by side so near that they read as a product, of a line between a label and what it
-# names.
-_PRODUCT, _BARRIER = 15.0, 14.0
+_PRODUCT = 15.0  # of two labels that stand side by side so near that they read as a product
 _BESIDE = 2.4  # u
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _LEADER_SAMPLES = 24
-_BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
-_ALONG = np.linspace(0.0, 1.0, 13)  # places on an arrow that stand for it
-_PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of an arrow stands, u
-_OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
 
 @dataclass
@@ -124,14 +118,14 @@ def _add_misleading(
     rank = np.empty(len(order), dtype=np.intp)
     rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner[order])
     first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    costs[first] += _misleading(requests, strangers, places[first], owner[first], occupancy)
+    costs[first] += misleading_costs(requests, strangers, places[first], owner[first], occupancy)
     asked = np.zeros(len(costs), dtype=bool)
     asked[first] = True
     best = np.full(len(requests), np.inf)
     np.minimum.at(best, owner[first], costs[first])
     rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
     if rest.size:
-        costs[rest] += _misleading(requests, strangers, places[rest], owner[rest], occupancy)
+        costs[rest] += misleading_costs(requests, strangers, places[rest], owner[rest], occupancy)
 
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
@@ -140,67 +134,6 @@ def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64])
     under, close = occupancy.taken(np.concatenate((places, places)), both[:, 0], both[:, 1]).reshape(2, -1)
     result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
     return result
-
-
-def _misleading(
-    requests: Sequence[LabelRequest],
-    strangers: Sequence[complex],
-    places: Places,
-    owner: NDArray[np.intp],
-    occupancy: Occupancy,
-) -> Costs:
-    """Cost of each candidate that could be taken to name something else.
-
-    It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
-    """
-    points = np.array([p for r in requests for p in r.own] + list(strangers), dtype=complex)
-    count = [len(r.own) for r in requests]
-    dx, dy = places.real[:, None] - points.real, places.imag[:, None] - points.imag
-    squares = dx * dx + dy * dy
-    # A stranger at the very place that a label names is no stranger.
-    same = np.abs(points[: sum(count), None] - points) < 1e-6
-    mine = np.logical_or.reduceat(same, np.cumsum([0, *count[:-1]]), axis=0)[owner]
-    own = np.where(mine, squares, np.inf)
-    own_at = own.argmin(axis=1)
-    nearest = own[np.arange(len(own)), own_at]
-    way = points[own_at] - places
-    clear = np.array([r.clear for r in requests])[owner]
-    way *= np.maximum(0.0, 1.0 - (clear + _OWN) / np.sqrt(nearest))
-    between = places[:, None] + _BETWEEN * way[:, None]
-    barred = np.logical_or.reduce(occupancy.taken(between.ravel(), 0.05, 0.05).reshape(between.shape) > 0, axis=1)
-    foreign = np.where(mine, np.inf, squares)
-    nearer = np.minimum.reduce(foreign, axis=1) < nearest
-    result: Costs = _STRANGER * nearer + _BARRIER * barred
-    arrow = np.array([bool(r.extent) for r in requests])
-    if arrow.any():
-        on_arrow = np.repeat([*arrow, False], [*count, len(strangers)])
-        misread = arrow[owner] & (np.minimum.reduce(foreign[:, on_arrow], axis=1) < nearest)
-        result += _MISREAD * (misread | _nearer_to_other_arrow(requests, places, owner))
-    return result
-
-
-def _nearer_to_other_arrow(
-    requests: Sequence[LabelRequest], places: Places, owner: NDArray[np.intp]
-) -> NDArray[np.bool_]:
-    """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
-    named = [i for i, request in enumerate(requests) if request.vector]
-    found = np.zeros(len(places), dtype=bool)
-    of = np.flatnonzero(np.isin(owner, named))
-    if len(named) < 2 or not of.size:
-        return found
-    arrows = np.array([requests[i].arrow for i in named], dtype=complex)
-    along = arrows[:, :1] + _ALONG * (arrows[:, 1:] - arrows[:, :1])
-    boxes = np.array([r.box for r in requests])[owner[of]]
-    step = places[of, None, None] - along
-    dx = np.maximum(0.0, np.abs(step.real) - boxes[:, :1, None])
-    dy = np.maximum(0.0, np.abs(step.imag) - boxes[:, 1:, None])
-    gaps = np.minimum.reduce(dx * dx + dy * dy, axis=2)
-    mine = np.searchsorted(named, owner[of])
-    rows = np.arange(len(of))
-    own = np.sqrt(gaps[rows, mine])
-    gaps[rows, mine] = np.inf
-    found[of] = np.sqrt(np.minimum.reduce(gaps, axis=1)) < own + _PLAINLY
-    return found
 
 
 def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:

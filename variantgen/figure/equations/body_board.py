@@ -34,7 +34,7 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 
 @dataclass(frozen=True)
-class Subject:
+class FigureSubject:
     """A variant of a solved batch and what is asked of it, for figures in a language."""
 
     variant: Variant
@@ -54,7 +54,7 @@ class Subject:
 class BodyBoard:
     """Draws some ``bodies`` of a mechanism and the ``points`` to which the figure speaks, as large as there is room."""
 
-    def __init__(self, subject: Subject, bodies: Iterable[str], points: Iterable[str]) -> None:
+    def __init__(self, subject: FigureSubject, bodies: Iterable[str], points: Iterable[str]) -> None:
         self.subject = subject
         self._bodies = tuple(bodies)
         points = tuple(points)
@@ -150,12 +150,10 @@ def _lane(place: complex, vector: complex, others: Sequence[complex]) -> complex
     return best[1]
 
 
-def sizes(lengths: Sequence[float], longest: float, true_scale: bool) -> tuple[list[float], bool]:
+def sizes(lengths: Sequence[float], longest: float) -> tuple[list[float], bool]:
     """Lengths (u) at which vectors of the given magnitudes are drawn, and whether any is lengthened to be seen."""
     scale = longest / max(lengths)
     found = [scale * length for length in lengths]
-    if true_scale:
-        return found, False
     return [max(length, LEAST) for length in found], min(found) < LEAST
 
 

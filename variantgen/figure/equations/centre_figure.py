@@ -8,7 +8,7 @@ from functools import partial
 from variantgen.errors import InputError, Problem
 from variantgen.figure.centre_rays import draw_centre, plane_bodies
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.equations.body_board import BodyBoard, Subject, draw_point, draw_vectors, sizes
+from variantgen.figure.equations.body_board import BodyBoard, FigureSubject, draw_point, draw_vectors, sizes
 from variantgen.figure.least_crowded import first_roomy
 from variantgen.figure.motion_board import MotionBoard, named_together
 from variantgen.figure.motion_data import motion_data
@@ -28,7 +28,7 @@ _BROKEN = 17.0  # length of a ray up to its break, and from there to the centre,
 _BEYOND = 48.0  # distance of a centre behind a break from the middle of the body, u
 
 
-def draw_centre_figure(subject: Subject, vectors: Sequence[PointVectors], body: str, centre: bool) -> Drawing:
+def draw_centre_figure(subject: FigureSubject, vectors: Sequence[PointVectors], body: str, centre: bool) -> Drawing:
     """The figure of the velocities of a body, with its ``centre`` or with equal projections on the body.
 
     Raises InputError where no point of it moves.
@@ -53,10 +53,10 @@ class _Figure:
     """The velocities of the ``moving`` points of a body."""
 
     def __init__(
-        self, subject: Subject, named: Vectors, now: Instant, body: str, moving: Sequence[str], stretch: float
+        self, subject: FigureSubject, named: Vectors, now: Instant, body: str, moving: Sequence[str], stretch: float
     ) -> None:
         self.named, self.now, self.body, self.moving = named, now, body, moving
-        lengths, self._lengthened = sizes([abs(now.v[name]) for name in moving], stretch * _LONGEST, False)
+        lengths, self._lengthened = sizes([abs(now.v[name]) for name in moving], stretch * _LONGEST)
         self._vectors = {
             name: length * now.v[name] / abs(now.v[name]) for name, length in zip(moving, lengths, strict=True)
         }

@@ -10,7 +10,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.equations.body_board import (
     BodyBoard,
-    Subject,
+    FigureSubject,
     draw_axes,
     draw_point,
     draw_vectors,
@@ -29,7 +29,7 @@ _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 
 
-def equation_figure(subject: Subject, named: Vectors, equation: PointEquation, true_scale: bool = False) -> Drawing:
+def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquation) -> Drawing:
     """The figure. Raises InputError where all vectors are zero."""
     arrows = _arrows(equation)
     longest = max((abs(arrow.vector) for arrow in arrows), default=0.0)
@@ -41,11 +41,11 @@ def equation_figure(subject: Subject, named: Vectors, equation: PointEquation, t
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
     bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others)))
     return first_roomy(
-        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, true_scale) for stretch, size in _SIZES
+        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size) for stretch, size in _SIZES
     )
 
 
-def draw_equation(subject: Subject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
+def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
     """The figure of the equation of an order with the number ``which`` (none: the first); InputError without one."""
     named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
     equations = named.found.equations
@@ -55,7 +55,7 @@ def draw_equation(subject: Subject, order: int, vectors: Sequence[PointVectors],
     return equation_figure(subject, named, equations[number - 1])
 
 
-def _is_on(subject: Subject, equation: PointEquation, name: str) -> bool:
+def _is_on(subject: FigureSubject, equation: PointEquation, name: str) -> bool:
     """Whether a point belongs to one of the bodies of the equation."""
     return any(name in subject.variant.form.bodies.get(body, ()) for body in equation.bodies)
 
@@ -75,13 +75,12 @@ def _drawn(
     arrows: Sequence[Arrow],
     longest: float,
     size: float,
-    true_scale: bool,
 ) -> Drawing:
     place = bodies.place(equation.point)
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
-    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, true_scale)
+    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest)
     drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
     scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
     board = bodies.drawn(scale)

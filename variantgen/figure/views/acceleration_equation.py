@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.equations.body_board import Subject
+from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.equation_figure import draw_equation
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -26,4 +26,4 @@ def draw(
     which: str = "",
 ) -> Drawing:
     """The figure of the equation numbered ``which``. Raises InputError where there is no such equation."""
-    return draw_equation(Subject(variant, motion, index, asked, language), ORDER, vectors, which)
+    return draw_equation(FigureSubject(variant, motion, index, asked, language), ORDER, vectors, which)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.equations.body_board import Subject
+from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.centre_figure import draw_centre_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -26,4 +26,4 @@ def draw(
     which: str = "",
 ) -> Drawing:
     """The figure of the body ``which`` (none: the first in plane motion). Raises InputError where it is at rest."""
-    return draw_centre_figure(Subject(variant, motion, index, asked, language), vectors, which, centre=True)
+    return draw_centre_figure(FigureSubject(variant, motion, index, asked, language), vectors, which, centre=True)

@@ -60,6 +60,17 @@ class Program:
 Block: TypeAlias = Paragraph | FormulaLines | VectorTable | Program
 
 
+def append_block(blocks: list[Block], block: Block) -> None:
+    """Add a block; formulas join formulas, and sentences sentences."""
+    last = blocks[-1] if blocks else None
+    if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
+        blocks[-1] = FormulaLines(last.lines + block.lines)
+    elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
+        blocks[-1] = Paragraph((*last.text, " ", *block.text))
+    else:
+        blocks.append(block)
+
+
 @dataclass(frozen=True, slots=True)
 class Section:
     """A numbered step with its heading; ``views`` are the kinds of figures that go with it."""

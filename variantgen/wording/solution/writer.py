@@ -53,6 +53,7 @@ from variantgen.wording.solution.document import (
     Section,
     VectorTable,
     VectorTableRow,
+    append_block,
 )
 from variantgen.wording.solution.formulas import Formulas, without_sign
 from variantgen.wording.solution.phrases import Letter, SentenceField
@@ -92,8 +93,8 @@ class Writer:
                 continue
             if isinstance(item, Projection):
                 for sentence in item.words:
-                    _append(found, Paragraph(self.text(sentence, capital=True)))
-            _append(found, self._block(item))
+                    append_block(found, Paragraph(self.text(sentence, capital=True)))
+            append_block(found, self._block(item))
         return tuple(found)
 
     def _block(self, item: Item) -> Block:
@@ -279,17 +280,6 @@ class Writer:
             magnitude = None if term.size is None else self.formulas.measured(term.size)
             rows.append(VectorTableRow(self.vector(term.name), self.text(term.way), magnitude))
         return VectorTable((words["vector"], words["direction"], words["magnitude"]), words["unknown"], tuple(rows))
-
-
-def _append(blocks: list[Block], block: Block) -> None:
-    """Add a block; formulas join formulas, and sentences sentences."""
-    last = blocks[-1] if blocks else None
-    if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
-        blocks[-1] = FormulaLines(last.lines + block.lines)
-    elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
-        blocks[-1] = Paragraph((*last.text, " ", *block.text))
-    else:
-        blocks.append(block)
 
 
 def _is_plain(expression: Expression) -> bool:
