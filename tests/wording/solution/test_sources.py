@@ -311,7 +311,7 @@ READINGS = [
             "ε_AB": (2.56, 5e-3),
         },
         ("a⃗_B = a⃗^n_A + a⃗^τ_A + a⃗^n_BA + a⃗^τ_BA",),
-        ("v_A cos 60° = v_B cos 30°",),
+        ("v_A sin β = v_B cos 30°",),  # beta = 30 degrees, the source has the cosine of 60
     ),
 ]
 
