@@ -13,7 +13,7 @@ from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 @dataclass(frozen=True)
 class RelativeTravel:
-    """The coordinate s of ``point`` along the line of ``body`` through the points ``dot`` changes at given rates.
+    """The coordinate s of ``point`` along the line of ``body`` through the points ``along`` changes at given rates.
 
     With u the unit vector of the line (towards its second point), A its first point, n = i u, d = z - z_A, h = n.d::
 

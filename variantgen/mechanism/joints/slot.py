@@ -13,7 +13,7 @@ from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Slidin
 
 @dataclass(frozen=True)
 class Slot(Joint):
-    """``point`` slides along the line of ``body`` through the two body points ``dot``.
+    """``point`` slides along the line of ``body`` through the two body points ``along``.
 
     With u the unit vector along the line (it turns with the body), n = i u, A the first point of the line and
     d = z - z_A::
