@@ -106,8 +106,8 @@ class Task:
     @property
     def largest_acceleration(self) -> float:
         """The natural scale of accelerations, in printed units: the largest one, or what its speeds tell of them."""
-        rounding = self.largest_speed**2 / self.size if self.size else 0.0  # steady motion has only rounding
-        return max([rounding, *(abs(a) for a in self.now.a.values())])
+        steady = self.largest_speed**2 / self.size if self.size else 0.0  # without acceleration only rounding
+        return max([steady, *(abs(a) for a in self.now.a.values())])
 
     @cached_property
     def si(self) -> Mapping[str, float]:
