@@ -50,7 +50,19 @@ def test_families_that_use_them_are_right(added: PackageCopy, family: str) -> No
 def test_solutions_go_from_group_to_group(added: PackageCopy) -> None:
     solved = added.run("solve", "slider_crank", "--form", "central", "--seed", "1", "--explain")
     assert "The perpendiculars to these velocities at A and B meet" in solved.stdout, solved.stderr
-    halved = added.run("solve", "four_bar", "--form", "crank", "--seed", "1", "--ask", "v_M", "--explain")
+    halved = added.run(
+        "solve",
+        "four_bar",
+        "--form",
+        "crank",
+        "--seed",
+        "1",
+        "--ask",
+        "v_M",
+        "--method",
+        "velocity_centre",
+        "--explain",
+    )
     assert re.search(r"AM = AB ?/ ?2", halved.stdout), halved.stdout + halved.stderr
 
 
@@ -74,7 +86,11 @@ def test_sheets_show_and_tell_them(added: PackageCopy) -> None:
             "spin",
             ("solve", "slider_crank", "--form", "central", "--explain", "--method", "coordinates"),
         ),
-        ("methods/geometry/placing", "middle", ("solve", "four_bar", "--ask", "v_M", "--explain")),
+        (
+            "methods/geometry/placing",
+            "middle",
+            ("solve", "four_bar", "--ask", "v_M", "--method", "velocity_centre", "--explain"),
+        ),
     ],
 )
 def test_what_is_left_out_is_named(

@@ -120,8 +120,8 @@ def test_sides_of_a_rope_are_told_in_words(output):
     assert "as where it goes up, over a pulley to the right, and down again" in message
     left = ROPE.replace('"up"', '"left"')
     assert "v_T = 7 cm/s" in output(left, 0)  # so it does here
-    # Nothing is accelerated, also in the check at the end.
-    assert output(left, 0, "--explain").rstrip().endswith("a_T = 0\N{NO-BREAK SPACE}cm/s²")
+    # Nothing is accelerated, also where the solution says so.
+    assert output(left, 0, "--explain").rstrip().endswith("a_T = 0\N{NO-BREAK SPACE}cm/s².")
 
 
 @pytest.mark.parametrize("small", ["1e-15", "-2.4e-16", '"1e-15 cm"'])

@@ -37,7 +37,7 @@ names = "name"
 [[problem]]
 family = "four_bar"
 form = "crank"
-ask = ["v_B"]
+ask = ["v_B", "a_B"]
 method = "{method}"
 """
 BUILDS = {  # flavours of veraPDF, and what the exam says
