@@ -181,7 +181,7 @@ def test_ctrl_c_says_how_to_go_on(tmp_path: Path) -> None:
         "build",
         str(exam_file(tmp_path)),
         "--variants",
-        "400",
+        "2000",
         "--out",
         "out",
     ]
