@@ -10,12 +10,12 @@ import numpy as np
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import mechanism
-from variantgen.figure.contact_letters import draw_dot
 from variantgen.figure.drawing import THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest
 from variantgen.figure.ink import segments_of
-from variantgen.figure.label_requests import along_arrow, around
-from variantgen.figure.motion_board import LEAST, MotionBoard
+from variantgen.figure.motion.contact_letters import draw_dot
+from variantgen.figure.motion.motion_board import LEAST, MotionBoard
+from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points

@@ -16,9 +16,9 @@ from variantgen.figure.equations.body_board import (
     draw_vectors,
     sizes,
 )
-from variantgen.figure.least_crowded import first_roomy
-from variantgen.figure.motion_board import MotionBoard, named_together
-from variantgen.figure.vectors import Vectors, vectors_of
+from variantgen.figure.motion.motion_board import MotionBoard, named_together
+from variantgen.figure.motion.vectors import Vectors, vectors_of
+from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import to_plain
 
