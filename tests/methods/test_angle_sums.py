@@ -69,4 +69,4 @@ def test_the_third_corner_of_a_triangle_has_its_name() -> None:
     at_b = math.degrees(math.acos((1.4**2 + bf**2 - 2.0**2) / (2 * 1.4 * bf)))
     at_f = 180.0 - 70.0 - at_b
     assert f"∠OBF = 180° − ∠OFB − φ = 180° − {at_f:.2f}° − 70° = {at_b:.2f}°" in text
-    assert "cos ∠OBF" in text
+    assert "cos\N{NO-BREAK SPACE}∠OBF" in text
