@@ -34,7 +34,7 @@ def note_sum(book: Book, angle: Value) -> None:
 
 
 def named(book: Book, share: Share) -> Share:
-    """A projection whose angle, if it is a long sum, has a name: of a corner of the figure, or a letter, with a line."""
+    """A projection whose angle, if it is a long sum, has a name: a corner of the figure, or a letter, with a line."""
     found = renamed(book, share)
     if found is not share or share.angle is None or is_short(form := angle_sum(share.angle)):
         return found
