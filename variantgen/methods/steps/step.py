@@ -37,6 +37,11 @@ class Segment:
     centre_of: str = ""
 
 
+def triangle(first: str, second: str, third: str, centre_of: str = "") -> Segment:
+    """A triangle in a sentence by its corners, ``ABC``; ``centre_of`` makes the third the velocity centre of a body."""
+    return Segment(first + second, third, centre_of)
+
+
 @dataclass(frozen=True, slots=True)
 class Word:
     """A word of the language by its key in the table ``words``: a sense, a direction on paper, a kind of axis."""
