@@ -33,8 +33,8 @@ ZERO = Component(None, 0)
 
 
 def views_of(book: Book) -> tuple[str, ...]:
-    """The figure that shows the points at the contacts: that of the velocities."""
-    return ("velocities",) if book.order == 1 else ()
+    """The figure that shows the points at the contacts of a body: that of their velocities."""
+    return ("contact_velocities",) if book.order == 1 else ()
 
 
 def sides_of(book: Book, number: int, group: ContactGroup) -> tuple[ContactSide, ContactSide]:
