@@ -32,9 +32,7 @@ def point_vectors(book: Book, steps: Sequence[Step], order: int) -> PointVectors
     rates = {body: Name(kind, body) for body in task.scene.bodies}
     rates |= {body: as_stated(rates[body], rate.size) for body, rate in book.rates.items()}
     found = [
-        replace(
-            _equation(book, own, line), bodies=_bodies(step), axes=_axes(step, line), step=number, rods=_rods(step)
-        )
+        replace(_equation(book, own, line), bodies=_bodies(step), axes=_axes(step, line), step=number, rods=_rods(step))
         for number, step in enumerate(steps)
         for line in step.items
         if isinstance(line, VectorLine) and any(term.name.kind == book.letter for term in (*line.left, *line.right))
