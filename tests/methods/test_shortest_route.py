@@ -11,6 +11,7 @@ import pytest
 
 from variantgen import explain
 from variantgen.single import answers, one_variant
+from variantgen.variants.variant import solve_variants
 
 
 def solved(family: str, form: str, seed: str, methods: tuple[str, ...] = ()) -> tuple[str, dict[str, float]]:
@@ -110,3 +111,24 @@ def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
 def test_compound_motion_where_it_is_wished() -> None:
     assert "Coriolis" in solved("cam_disc", "roller", "181", ("relative_motion",))[0]
     assert "compound motion" in solved("cam_disc", "flat", "181", ("relative_motion",))[0]
+
+
+@pytest.mark.parametrize("seed", ["121", "122", "7"])
+def test_a_plate_on_rods_turns_about_the_crossing_of_two_of_them(seed: str) -> None:
+    """``omega = v_B / BP`` with P where the lines DC and EF meet, from the places of the statement's figure."""
+    text, found = solved("three_rod_plate", "", seed)
+    variant = one_variant("three_rod_plate", seed=seed)
+    z = {name: complex(place[0]) for name, place in solve_variants([variant], 1).z.items()}
+    normals = z["C"] - z["D"], z["F"] - z["E"]
+    below = (normals[0].conjugate() * normals[1]).imag
+    centre = z["D"] + ((z["E"] - z["D"]).conjugate() * normals[1]).imag / below * normals[0]
+    assert found["v_B"] / 100 == pytest.approx(abs(found["omega_BCF"] * (z["B"] - centre)), rel=1e-6)
+    assert "P_BCF" in text
+    assert "v⃗_A and v⃗_B have equal components along AB" in text
+    assert text.count("gives two linear equations") == 1  # those of the accelerations
+
+
+def test_three_equations_for_a_plate_where_the_pole_is_wished() -> None:
+    text, _ = solved("three_rod_plate", "", "121", ("velocity_pole",))
+    assert "P_BCF" not in text
+    assert text.count("gives two linear equations") == 2
