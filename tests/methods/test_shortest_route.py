@@ -5,7 +5,7 @@ Numbers are worked out here from the data of the variants.
 
 from __future__ import annotations
 
-from math import cos, radians, sqrt
+from math import cos, radians, sin, sqrt
 
 import pytest
 
@@ -74,3 +74,39 @@ def test_a_distance_that_nothing_is_computed_from_is_left_out() -> None:
     text, _ = solved("falling_rod", "", "12")
     assert "s = g · t^2 / 2" not in text
     assert "v_C = g · t" in text
+
+
+def test_a_roller_cam_is_a_slider_crank() -> None:
+    """With ``x_B = OC cos(phi) + sqrt(CB^2 - OC^2 sin(phi)^2)`` along the guide, ``v_B = |dx_B/dphi| omega``."""
+    text, found = solved("cam_disc", "roller", "181")  # R = 24, OC = 16, r = 8, phi = 120 deg, omega = 4, epsilon = 2
+    arm, rod, phi = 16.0, 32.0, radians(120)
+    reach = sqrt(rod**2 - (arm * sin(phi)) ** 2)
+    slope = -arm * sin(phi) - arm**2 * sin(phi) * cos(phi) / reach
+    assert found["v_D"] == pytest.approx(-4 * slope, rel=1e-7)
+    assert "moves like the slider of a slider-crank mechanism with the crank OC and the connecting rod CB" in text
+    assert "v⃗_B = v⃗_C + v⃗_BC" in text
+    assert "a^n_BC = v_BC^2 / CB" in text
+    assert "Coriolis" not in text
+
+
+def test_the_rod_of_a_roller_cam_in_translation() -> None:
+    text, found = solved("cam_disc", "roller", "128")  # OC = 15, CB = 31, phi = 90 deg, omega = 3, epsilon = 12
+    assert found["v_D"] == pytest.approx(3 * 15, rel=1e-12)
+    # dx_B/dphi = -OC, d2x_B/dphi2 = OC^2 / CB cos(psi): the acceleration along the guide.
+    along = 12 * 15 - 3**2 * 15**2 / sqrt(31**2 - 15**2)
+    assert found["a_D"] == pytest.approx(along, rel=1e-7)
+    assert "the rod CB is in translation at this instant, v⃗_B = v⃗_C" in text
+    assert "so a⃗^n_BC = 0" in text
+
+
+def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
+    text, found = solved("cam_disc", "flat", "181")  # OC = 20, phi = 50 deg, omega = 6, epsilon = 2
+    assert found["v_D"] == pytest.approx(6 * 20 * sin(radians(50)), rel=1e-7)
+    assert "have equal components across this face" in text
+    assert "v_D = v_C sin φ = " in text
+    assert "compound motion" not in text
+
+
+def test_compound_motion_where_it_is_wished() -> None:
+    assert "Coriolis" in solved("cam_disc", "roller", "181", ("relative_motion",))[0]
+    assert "compound motion" in solved("cam_disc", "flat", "181", ("relative_motion",))[0]

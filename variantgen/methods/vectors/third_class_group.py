@@ -162,7 +162,7 @@ def _enter(book: Book, body: str, found: Value) -> None:
         return
     rate = Rate(found, 1 if book.exact_rate(body) > 0 else -1)
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body))
+    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body), rate=Name(kind, body))
 
 
 def _keep_tracked(book: Book, group: ThirdClassGroup) -> None:
