@@ -8,7 +8,7 @@ import numpy as np
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.label_requests import along_arrow
+from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.wording.formula import Symbol
 
 _LENGTH = 11.0

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
 from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
-from variantgen.figure.label_requests import LabelRequest
-from variantgen.figure.labels import place_labels
+from variantgen.figure.placement.label_requests import LabelRequest
+from variantgen.figure.placement.labels import place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5

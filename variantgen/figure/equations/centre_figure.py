@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.centre_rays import draw_centre, plane_bodies
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.equations.body_board import BodyBoard, FigureSubject, draw_point, draw_vectors, sizes
-from variantgen.figure.least_crowded import first_roomy
-from variantgen.figure.motion_board import MotionBoard, named_together
-from variantgen.figure.motion_data import motion_data
+from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
+from variantgen.figure.motion.motion_board import MotionBoard, named_together
+from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.vectors import Vectors, vectors_of
+from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.figure.symbols.rotation import draw_arcs
-from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.wording.formula import Symbol

@@ -16,9 +16,9 @@ from variantgen.figure.equations.body_board import (
     draw_vectors,
     sizes,
 )
-from variantgen.figure.least_crowded import first_roomy
-from variantgen.figure.motion_board import MotionBoard, named_together
-from variantgen.figure.vectors import Vectors, vectors_of
+from variantgen.figure.motion.motion_board import MotionBoard, named_together
+from variantgen.figure.motion.vectors import Vectors, vectors_of
+from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import to_plain
 
@@ -39,7 +39,8 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     known = set(subject.motion.z)
     met = [name for arrow in shown for name in (arrow.name.of, arrow.name.about) if name in known]
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
-    bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others)))
+    ends = [end for rod in equation.rods for end in rod]
+    bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others, *ends)), equation.rods)
     return first_roomy(
         partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size) for stretch, size in _SIZES
     )

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.centre_rays import draw_centres
-from variantgen.figure.contact_letters import contacts, draw_contacts
 from variantgen.figure.drawing import MEDIUM, Drawing
-from variantgen.figure.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.motion_data import MotionData, motion_data
+from variantgen.figure.motion.centre_rays import draw_centres
+from variantgen.figure.motion.contact_letters import contacts, draw_contacts
+from variantgen.figure.motion.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
+from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
-from variantgen.figure.vectors import Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.variants.variant import Variant

@@ -68,8 +68,6 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
     book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]
-    if book.order == 2 and turning and not known.is_rest:
-        book.say_once("contact.normal")
     if touch.place and book.order == 1:
         for side in turning:
             book.say(touch.place, contact=Point(side.name), body=Body(side.body))
@@ -174,7 +172,7 @@ def enter_rate(book: Book, body: str, size: Expression | None, sense: int, arm: 
         return
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, size / arm), sense)
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body))
+    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body), rate=Name(kind, body))
 
 
 def enter_with_way(

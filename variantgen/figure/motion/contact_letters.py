@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from variantgen.algebra.name import Name
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.label_requests import around
-from variantgen.figure.motion_board import MotionBoard
+from variantgen.figure.motion.motion_board import MotionBoard
+from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.groups.contact import place_of
 from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
