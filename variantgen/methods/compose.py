@@ -17,6 +17,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
+from variantgen.methods.solution.second_reading import read_again
 from variantgen.methods.solution.used import used_lines, used_steps
 from variantgen.methods.step_figures import step_figures
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
@@ -86,6 +87,7 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)
+    steps = read_again(steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     centres, vectors = _acceleration_centres(book), _vectors(book, steps)
     steps, geometry = step_figures(task, steps, vectors)

@@ -40,7 +40,9 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     known = set(subject.motion.z)
     met = [name for arrow in shown for name in (arrow.name.of, arrow.name.about) if name in known]
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
-    bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others)))
+    ends = [end for rod in equation.rods for end in rod]
+    points = dict.fromkeys((equation.point, *others, *ends))
+    bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods)
     # Marks of angles go where there is room for them.
     return first_roomy(
         partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, most)
