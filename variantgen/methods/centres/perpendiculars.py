@@ -30,7 +30,6 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
     """
     a, b = first.point, second.point
     facts = facts_of_two(body, first, second)
-    book.say("perpendiculars.directions", True, **facts)
     if are_parallel(first, second):
         if is_across(book, first, b):
             raise ArithmeticError(f"the directions of the velocities of {a} and {b} do not tell where the centre is")

@@ -13,9 +13,10 @@ import numpy as np
 from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.point_vectors import Arrow, Axis, PointEquation, PointVectors
-from variantgen.methods.steps.step import Body, Derived, Projection, Step, Term, VectorLine
+from variantgen.methods.steps.step import Body, Derived, Projection, Segment, Step, Term, VectorLine
 from variantgen.methods.vectors.given_motion import as_stated
 
+_RODS = ("crank", "rod")  # facts of headings
 _OWN = ("n", "tau")  # components of the vector of a point on its path
 
 
@@ -31,7 +32,7 @@ def point_vectors(book: Book, steps: Sequence[Step], order: int) -> PointVectors
     rates = {body: Name(kind, body) for body in task.scene.bodies}
     rates |= {body: as_stated(rates[body], rate.size) for body, rate in book.rates.items()}
     found = [
-        replace(_equation(book, own, line), bodies=_bodies(step), axes=_axes(step, line), step=number)
+        replace(_equation(book, own, line), bodies=_bodies(step), axes=_axes(step, line), step=number, rods=_rods(step))
         for number, step in enumerate(steps)
         for line in step.items
         if isinstance(line, VectorLine) and any(term.name.kind == book.letter for term in (*line.left, *line.right))
@@ -45,6 +46,12 @@ def point_vectors(book: Book, steps: Sequence[Step], order: int) -> PointVectors
 def _bodies(step: Step) -> tuple[str, ...]:
     """The bodies that the heading of a step names."""
     return tuple(fact.name for fact in step.heading.facts.values() if isinstance(fact, Body))
+
+
+def _rods(step: Step) -> tuple[tuple[str, str], ...]:
+    """The ends of the links that the heading of a step puts in the place of a contact."""
+    found = (step.heading.facts.get(name) for name in _RODS)
+    return tuple((fact.start, fact.end) for fact in found if isinstance(fact, Segment))
 
 
 def _axes(step: Step, line: VectorLine) -> tuple[Axis, ...]:
