@@ -35,6 +35,7 @@ from variantgen.methods.vectors.vector_equation import share_of, shares, unknown
 
 _AXES = {"right": RIGHT, "up": UP}
 _UNKNOWNS = 2  # vectors that an equation determines
+_EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
 _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
@@ -46,10 +47,16 @@ def equal_projections(book: Book) -> list[Item]:
     for body, members in book.task.scene.bodies.items():
         moving = [p for p in members if len(book.velocity.get(p, ())) == 1]
         for first, second in combinations(moving, 2):
-            items = _pair(book, body, first, second)
+            items = [] if _are_equated(book, first, second) else _pair(book, body, first, second)
             if items:
                 return items
     return []
+
+
+def _are_equated(book: Book, first: str, second: str) -> bool:
+    """Whether the velocities of two points were found by their equal projections."""
+    ends = (Segment(first, second), Segment(second, first))
+    return any(book.has_said(key, segment=segment) for key in _EQUATED for segment in ends)
 
 
 def third_axis(steps: Sequence[Step]) -> list[Item]:

@@ -10,6 +10,7 @@ from variantgen.algebra.expression import Applied, Expression, Value
 from variantgen.algebra.name import OWN_AXES, Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import StepGeometry
 
 
 @dataclass(frozen=True, slots=True)
@@ -261,7 +262,10 @@ Item: TypeAlias = (
 
 @dataclass(slots=True)
 class Step:
-    """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it."""
+    """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it.
+
+    Of a finished solution they are the names of figures: with the body or the number of the equation that each shows.
+    """
 
     heading: Sentence
     items: list[Item] = field(default_factory=list)
@@ -274,7 +278,8 @@ class Solution:
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
     ``centres`` are the rays to acceleration centres that it speaks of. Its figures draw ``vectors``: first those of
-    the velocities, then, where accelerations are asked, those of the accelerations.
+    the velocities, then, where accelerations are asked, those of the accelerations; each marks the ``geometry`` under
+    its name.
     """
 
     steps: tuple[Step, ...]
@@ -283,3 +288,4 @@ class Solution:
     approximate: int = 0
     centres: tuple[Quantity, ...] = ()
     vectors: tuple[PointVectors, ...] = ()
+    geometry: Mapping[str, StepGeometry] = field(default_factory=dict)
