@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from variantgen.algebra.expression import Applied, Expression, Value
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import OWN_AXES, Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import StepGeometry
@@ -126,6 +126,11 @@ class Term:
     size: Value | None
     angle: Value
     way: Sentence
+
+    @property
+    def is_laid(self) -> bool:
+        """Whether it is a component along an axis that the solution has laid."""
+        return self.name.part.rpartition(" ")[2] in OWN_AXES
 
     @property
     def point(self) -> str:
