@@ -83,7 +83,7 @@ def test_senses_of_rotation_are_those_of_the_solved_motion(name: str) -> None:
         assert len(arrows) == len(solved), each.figure.alt
         # Told in the order of the drivers, the angular velocity before the angular acceleration.
         for (symbol, item), (key, rate) in zip(arrows.items(), solved.items(), strict=True):
-            assert symbol[0] == key[0]
+            assert symbol[0] == {"ω": letters(each)[0], "ε": letters(each)[1]}[key[0]]
             right, wrong = each.words["counter_clockwise"], each.words["clockwise"]
             if rate < 0:
                 right, wrong = wrong, right

@@ -179,7 +179,7 @@ def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> Non
         seen = inspect_labels(drawing)
         assert not seen.overlaps
         assert not seen.outside
-        assert drawing.width < 120
+        assert drawing.width < 125  # the letters of English are wider: (a_C/B)_n
         assert drawing.height < 120
 
 

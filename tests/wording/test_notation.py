@@ -53,7 +53,9 @@ def test_letters(lang: str, words: tuple[str, ...], angular: str, angle: str, no
 )
 def test_each_language_has_the_letters_of_its_textbooks(name: Name, ru: str, en: str) -> None:
     written = [
-        to_plain(Symbols(FORM, load_language(lang), load_phrases(lang), {}).of(name)).replace(" τ", "τ").replace(" t", "t")
+        to_plain(Symbols(FORM, load_language(lang), load_phrases(lang), {}).of(name))
+        .replace(" τ", "τ")
+        .replace(" t", "t")
         for lang in ("ru", "en")
     ]
     assert written == [ru, en]

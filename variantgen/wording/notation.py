@@ -35,7 +35,6 @@ class Notation:
         if problems:
             raise InputError(problems)
 
-
     def filled(self, usual: Mapping[str, str]) -> Notation:
         """The notation with what is usual in a language where it chooses nothing."""
         return Notation(**{field.name: getattr(self, field.name) or usual[field.name] for field in fields(self)})
