@@ -12,7 +12,6 @@ from variantgen.methods.steps.step import (
     Balance,
     Body,
     CentreOf,
-    ChainGraph,
     Derived,
     EquationLine,
     Fact,
@@ -32,6 +31,7 @@ from variantgen.methods.steps.step import (
     VectorOf,
     Word,
 )
+from variantgen.methods.steps.step_geometry import ChainGraph
 from variantgen.wording.formula import (
     Formula,
     Graph,
