@@ -150,6 +150,9 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for joint in board.scene.joints:
         if not _seeks_room(joint):
             _draw_symbol(board, joint)
+    for driver in board.scene.drivers if marks else ():
+        if not _seeks_room(driver):
+            _draw_symbol(board, driver)
     for length in form.figure.lengths:
         if length.name in given:
             draw_length(board, length)
@@ -163,9 +166,10 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
             _draw_symbol(board, joint)
     _draw_points(board, board.shown)
     if marks:
-        # Last, because the arrows of given motion go where there is room left.
+        # Last, because arcs of rotation go where there is room left.
         for driver in board.scene.drivers:
-            _draw_symbol(board, driver)
+            if _seeks_room(driver):
+                _draw_symbol(board, driver)
 
 
 def _has_axes(asked: Sequence[Quantity]) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes, Turn
 from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
 from variantgen.figure.label_requests import LabelRequest
 from variantgen.figure.labels import place_labels
@@ -31,7 +31,8 @@ class Sketch:
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
     ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
-    notes that a vector is longer than to scale.
+    notes that a vector is longer than to scale, ``turns`` are the arcs of rotation,
+    ``walls`` the ends of hatched lines with the direction (unit) to their hatching.
     """
 
     at: dict[str, complex]
@@ -42,8 +43,11 @@ class Sketch:
     symbol_radius: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
     lengthened: bool = False
+    turns: list[Turn] = field(default_factory=list)
+    walls: list[tuple[complex, complex, complex]] = field(default_factory=list)
     _corners: list[complex] = field(default_factory=list)
     _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
+    _weights: list[float] = field(default_factory=list)  # of the lines of these segments
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
     _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
 
@@ -77,6 +81,7 @@ class Sketch:
         count = min(_MOST_STROKES, max(2, round(length / _HATCH_STEP)))
         feet = [start + way * (0.3 + length * i / count) for i in range(count + 1)]
         first, last = feet[0], feet[-1]
+        self.walls.append((start, end, normal))
         outline = [
             (first + stroke, last + stroke),
             (first, first + stroke),
@@ -105,8 +110,8 @@ class Sketch:
         self.path((start, end - 0.8 * head * way), layer, weight)
         self._head(end, way, layer, head)
 
-    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> None:
-        """An arc with a head at its end, in the sense of ``sweep``."""
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> Arc:
+        """An arc with a head at its end, in the sense of ``sweep``; returns it with its head."""
         head = 2.3
         sense = math.copysign(1.0, sweep)
         self.arc(Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep - sense * 0.8 * head / radius))
@@ -114,6 +119,7 @@ class Sketch:
         # The head follows the chord of its own length, so that it lies on the arc.
         way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)
         self._head(tip, way, Layer.VECTOR, head)
+        return Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep)
 
     def _head(self, tip: complex, way: complex, layer: Layer, head: float) -> None:
         wing = 0.31 * head * 1j * way
@@ -124,6 +130,7 @@ class Sketch:
         self.lines.append(line)
         self._corners += _extent(line)
         self._obstacles += chain.from_iterable(obstacles)
+        self._weights += [line.weight] * len(obstacles)
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
@@ -177,14 +184,16 @@ class Sketch:
         circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
         return np.arctan2(arms.imag, arms.real)[arm], circle
 
-    def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
-        """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""
+    def weight_on_rays(
+        self, centre: complex, angles: NDArray[np.float64], start: float, end: float
+    ) -> NDArray[np.float64]:
+        """Weights (u) of the lines drawn so far that each ray from a centre crosses between two distances, shape (A,)."""
         segments = (self._segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
         low, high = segments[..., 0], segments[..., 1]
         rise = high.imag - low.imag
         over = (low.imag <= 0) != (high.imag <= 0)
         place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
-        result: NDArray[np.int64] = np.sum(over & (place > start) & (place < end), axis=1)
+        result: NDArray[np.float64] = np.sum(self._weights * (over & (place > start) & (place < end)), axis=1)
         return result
 
     def _segments(self) -> NDArray[np.complex128]:
@@ -192,6 +201,31 @@ class Sketch:
             new = np.array(self._obstacles[self._known.size :], dtype=complex).reshape(-1, 2)
             self._known = np.concatenate((self._known, new))
         return self._known
+
+    def lanes_met(
+        self,
+        centre: complex,
+        way: complex,
+        lanes: NDArray[np.float64],
+        half_widths: NDArray[np.float64],
+        further: Sequence[tuple[complex, complex]] = (),
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """From where to where each line drawn so far (and each of ``further`` ones) runs in each lane, shape (L, S) each.
+
+        A lane is the paper within a half width (shape (L,)) of a line through ``centre`` in the direction ``way`` (unit),
+        moved to the left by ``lanes`` (shape (L,)); distances are along the way. A line that is nowhere in a lane goes
+        from infinity to minus infinity.
+        """
+        every = np.concatenate((self._segments(), np.array(further, dtype=complex).reshape(-1, 2)))
+        local = (every - centre) * way.conjugate()
+        start, step = local[:, 0], local[:, 1] - local[:, 0]
+        rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
+        edges = lanes[:, None] + np.array((-1.0, 1.0))[:, None, None] * half_widths[:, None]
+        first, last = np.sort((edges - start.imag) / rise, axis=0)
+        first, last = np.maximum(first, 0.0), np.minimum(last, 1.0)
+        ends = np.sort(start.real + np.array((first, last)) * step.real, axis=0)
+        within = first <= last
+        return np.where(within, ends[0], np.inf), np.where(within, ends[1], -np.inf)
 
     def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
@@ -221,6 +255,7 @@ class Sketch:
             origin=-low,
             beyond=tuple(self.beyond),
             lengthened=self.lengthened,
+            turns=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.turns]),
         )
 
 
@@ -267,4 +302,8 @@ def moved(line: Line, by: complex) -> Line:
         return Path(tuple([p + by for p in line.points]), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):
         return Strokes(tuple([(p + by, q + by) for p, q in line.segments]), line.layer, line.weight)
-    return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)
+    return _moved_arc(line, by)
+
+
+def _moved_arc(arc: Arc, by: complex) -> Arc:
+    return arc._replace(centre=arc.centre + by)

@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import Arc, Layer
+from variantgen.figure.drawing import Arc, Layer, Turn
 from variantgen.figure.label_requests import along_arc, label_size
 from variantgen.figure.labels import GAP
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
+SEEKS_ROOM = True
 _SWEEP = math.radians(62)
 _LONGEST = 16.0  # length of an arc, u
 _RADII = (6.2, 8.4, 10.4)
@@ -56,12 +57,14 @@ def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]], ab
     sketch = board.sketch
     pivot = about or board.centre_of_rotation(body)
     radii = _radii(board, body, pivot)
+    own = tuple(board.discs[body]) if any(d.body == body and d.centre == pivot for d in board.form.figure.discs) else ()
     taken: list[float] = []
     for formula, rate in rates:
         radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
         turn = math.copysign(_sweep(radius), rate)
         taken.append(middle)
-        sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
+        arc = sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
+        sketch.turns.append(Turn(formula, arc, own))
         sketch.label(along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn))
         for part in (-0.5, 0.0, 0.5):
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
