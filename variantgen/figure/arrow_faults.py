@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
 
-from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Line, Path, Strokes, Turn
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Line, Path, RotationArc, Strokes
 from variantgen.figure.ink import segments_of
 from variantgen.wording.formula import to_plain
 
@@ -50,8 +50,8 @@ class ArrowInspection:
     foreign: tuple[str, ...]
 
     @property
-    def messages(self) -> list[str]:
-        """The faults in words."""
+    def by_kind(self) -> dict[str, list[str]]:
+        """The faults in words, by the names of the fields."""
         words = {
             "crossed": "the arrow {} crosses a line",
             "doubled": "the arrows {} read as one with two heads",
@@ -62,7 +62,7 @@ class ArrowInspection:
             "small": "the arc {} is too small",
             "foreign": "the arc {} seems to belong to another body",
         }
-        return [words[spec.name].format(name) for spec in fields(self) for name in getattr(self, spec.name)]
+        return {kind: [text.format(name) for name in getattr(self, kind)] for kind, text in words.items()}
 
 
 def inspect_arrows(drawing: Drawing) -> ArrowInspection:
@@ -79,8 +79,8 @@ def inspect_arrows(drawing: Drawing) -> ArrowInspection:
         tuple(name for arrow, name in named.items() if _is_continued(arrow, drawing.lines)),
         tuple(_place(d) for d in dimensions if _crosses_parts(d, drawing.lines)),
         tuple(_place(d) for d in dimensions if _grazes(d, drawing.lines)),
-        tuple(to_plain(turn.formula) for turn in drawing.turns if _is_small(turn, drawing.lines)),
-        tuple(to_plain(turn.formula) for turn in drawing.turns if _is_foreign(turn, drawing.lines)),
+        tuple(to_plain(turn.formula) for turn in drawing.rotations if _is_small(turn, drawing.lines)),
+        tuple(to_plain(turn.formula) for turn in drawing.rotations if _is_foreign(turn, drawing.lines)),
     )
 
 
@@ -244,7 +244,7 @@ def _grazes(shaft: Shaft, lines: Sequence[Line]) -> bool:
     return False
 
 
-def _is_small(turn: Turn, lines: Sequence[Line]) -> bool:
+def _is_small(turn: RotationArc, lines: Sequence[Line]) -> bool:
     """Whether an arc of rotation is too short, for its own sake or for the plate in which it stands."""
     plates = [line.points for line in lines if isinstance(line, Path) and line.fill == "shade" and len(line.points) > 2]
     middle = turn.arc.at(0.5)
@@ -263,7 +263,7 @@ def _from_line(place: complex, start: complex, end: complex) -> float:
     return float(((place - start) * ((end - start) / abs(end - start)).conjugate()).imag)
 
 
-def _is_foreign(turn: Turn, lines: Sequence[Line]) -> bool:
+def _is_foreign(turn: RotationArc, lines: Sequence[Line]) -> bool:
     """Whether an arc runs along the rim of a wheel about the same centre that is not of its body.
 
     The rim of a wheel at rest is none: it has no rotation that could be meant.

@@ -37,7 +37,7 @@ _ASIDE, _ALONG, _SLID, _SHORT = 0.3, 0.4, 0.08, np.array([0.0, 1.5, 4.0])
 
 @dataclass(frozen=True)
 class _Grid:
-    """The places of an arrow: lanes aside, and in each the same feet and lengths; costs have the shape (lanes, places)."""
+    """The places of an arrow: lanes aside, in each the same feet and lengths; costs have the shape (lanes, places)."""
 
     lanes: NDArray[np.float64]
     feet: NDArray[np.float64]
@@ -145,7 +145,7 @@ def _crossing(
     count = len(grid.lanes)
     lanes = np.concatenate((grid.lanes, grid.lanes, grid.lanes + beside, grid.lanes - beside))
     widths = np.repeat((_HALF_LANE, across, across, across), count)
-    low, high = board.sketch.lanes_met(centre, way, lanes, widths, reserved)
+    low, high = board.sketch.obstacles.lanes_met(centre, way, lanes, widths, reserved)
     heads = tails + grid.lengths
     at_point = grid.lanes[:, None] == 0
     from_, to = np.where(at_point, np.maximum(tails, root), tails - 0.6), heads + _PAST
@@ -153,10 +153,10 @@ def _crossing(
     met = np.minimum((shared >= 0).sum(axis=2), 4)
     costs: NDArray[np.float64] = _CROSSED * met + _ON_LINE * np.maximum(shared, 0.0).sum(axis=2)
     middle = tails + 0.6 * grid.lengths
-    windows = [(heads + _OFF, heads + _OFF + 2 * half), (middle - half, middle + half), (middle - half, middle + half)]
+    spots = [(heads + _OFF, heads + _OFF + 2 * half), (middle - half, middle + half), (middle - half, middle + half)]
     covered = [
         np.sum((low[i : i + count, None] < end[..., None]) & (high[i : i + count, None] > begin[..., None]), axis=2)
-        for i, (begin, end) in zip((count, 2 * count, 3 * count), windows, strict=True)
+        for i, (begin, end) in zip((count, 2 * count, 3 * count), spots, strict=True)
     ]
     best: NDArray[np.float64] = np.minimum(np.min(covered, axis=0), 3)
     return costs + _COVERED * best

@@ -105,8 +105,8 @@ class Label(NamedTuple):
     arrow: tuple[complex, complex] | None = None
 
 
-class Turn(NamedTuple):
-    """An arc of rotation: the symbol of the rate, the arc with its head, radii (u) of its body's discs about its centre."""
+class RotationArc(NamedTuple):
+    """An arc of rotation: symbol of the rate, the arc with its head, radii (u) of its body's discs about its centre."""
 
     formula: Formula
     arc: Arc
@@ -119,7 +119,7 @@ class Drawing:
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
-    than to scale, so that it is seen. ``turns`` are the arcs of rotation among the lines.
+    than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines.
     """
 
     width: float
@@ -132,7 +132,7 @@ class Drawing:
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
     lengthened: bool = False
-    turns: tuple[Turn, ...] = ()
+    rotations: tuple[RotationArc, ...] = ()
 
     @cached_property
     def alt(self) -> str:

@@ -110,7 +110,7 @@ def _roomiest_shift(board: Board, start: complex, end: complex) -> complex:
     middle = sum(seen) / len(seen)
     outward = 1j * way if ((middle - start) * (1j * way).conjugate()).real < 0 else -1j * way
     shifts = np.concatenate((_SHIFTS * outward, -_SHIFTS * outward))
-    along = start + np.linspace(0.06, 0.94, _LANE) * (end - start)
+    along = start + np.linspace(0.0, 1.0, _LANE) * (end - start)
     lanes = (along[None, :] + shifts[:, None]).ravel()
     met = sketch.crossings(lanes, (1.5, 1.5)) > 0
     for body in board.form.figure.plates:
@@ -190,9 +190,9 @@ def _roomiest_radius(board: Board, point: str, radius: float, begin: float, lett
 
 
 def _lines_on_rays(board: Board, centre: complex, angles: NDArray[np.float64], end: float) -> NDArray[np.float64]:
-    """Cost of the lines that rays from a centre cross before a distance, or nearly cross (a rim along which one runs)."""
+    """Cost of the lines that rays from a centre cross before a distance, or nearly cross (a rim beside one)."""
     crossed, *beside = (
-        board.sketch.weight_on_rays(centre, angles + turn, 0.0, end) for turn in (0.0, -_NEARLY, _NEARLY)
+        board.sketch.obstacles.weight_on_rays(centre, angles + turn, 0.0, end) for turn in (0.0, -_NEARLY, _NEARLY)
     )
     total: NDArray[np.float64] = _CROSSED * crossed + _NEAR * np.maximum(*beside)
     return total
@@ -209,7 +209,9 @@ def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
     formula = board.symbol(mark.name)
     half_width, half_height = (0.5 * side + GAP for side in label_size(formula))
     aside = 1.0 + half_width * np.abs(ways.imag) + half_height * np.abs(ways.real)
-    letters = np.array([centre + (part * radius + side * 1j * aside) * ways for part in (0.4, 0.5, 0.6) for side in (1, -1)])
+    letters = np.array(
+        [centre + (part * radius + side * 1j * aside) * ways for part in (0.4, 0.5, 0.6) for side in (1, -1)]
+    )
     covered = sketch.crossings(letters.ravel(), (half_width, half_height)).reshape(len(letters), -1)
     room = np.maximum(0.0, math.radians(20) - sketch.freedom(mark.centre, angles))
     costs = _lines_on_rays(board, centre, angles, radius - 1.5) + 8 * room + 2 * np.minimum(np.min(covered, axis=0), 4)

@@ -8,7 +8,7 @@ from variantgen.figure.arrows import directed, draw_arrows
 from variantgen.figure.board import Board
 from variantgen.mechanism.drivers.circling import Circling
 
-_SLOT = 2.4  # half the width of a slot with its edges, u
+_SLOT, _RIM = 2.4, 0.9  # half the width of what an arrow leaves: a slot with its edges, a rim, u
 
 
 def draw(board: Board, driver: Circling) -> None:
@@ -16,7 +16,8 @@ def draw(board: Board, driver: Circling) -> None:
     ray = board.sketch.at[driver.point] - board.sketch.at[driver.centre]
     way = float(board.frame.sense) * 1j * ray / abs(ray)
     # A tangent leaves its own circle, and the edges of a slot along it, only after a while.
-    root = math.sqrt(2 * _SLOT * abs(ray) + _SLOT**2)
+    half = _SLOT if driver.point in board.clear else _RIM
+    root = math.sqrt(2 * half * abs(ray) + half**2)
     v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
     symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
     draw_arrows(board, driver.point, (directed(v, way), directed(a, way)), symbols, root=root)
