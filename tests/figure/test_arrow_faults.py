@@ -9,7 +9,7 @@ import pytest
 
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.drawing import BOLD, Arc, Drawing, Layer, RotationArc
-from variantgen.figure.label_requests import along_arrow
+from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Symbol
 

@@ -102,7 +102,7 @@ def test_velocities_are_perpendicular_to_the_rays_to_a_centre_on_the_paper(name:
             near = min(abs(place - at) for place in seen)
             assert near < 1e-6 or near > 5, view  # at its place, or behind a break
         for start, tip in arrows(drawing, Layer.SLIDER):
-            point = min(points.values(), key=lambda place: abs(place - start))
+            point = min((*points.values(), *dots(drawing)), key=lambda place: abs(place - start))
             arm = (at - point) * (tip - start).conjugate()
             assert abs(arm.real) < 1e-6 * abs(arm), view
 

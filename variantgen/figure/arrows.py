@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.label_requests import along_arrow, label_size
-from variantgen.figure.labels import GAP
+from variantgen.figure.placement.label_requests import along_arrow, label_size
+from variantgen.figure.placement.labels import GAP
 from variantgen.wording.formula import Symbol
 
 _LENGTHS = (11.0, 8.8)  # of velocities, of accelerations, u

@@ -16,9 +16,9 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.axes import draw_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
-from variantgen.figure.label_requests import around
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
+from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint

@@ -13,8 +13,8 @@ from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, Ri
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
-from variantgen.figure.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
-from variantgen.figure.labels import GAP
+from variantgen.figure.placement.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
+from variantgen.figure.placement.labels import GAP
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
 from variantgen.figure.ink import Sides, segments_of
-from variantgen.figure.label_requests import LabelRequest
-from variantgen.figure.labels import place_labels
 from variantgen.figure.obstacles import Obstacles
+from variantgen.figure.placement.label_requests import LabelRequest
+from variantgen.figure.placement.labels import place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5

@@ -146,4 +146,4 @@ def _enter(book: Book, body: str, value: Value) -> None:
     size = value if sense >= 0 else book.derive(Name(kind, body), value.measure, -value)
     book.rates[body] = Rate(size, sense)
     key = f"rates.no_{kind}" if not sense else f"rates.{kind}_{book.rates[body].word}_sum"
-    book.say(key, False, body=Body(body))
+    book.say(key, False, body=Body(body), rate=Name(kind, body))

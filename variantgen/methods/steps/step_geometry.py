@@ -1,0 +1,37 @@
+"""The angles and segments of which a step speaks: what its figure marks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.algebra.expression import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """An angle: its ``value``, and the ways from its vertex along its sides (printed unit of length).
+
+    ``vertex`` is a point, ``ends`` are those on its sides that must be seen. ``centre`` is the body to whose velocity
+    or acceleration centre a side leads, or at whose centre the vertex is (``at_centre``).
+    """
+
+    value: Value
+    vertex: str
+    sides: tuple[complex, complex]
+    ends: tuple[str, ...] = ()
+    centre: str = ""
+    at_centre: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class StepGeometry:
+    """The ``corners``, and the ends of the ``segments`` between points, in the order in which they are met."""
+
+    corners: tuple[Corner, ...] = ()
+    segments: tuple[tuple[str, str], ...] = ()
+
+    def __add__(self, other: StepGeometry) -> StepGeometry:
+        return StepGeometry((*self.corners, *other.corners), (*self.segments, *other.segments))
+
+
+NOTHING_MARKED = StepGeometry()
