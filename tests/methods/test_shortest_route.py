@@ -137,7 +137,7 @@ def test_three_equations_for_a_plate_where_the_pole_is_wished() -> None:
 def test_the_other_end_of_a_diameter_has_twice_the_velocity_of_the_centre() -> None:
     text, found = solved("planetary_train", "ring", "154")  # OA = 22, r_3 = 32, omega = 1.5
     assert "N is twice as far from P as A: v_N = 2 v_A = 2 · 33 = 66" in text
-    assert found["omega_3"] == pytest.approx(2 * 1.5 * 22 / 32, rel=1e-7)
+    assert found["omega_gear3"] == pytest.approx(2 * 1.5 * 22 / 32, rel=1e-7)
 
 
 def test_the_ends_of_a_diameter_have_half_their_sum_at_the_centre() -> None:

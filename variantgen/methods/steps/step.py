@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from variantgen.algebra.expression import Applied, Expression, Value
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import OWN_AXES, Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import ChainGraph, StepGeometry
@@ -36,6 +36,11 @@ class Segment:
     start: str
     end: str
     centre_of: str = ""
+
+
+def triangle(first: str, second: str, third: str, centre_of: str = "") -> Segment:
+    """A triangle in a sentence by its corners, ``ABC``; ``centre_of`` makes the third the velocity centre of a body."""
+    return Segment(first + second, third, centre_of)
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +126,11 @@ class Term:
     size: Value | None
     angle: Value
     way: Sentence
+
+    @property
+    def is_laid(self) -> bool:
+        """Whether it is a component along an axis that the solution has laid."""
+        return self.name.part.rpartition(" ")[2] in OWN_AXES
 
     @property
     def point(self) -> str:

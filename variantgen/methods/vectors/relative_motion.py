@@ -241,7 +241,7 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
-    say_unneeded(book, point, carrier)
+    say_unneeded(book, book.coriolis.get((point, carrier), ()) if book.order == 2 else ())
     _enter(book, group, sides, sizes)
 
 
