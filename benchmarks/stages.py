@@ -47,7 +47,7 @@ HOOKS = (
     Hook("confirming", "variantgen.methods.agreement:confirm", whole=True, apart=True),
     Hook("statement text", "variantgen.wording.statement:statement", whole=True),
     Hook("figures: geometry", "variantgen.figure.build:statement_figure"),
-    Hook("figures: labels", "variantgen.figure.labels:place_labels", whole=True),
+    Hook("figures: labels", "variantgen.figure.placement.labels:place_labels", whole=True),
     Hook("figures: text in words", "variantgen.figure.alt_text.description:describe", whole=True),
     Hook("solutions: methods", "variantgen.methods.linkage.problem:task_of", whole=True),
     Hook("solutions: methods", "variantgen.methods.compose:solution", whole=True),

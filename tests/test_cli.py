@@ -213,7 +213,7 @@ def test_show_says_what_is_wrong_with_a_figure(
 
 
 @pytest.mark.parametrize(
-    ("lang", "words"), [("en", ["Plan", "Answer:", "Check."]), ("ru", ["План", "Ответ:", "Проверка."])]
+    ("lang", "words"), [("en", ["1. Position", "Answer:", "Check."]), ("ru", ["1. Положение", "Ответ:", "Проверка."])]
 )
 def test_solve_explains(lang: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", "four_bar", "--seed", "3", "--explain", "--lang", lang]) == 0
@@ -261,6 +261,6 @@ def test_show_writes_a_page_with_the_solution(ending: str, start: bytes, tmp_pat
 
 
 def test_show_prints_problem_and_solution(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["show", "four_bar", "--explain"]) == 0
+    assert main(["show", "three_rod_plate", "--explain"]) == 0
     said = capsys.readouterr().out
     assert said.index("Given:") < said.index("Plan:") < said.index("Answer:")

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from variantgen.algebra import python_source
 from variantgen.algebra.derivative import derivative
 from variantgen.algebra.expression import (
     Applied,
@@ -136,3 +137,17 @@ def test_zero_values_and_replaced_ones() -> None:
     assert pruned(X * zero + Y * R) == Y * R
     assert pruned(zero**2) is None
     assert substituted(X * cos(PHI), {X: R * Y}) == R * Y * cos(PHI)
+
+
+@pytest.mark.parametrize(
+    ("value", "measure", "text"),
+    [
+        (42.99999999999999, "length", "43"),
+        (0.1 + 0.2, "length", "0.3"),
+        (1 / 3, "length", "0.3333333333333"),
+        (0.0, "length", "0"),
+        (59.99999999999999, "angle", "np.radians(60)"),
+    ],
+)
+def test_a_program_has_no_rounding_of_the_machine(value: float, measure: str, text: str) -> None:
+    assert python_source.number(value, measure) == text

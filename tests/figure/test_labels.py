@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.ink import boxes_crossed, gaps_to_box
-from variantgen.figure.label_requests import along_arrow, along_line, around
-from variantgen.figure.labels import place_labels
-from variantgen.figure.occupancy import CELL, Occupancy
+from variantgen.figure.placement.label_requests import along_arrow, along_line, around
+from variantgen.figure.placement.labels import place_labels
+from variantgen.figure.placement.occupancy import CELL, Occupancy
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Index, Symbol
 

@@ -14,8 +14,8 @@ from variantgen.families.quantities import parse_quantity
 from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure
 from variantgen.figure.glyphs import KERNING, TABLE
-from variantgen.figure.label_requests import label_size
 from variantgen.figure.lettering import typeset
+from variantgen.figure.placement.label_requests import label_size
 from variantgen.outputs.typst.glyph_table import table
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.variants.draw import FamilySampler as Draws

@@ -13,9 +13,9 @@ from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
-from variantgen.figure.motion_board import LEAST
-from variantgen.figure.motion_data import motion_data
-from variantgen.figure.vectors import vectors_of
+from variantgen.figure.motion.motion_board import LEAST
+from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points

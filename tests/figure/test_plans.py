@@ -17,9 +17,9 @@ from variantgen.errors import InputError
 from variantgen.families.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
 from variantgen.figure.faults import inspect_labels
-from variantgen.figure.motion_data import motion_data
-from variantgen.figure.plans import COINCIDENT, PlanVector, round_length
-from variantgen.figure.vectors import vectors_of
+from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.plans import COINCIDENT, PlanVector, round_length
+from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion

@@ -20,6 +20,7 @@ from variantgen.mechanism.closed_form import (
     MOST_RADICAND,
     TOLERANCE,
     closed_form,
+    is_simple,
     root_of_fraction,
     square_fractions,
 )
@@ -161,3 +162,24 @@ def test_a_miss_costs_little() -> None:
     values = (10 ** np.random.default_rng(3).uniform(-1, 3, 2000)).tolist()
     seconds = min(timeit.repeat(lambda: [closed_form(value) for value in values], number=1, repeat=7))
     assert seconds / len(values) < 20e-6
+
+
+@pytest.mark.parametrize(
+    ("form", "simple"),
+    [
+        ((40, 3, 3), True),
+        ((-120, 1, 3), True),
+        ((1200, 1, 2), True),
+        ((99, 4, 7), True),
+        ((101, 4, 7), False),
+        ((135, 1, 3), False),
+        ((1, 1, 11), False),
+        ((1, 5, 2), False),
+        ((4, 3, 1), True),
+        ((400, 3, 1), False),
+        ((3, 4, 1), False),
+        ((7, 1, 1), False),
+    ],
+)
+def test_what_a_reader_takes_for_simple(form: tuple[int, int, int], simple: bool) -> None:
+    assert is_simple(*form) is simple

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from variantgen.algebra.expression import Applied, Constant, Total, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.geometry.angle_sums import acute, angle_sum, difference
+from variantgen.methods.geometry.angle_sums import acute, angle_sum, difference, supplement
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
@@ -41,3 +43,30 @@ def test_no_direction_is_taken_from_the_drawing(name: str) -> None:
     text = str(explain(one_variant(name, seed="23"), language="en"))
     assert "from the figure" not in text
     assert "φ_" not in text
+
+
+def test_the_supplement_of_a_single_angle_is_that_angle() -> None:
+    obtuse = Value(Name("parameter", "alpha"), "angle", 115.0)
+    acute_angle = Value(None, "angle", 65.0, Constant(180.0, "angle") - obtuse)
+    assert supplement(acute_angle) is obtuse
+    assert supplement(obtuse) is None
+    assert supplement(Value(None, "angle", 35.0, Constant(180.0, "angle") - obtuse - PHI)) is None
+
+
+def test_an_obtuse_given_angle_stands_in_its_cosine() -> None:
+    data = {"OA": 24, "r": 13, "alpha": 115, "omega_OA": 5}
+    text = str(explain(one_variant("crank_and_disc", data, seed="1", form="absolute"), language="en"))
+    assert "180° −" not in text
+    assert "cos\N{NO-BREAK SPACE}α" in text
+    assert "cos\N{NO-BREAK SPACE}115°" in text
+
+
+def test_the_third_corner_of_a_triangle_has_its_name() -> None:
+    # Triangle OBF with OB = 1.4, OF = 2.0 and 70 degrees at O: BF and the angle at B by hand.
+    variant = one_variant("hydraulic_hoist", {"OB": 1.4, "OF": 2.0, "phi": 70}, seed="1", form="boom")
+    text = str(explain(variant, language="en"))
+    bf = math.sqrt(1.4**2 + 2.0**2 - 2 * 1.4 * 2.0 * math.cos(math.radians(70)))
+    at_b = math.degrees(math.acos((1.4**2 + bf**2 - 2.0**2) / (2 * 1.4 * bf)))
+    at_f = 180.0 - 70.0 - at_b
+    assert f"∠OBF = 180° − ∠OFB − φ = 180° − {at_f:.2f}° − 70° = {at_b:.2f}°" in text
+    assert "cos\N{NO-BREAK SPACE}∠OBF" in text

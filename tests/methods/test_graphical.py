@@ -18,9 +18,9 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.drawing import Layer
-from variantgen.figure.motion_data import motion_data
-from variantgen.figure.plans import COINCIDENT, scale_of_plan, without_millimetres
-from variantgen.figure.vectors import vectors_of
+from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.plans import COINCIDENT, scale_of_plan, without_millimetres
+from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.methods.agreement import deviation
 from variantgen.methods.compose import solution

@@ -5,12 +5,13 @@ Numbers are worked out here from the data of the variants.
 
 from __future__ import annotations
 
-from math import cos, radians, sqrt
+from math import cos, radians, sin, sqrt
 
 import pytest
 
 from variantgen import explain
 from variantgen.single import answers, one_variant
+from variantgen.variants.variant import solve_variants
 
 
 def solved(family: str, form: str, seed: str, methods: tuple[str, ...] = ()) -> tuple[str, dict[str, float]]:
@@ -74,3 +75,82 @@ def test_a_distance_that_nothing_is_computed_from_is_left_out() -> None:
     text, _ = solved("falling_rod", "", "12")
     assert "s = g · t^2 / 2" not in text
     assert "v_C = g · t" in text
+
+
+def test_a_roller_cam_is_a_slider_crank() -> None:
+    """With ``x_B = OC cos(phi) + sqrt(CB^2 - OC^2 sin(phi)^2)`` along the guide, ``v_B = |dx_B/dphi| omega``."""
+    text, found = solved("cam_disc", "roller", "181")  # R = 24, OC = 16, r = 8, phi = 120 deg, omega = 4, epsilon = 2
+    arm, rod, phi = 16.0, 32.0, radians(120)
+    reach = sqrt(rod**2 - (arm * sin(phi)) ** 2)
+    slope = -arm * sin(phi) - arm**2 * sin(phi) * cos(phi) / reach
+    assert found["v_D"] == pytest.approx(-4 * slope, rel=1e-7)
+    assert "moves like the slider of a slider-crank mechanism with the crank OC and the connecting rod CB" in text
+    assert "v⃗_B = v⃗_C + v⃗_BC" in text
+    assert "a^n_BC = v_BC^2 / CB" in text
+    assert "Coriolis" not in text
+
+
+def test_the_rod_of_a_roller_cam_in_translation() -> None:
+    text, found = solved("cam_disc", "roller", "128")  # OC = 15, CB = 31, phi = 90 deg, omega = 3, epsilon = 12
+    assert found["v_D"] == pytest.approx(3 * 15, rel=1e-12)
+    # dx_B/dphi = -OC, d2x_B/dphi2 = OC^2 / CB cos(psi): the acceleration along the guide.
+    along = 12 * 15 - 3**2 * 15**2 / sqrt(31**2 - 15**2)
+    assert found["a_D"] == pytest.approx(along, rel=1e-7)
+    assert "the rod CB is in translation at this instant, v⃗_B = v⃗_C" in text
+    assert "so a⃗^n_BC = 0" in text
+
+
+def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
+    text, found = solved("cam_disc", "flat", "181")  # OC = 20, phi = 50 deg, omega = 6, epsilon = 2
+    assert found["v_D"] == pytest.approx(6 * 20 * sin(radians(50)), rel=1e-7)
+    assert "have equal components across this face" in text
+    assert "v_D = v_C sin φ = " in text
+    assert "compound motion" not in text
+
+
+def test_compound_motion_where_it_is_wished() -> None:
+    assert "Coriolis" in solved("cam_disc", "roller", "181", ("relative_motion",))[0]
+    assert "compound motion" in solved("cam_disc", "flat", "181", ("relative_motion",))[0]
+
+
+@pytest.mark.parametrize("seed", ["121", "122", "7"])
+def test_a_plate_on_rods_turns_about_the_crossing_of_two_of_them(seed: str) -> None:
+    """``omega = v_B / BP`` with P where the lines DC and EF meet, from the places of the statement's figure."""
+    text, found = solved("three_rod_plate", "", seed)
+    variant = one_variant("three_rod_plate", seed=seed)
+    z = {name: complex(place[0]) for name, place in solve_variants([variant], 1).z.items()}
+    normals = z["C"] - z["D"], z["F"] - z["E"]
+    below = (normals[0].conjugate() * normals[1]).imag
+    centre = z["D"] + ((z["E"] - z["D"]).conjugate() * normals[1]).imag / below * normals[0]
+    assert found["v_B"] / 100 == pytest.approx(abs(found["omega_BCF"] * (z["B"] - centre)), rel=1e-6)
+    assert "P_BCF" in text
+    assert "v⃗_A and v⃗_B have equal components along AB" in text
+    assert text.count("two linear equations") == 1  # those of the accelerations
+
+
+def test_three_equations_for_a_plate_where_the_pole_is_wished() -> None:
+    text, _ = solved("three_rod_plate", "", "121", ("velocity_pole",))
+    assert "P_BCF" not in text
+    assert text.count("two linear equations") == 2
+
+
+def test_the_other_end_of_a_diameter_has_twice_the_velocity_of_the_centre() -> None:
+    text, found = solved("planetary_train", "ring", "154")  # OA = 22, r_3 = 32, omega = 1.5
+    assert "N is twice as far from P as A: v_N = 2 v_A = 2 · 33 = 66" in text
+    assert found["omega_gear3"] == pytest.approx(2 * 1.5 * 22 / 32, rel=1e-7)
+
+
+def test_the_ends_of_a_diameter_have_half_their_sum_at_the_centre() -> None:
+    text, found = solved("movable_pulley", "load_and_axle", "135")  # v_A = 2, v_E = 1.2, a_A = 1 and a_E = 2
+    assert "v_G = 2 v_C − v_D = 2 · 1.2 − 2 = 0.4" in text
+    assert "a^τ_G = 2 a_C + a^τ_D = 2 · 2 + 1 = 5" in text
+    assert (found["v_B"], found["a_B"]) == pytest.approx((0.4, 5.0), rel=1e-12)
+
+
+def test_a_right_triangle_beyond_another_corner_spares_a_law_of_cosines() -> None:
+    text, found = solved("plate_acceleration_centre", "square", "149")  # AB = 1.5, a_A = 4, omega = 2, epsilon = 4
+    assert "EQ = AQ + AB" in text
+    assert "DQ = √(EQ^2 + AB^2)" in text
+    assert "cosines" not in text
+    reach = 1.5 + 4 / sqrt(4**2 + 2**4)
+    assert found["a_D"] == pytest.approx(sqrt(reach**2 + 1.5**2) * sqrt(4**2 + 2**4), rel=1e-7)

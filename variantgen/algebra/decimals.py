@@ -10,7 +10,7 @@ DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
 PRINTED_DIGITS = 4  # significant digits of a number of the solution
 # Significant digits that are no rounding of the machine: 10.625 is 10.63, be it 10.624999999999998 there.
-_SURE = 13
+SURE_DIGITS = 13
 
 
 def rounded_to_digits(value: float, digits: int) -> Decimal:
@@ -28,7 +28,7 @@ def rounded_to_places(value: float, places: int) -> Decimal:
 
 
 def _sure(value: float) -> Decimal:
-    return Decimal(f"{value:.{_SURE - 1}e}")
+    return Decimal(f"{value:.{SURE_DIGITS - 1}e}")
 
 
 def rounded(number: float, digits: int, measure: str = "") -> float:

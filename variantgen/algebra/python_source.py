@@ -5,6 +5,7 @@ from __future__ import annotations
 import keyword
 from collections.abc import Mapping
 
+from variantgen.algebra.decimals import SURE_DIGITS, rounded_to_digits
 from variantgen.algebra.expression import (
     Applied,
     Constant,
@@ -46,8 +47,9 @@ def identifier(name: Name) -> str:
 
 
 def number(value: float, measure: str = "") -> str:
-    """A number; an angle in degrees becomes radians."""
+    """A number without the rounding of the machine (43, not 42.99999999999999); an angle in degrees becomes radians."""
     if measure != "angle":
+        value = value if value == 0 else float(rounded_to_digits(value, SURE_DIGITS))
         return repr(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
     return f"np.radians({number(value)})"
 

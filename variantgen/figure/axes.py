@@ -6,7 +6,7 @@ import numpy as np
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
-from variantgen.figure.label_requests import around
+from variantgen.figure.placement.label_requests import around
 from variantgen.wording.formula import Symbol
 
 _LENGTH = 10.0

@@ -19,6 +19,10 @@ TOLERANCE = 1e-12  # T, relative
 MOST_NUMERATOR, MOST_DENOMINATOR, MOST_RADICAND = 5_000, 60, 500  # p, q, n
 MOST_PRODUCT = 60_000  # p q n: a large whole number goes with small ones only
 
+# What a reader takes for simple: sqrt(2) to sqrt(7) over at most 4, a third of a whole number.
+_SIMPLE_RADICANDS, _SIMPLE_DENOMINATOR = (2, 3, 5, 6, 7), 4
+_SIMPLE_NUMERATOR = 100  # below this, zeros at the end of the factor of a root apart: 45 sqrt(2), 120 sqrt(3)
+
 # P Q = (p q)^2 n = (p q n)^2 / n
 _MOST_HEIGHT = MOST_PRODUCT**2
 # The squares of roots within the bounds lie between these, with room.
@@ -90,3 +94,18 @@ def root_of_fraction(numerator: int, denominator: int) -> tuple[int, int, int] |
         within = p <= MOST_NUMERATOR and q <= MOST_DENOMINATOR and p * q * n <= MOST_PRODUCT
         return (p, q, n) if within else None
     return None
+
+
+def is_simple(numerator: int, denominator: int, radicand: int) -> bool:
+    """Whether p/q sqrt(n) is a form that a reader would write beside its decimal: 120 sqrt(3), 5 sqrt(2)/4, 4/3.
+
+    Roots of 2, 3, 5, 6, 7 over at most 4, and thirds; numerators below 100, that of a root without zeros at its end.
+    Forms like 135 sqrt(3)/8, sqrt(194)/26 and 400/3 help nobody; halves and quarters without a root are decimals.
+    This is what `nice` variants are drawn for and what is printed.
+    """
+    numerator = abs(numerator)
+    if radicand == 1:
+        return denominator == 3 and numerator < _SIMPLE_NUMERATOR
+    while numerator and numerator % 10 == 0:
+        numerator //= 10
+    return radicand in _SIMPLE_RADICANDS and denominator <= _SIMPLE_DENOMINATOR and 0 < numerator < _SIMPLE_NUMERATOR

@@ -58,13 +58,24 @@ class SolvedMotion:
         arm = now.z[name.of] - now.z[name.about]
         own = [body for body, members in bodies.items() if name.about in members]
         both = [body for body in own if name.of in bodies[body]]
-        paths = [path.body for path in self.task.linkage.slides if path.point == name.of and path.body in own]
+        slides = [path for path in self.task.linkage.slides if path.point == name.of and path.body in own]
+        paths = [path.body for path in slides]
+        if not both and any(path.centre == name.about for path in slides):  # a rod in the place of a contact of circles
+            yield self._of_a_rod(name, words)
         for body in both or paths or own:
             if name.kind == "v":
                 yield 1j * now.omega[body] * arm
             else:
                 normal, along = -(now.omega[body] ** 2) * arm, 1j * now.epsilon[body] * arm
                 yield normal if "n" in words else along if "tau" in words else normal + along
+
+    def _of_a_rod(self, name: Name, words: list[str]) -> complex:
+        """The vector of a point about another one to which it keeps its distance."""
+        now = self.task.now
+        if name.kind == "v":
+            return now.v[name.of] - now.v[name.about]
+        normal, along = now.normal(name.of, name.about), now.tangential(name.of, name.about)
+        return normal if "n" in words else along if "tau" in words else normal + along
 
     def _compound(self, kind: str, point: str, motion: str, words: list[str]) -> complex | None:
         """A vector of the compound motion of a point: relative, of transport, or of Coriolis."""

@@ -17,9 +17,9 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 class Notation:
     """``angular_acceleration``: its letter. ``components``: how the two parts of an acceleration are marked.
 
-    ``normal`` writes ``n`` and the letter of the tangent in the language (``tau``, ``t``); ``rotational`` the short words
-    for centripetal and rotational of the language. What is empty is as usual in the language. Raises InputError for
-    another choice.
+    ``normal`` writes ``n`` and the letter of the tangent in the language (``tau``, ``t``); ``rotational`` the short
+    words for centripetal and rotational of the language. What is empty is as usual in the language. Raises InputError
+    for another choice.
     """
 
     angular_acceleration: str = ""

@@ -62,7 +62,7 @@ def test_an_unknown_vector_gets_its_sense_before_its_equation(name: str, form: s
     [
         ("wheel_between_racks", "one_fixed", "There is no slip."),
         ("wheel_between_racks", "two_moving", "There is no slip."),
-        ("movable_pulley", "two_loads", "The cord is inextensible."),
+        ("movable_pulley", "two_loads", "The cord neither stretches nor slips."),
     ],
 )
 def test_a_reason_for_two_contacts_is_given_once(name: str, form: str, reason: str) -> None:

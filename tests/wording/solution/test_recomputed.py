@@ -121,10 +121,10 @@ class Reader:
             self.wrong.append(f"{where}: {sign} {wanted}, but {found:.9g}")
 
     def settle(self) -> None:
-        """Put what has been found back into the equations that led to it."""
-        for item in list(self.waiting):
+        """Put what has been found back into the equations that led to it, those first that say what a letter is."""
+        for item in sorted(self.waiting, key=lambda item: not re.fullmatch(r"\(?[va][_^]\S+", item[0])):
             left, right, whole = item
-            if left not in self.known and re.fullmatch(r"\(?[va]_\S+", left):
+            if left not in self.known and re.fullmatch(r"\(?[va][_^]\S+", left):
                 with suppress(ValueError):
                     self.known[left] = evaluate(right, self.known, self.mark)  # v_BC = ω_BCD · BC
                     self.halves[left] = self.doubt(right)

@@ -10,23 +10,25 @@ import numpy as np
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import mechanism
-from variantgen.figure.contact_letters import draw_dot
-from variantgen.figure.drawing import THIN, Layer, Line
+from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest
 from variantgen.figure.ink import segments_of
-from variantgen.figure.label_requests import along_arrow, around
-from variantgen.figure.motion_board import LEAST, MotionBoard
+from variantgen.figure.motion.contact_letters import draw_dot
+from variantgen.figure.motion.motion_board import LEAST, MotionBoard
+from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 
-WIDE, HIGH = 90.0, 58.0  # room for a figure but for its labels, u
+WIDE, HIGH = 87.0, 58.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 60.0, 44.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
+_LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
@@ -35,13 +37,14 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 @dataclass(frozen=True)
 class FigureSubject:
-    """A variant of a solved batch and what is asked of it, for figures in a language."""
+    """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``."""
 
     variant: Variant
     motion: Motion
     index: int
     asked: Sequence[Quantity]
     language: Language
+    geometry: StepGeometry = NOTHING_MARKED
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -52,11 +55,24 @@ class FigureSubject:
 
 
 class BodyBoard:
-    """Draws some ``bodies`` of a mechanism and the ``points`` to which the figure speaks, as large as there is room."""
+    """Draws some ``bodies`` of a mechanism and the ``points`` of which the figure speaks, as large as there is room.
 
-    def __init__(self, subject: FigureSubject, bodies: Iterable[str], points: Iterable[str]) -> None:
+    ``further`` are places (m) beside these points at which something joins the bodies, ``rods`` links between points
+    that are drawn in the place of discs that touch.
+    """
+
+    def __init__(
+        self,
+        subject: FigureSubject,
+        bodies: Iterable[str],
+        points: Iterable[str],
+        further: Sequence[complex] = (),
+        rods: Sequence[tuple[str, str]] = (),
+    ) -> None:
         self.subject = subject
+        self._rods = tuple(rods)
         self._bodies = tuple(bodies)
+        self._further = further
         points = tuple(points)
         self.named = shown_points(subject.variant, subject.asked)
         shown = {*self.named, *points}
@@ -74,8 +90,8 @@ class BodyBoard:
         most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
         if not math.isfinite(most):
             most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
-        scale = most
-        while scale > 0.05 * most and largest([*(scale * place for place in bodies), *spread(scale)], WIDE, HIGH) < 1.0:
+        scale, least = most, (_LEAST_RODS if self._rods else _LEAST_BODY) * most
+        while scale > least and largest([*(scale * place for place in bodies), *spread(scale)], WIDE, HIGH) < 1.0:
             scale *= _SMALLER
         return scale
 
@@ -95,6 +111,10 @@ class BodyBoard:
             if kept.names(request.own):
                 board.sketch.label(request)
         board.shown = tuple(name for name in board.shown if name in self.points)
+        for rod in self._rods:
+            board.sketch.path([board.sketch.at[end] for end in rod], Layer.LINK, BOLD)
+        for end in dict.fromkeys(end for rod in self._rods for end in rod):
+            draw_point(board, end)
         return board
 
     def _surroundings(self, at: Mapping[str, complex], scale: float) -> Surroundings:
@@ -104,8 +124,10 @@ class BodyBoard:
         members = [tuple(at[p] for p in variant.form.bodies[b] if p in self.points) for b in self._bodies]
         discs = [disc for disc in variant.form.figure.discs if not disc.arc]
         own = {disc.body for disc in discs if disc.body in self._bodies or disc.centre == self.points[0]}
+        own = set() if self._rods else own
         rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
-        return Surroundings(tuple(at[name] for name in self.points), tuple(members), tuple(rims))
+        places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
+        return Surroundings(places, tuple(members), tuple(rims))
 
 
 def draw_point(board: MotionBoard, point: str) -> None:

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.motion_data import MotionData, motion_data
-from variantgen.figure.plans import VectorPlan, draw_plan, scale_of_plan
-from variantgen.figure.solution_plan import solution_plan
-from variantgen.figure.vectors import Vectors, vectors_of
+from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.plans import VectorPlan, draw_plan, scale_of_plan
+from variantgen.figure.motion.solution_plan import solution_plan
+from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.variants.variant import Variant

@@ -11,13 +11,19 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.acceleration_centre import draw_acceleration_centres
-from variantgen.figure.contact_letters import draw_dot
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
-from variantgen.figure.motion_board import LONGEST_OF_MANY, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.motion_data import MotionData, motion_data
+from variantgen.figure.motion.acceleration_centre import draw_acceleration_centres
+from variantgen.figure.motion.contact_letters import draw_dot
+from variantgen.figure.motion.motion_board import (
+    LONGEST_OF_MANY,
+    MotionBoard,
+    draw_on_mechanism,
+    named_together,
+    scale_of,
+)
+from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.vectors import Named, Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
-from variantgen.figure.vectors import Named, Vectors, vectors_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.variants.variant import Variant

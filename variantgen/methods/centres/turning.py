@@ -54,7 +54,7 @@ def _enter(book: Book, body: str, size: Value | None, arm: Value, kind: str, nam
         return
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, size / arm), _sense(book, body))
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}", body=Body(body), vector=VectorOf(name))
+    book.say(f"rates.{kind}_{rate.word}", body=Body(body), rate=Name(kind, body), vector=VectorOf(name))
 
 
 def solve_rolling_wheel(book: Book, group: RollingWheel) -> None:
@@ -174,4 +174,4 @@ def solve_relative_rotation(book: Book, group: RelativeRotation) -> None:
         whole = Total(tuple((sense * s, value) for s, value in terms))
         rate = Rate(book.derive(Name(kind, group.body), book.rate_measure, whole), sense)
         book.rates[group.body] = rate
-        book.say(f"rates.{kind}_{rate.word}_sum", body=Body(group.body))
+        book.say(f"rates.{kind}_{rate.word}_sum", body=Body(group.body), rate=Name(kind, group.body))

@@ -108,6 +108,12 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     return "cos", valued(None, form)
 
 
+def supplement(angle: Value) -> Value | None:
+    """The single angle that this one is 180 degrees less: ``cos(180 deg - phi) = -cos phi``; None for other ones."""
+    form = angle_sum(angle).times(-1.0).turned(180.0)
+    return valued(None, form) if form.parts and is_single(form) else None
+
+
 def _matched(form: AngleForm, size: float, period: float) -> AngleForm:
     """A difference with the sign and the turns that make it an angle of this size."""
     for sign in (1.0, -1.0):

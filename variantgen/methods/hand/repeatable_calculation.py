@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -54,11 +55,11 @@ class RepeatableCalculation:
 
     @staticmethod
     def of(task: Task, answers: Mapping[str, Value] | None = None) -> RepeatableCalculation:
-        """That of a task, with its ``answers`` by the names of the quantities or else group by group.
+        """That of a task, with its ``answers`` by the names of the quantities or else group by group the usual way.
 
         Raises one of NOT_APPLICABLE where the methods do not lead to what is asked.
         """
-        found = work_out(Book(task, style=natural(task))) if answers is None else answers
+        found = work_out(Book(task, style=replace(natural(task), shortcuts=False))) if answers is None else answers
         # A datum in an unusual unit is converted first: the printed number is what that starts from.
         printed = {name: in_order([v])[0] if v.expression else v for name, v in task.given.items()}
         given = {id(leaf): name for name, leaf in printed.items()}

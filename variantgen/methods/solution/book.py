@@ -159,11 +159,6 @@ class Book:
         said = (item for step in self.steps for item in step.items if isinstance(item, Sentence) and item.key == key)
         return any(all(item.facts.get(name) == fact for name, fact in facts.items()) for item in said)
 
-    def say_once(self, key: str) -> None:
-        """Add a detail that need not be repeated in further steps."""
-        if not self.has_said(key):
-            self.say(key)
-
     def derive(self, name: Name, measure: str, expression: Expression, law: Expression | None = None) -> Value:
         """A new value by an expression (and the ``law`` behind it), with the line that shows it."""
         value = Value(name, measure, expression.number(True), expression, self.size_of(measure))

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Value
-from variantgen.methods.geometry.angle_sums import angle_sum, is_short, is_single, valued
-from variantgen.methods.geometry.angles import AngleForm, form_of
+from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
+from variantgen.methods.geometry.angles import AngleForm, between, corner_name, form_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Share
+from variantgen.variants.printed_data import shown_points
 
 _RIGHT = 90.0  # degrees
+_SAME = 1e-6  # degrees within which an angle of the figure is a sum
 _DIGITS = 6  # decimals of a number of degrees by which sums are told apart
 
 
@@ -24,20 +27,45 @@ def by_name(book: Book, angle: Value) -> Value:
     return angle if found is None else Value(angle.name, "angle", angle.exact, found)
 
 
-def note_sum(book: Book, angle: Value) -> None:
-    """Note that a sum of angles has a name and a line."""
-    book.named_angles.setdefault(_key(angle_sum(angle)), angle)
+def note_sum(book: Book, angle: Value, same: Value | None = None) -> None:
+    """Note that a sum of angles has a name and a line; ``same`` is that sum, where the line finds it another way."""
+    book.named_angles.setdefault(_key(angle_sum(angle if same is None else same)), angle)
 
 
 def named(book: Book, share: Share) -> Share:
-    """A projection whose angle, if it is a long sum, is named: by a corner found before, or by a letter with a line."""
+    """A projection whose angle, if it is a long sum, has a name: a corner of the figure, or a letter, with a line."""
     found = renamed(book, share)
     if found is not share or share.angle is None or is_short(form := angle_sum(share.angle)):
         return found
+    for other, side in ((form, 1), (form.times(-1.0).turned(180.0), -1)):
+        corner = _corner(book, other)
+        if corner is not None and (side > 0 or share.term.size is not None or share.function == "sin"):
+            sign = share.sign if share.function == "sin" else share.sign * side
+            return replace(share, angle=corner, sign=sign)
     angle = valued(book.geometry.letter(), form)
     book.items.append(Derived(angle))
     note_sum(book, angle)
     return replace(share, angle=angle)
+
+
+def _corner(book: Book, form: AngleForm) -> Value | None:
+    """A sum of angles as the angle between two segments of known direction from one point, with its line."""
+    geometry, size = book.geometry, valued(None, form).exact
+    points = shown_points(book.task.variant, book.task.asked)
+    for vertex in points:
+        rays = [p for p in points if p != vertex and abs(geometry.vector(vertex, p)) > geometry.nothing]
+        for first, second in combinations(rays, 2):
+            if abs(between(geometry.bearing(vertex, first), geometry.bearing(vertex, second)) - size) > _SAME:
+                continue
+            if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
+                continue
+            name = corner_name(vertex, first, second)
+            corner = difference(name, geometry.direction(vertex, first), geometry.direction(vertex, second))
+            if _key(angle_sum(corner)) == _key(form):
+                book.items.append(Derived(corner))
+                note_sum(book, corner)
+                return corner
+    return None
 
 
 def renamed(book: Book, share: Share) -> Share:
@@ -49,10 +77,14 @@ def renamed(book: Book, share: Share) -> Share:
         if found is not None:
             return replace(share, angle=found, function=function)
     found = book.named_angles.get(_key(form.times(-1.0).turned(180.0)))
-    if found is not None and ((share.function == "sin" and found.exact < _RIGHT) or not is_short(form)):
-        rest = Constant(180.0, "angle") - found
-        return replace(share, angle=found if share.function == "sin" else Value(None, "angle", rest.number(True), rest))
-    return share
+    if found is None or (found.exact > _RIGHT and is_short(form)):
+        return share
+    if share.function == "sin":
+        return replace(share, angle=found)
+    if share.term.size is not None:
+        return replace(share, sign=-share.sign, angle=found)
+    rest = Constant(180.0, "angle") - found
+    return share if is_short(form) else replace(share, angle=Value(None, "angle", rest.number(True), rest))
 
 
 _OTHER = {"cos": "sin", "sin": "cos"}

@@ -24,7 +24,12 @@ from variantgen.variants.printed_data import shown_points
 
 _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean something only with axes
 # Sentences that say what the angle in the next line is.
-_OF_NEXT = ("position.drawn", *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")))
+_OF_NEXT = (
+    "position.drawn",
+    "position.perpendicular",
+    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "right")),
+    *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
+)
 _LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # of angles without points
 
 

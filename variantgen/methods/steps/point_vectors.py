@@ -31,7 +31,8 @@ class PointEquation:
     """A vector equation about a point of the ``bodies``; the vector of any other point is one arrow.
 
     ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is
-    the place of its step in the solution, -1 where no line shows it.
+    the place of its step in the solution, -1 where no line shows it. ``rods`` are the ends of links that take the place
+    of the mechanism.
     """
 
     point: str
@@ -41,6 +42,7 @@ class PointEquation:
     terms: tuple[Arrow, ...] = ()
     axes: tuple[Axis, ...] = ()
     step: int = -1
+    rods: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ tangential components stand in the same relation, because the radii do not chang
 from __future__ import annotations
 
 from variantgen.algebra.expression import Value
-from variantgen.methods.groups.contact import ContactSide
+from variantgen.methods.groups.contact import ContactSide, contact_name
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Point, VectorOf
@@ -15,7 +15,6 @@ from variantgen.methods.vectors.contact_parts import (
     Parts,
     centre_parts,
     combined,
-    contact_name,
     enter_centre,
     enter_rate,
     enter_with_way,

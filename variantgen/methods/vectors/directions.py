@@ -10,7 +10,7 @@ import math
 
 from variantgen.methods.geometry.geometry import normal_angle
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import CentreOf, Fact, Point, Segment, Sentence, Term, Word
+from variantgen.methods.steps.step import Fact, Point, Segment, Sentence, Term, Word
 
 QUARTERS = ("right", "up", "left", "down")
 _CORNERS = ("right_up", "left_up", "left_down", "right_down")
@@ -40,18 +40,7 @@ def side_of(book: Book, term: Term) -> Fact | None:
         return Sentence("ways.towards", {"start": Point(start), "end": Point(end)})
     if term.way.key != "ways.across":
         return None
-    centre: Fact
-    if segment.centre_of:
-        centre = CentreOf(segment.centre_of, segment.end)
-        ray = cmath.rect(
-            1.0, math.radians(book.centres[segment.end, segment.centre_of].rays[segment.start].angle.exact)
-        )
-    else:
-        centre = Point(segment.end)
-        ray = book.geometry.vector(segment.start, segment.end)
-    # The radius leads from the centre to the point.
-    sense = "counter_clockwise" if (-ray.conjugate() * ahead).imag > 0 else "clockwise"
-    return Sentence("ways.about", {"sense": Word(sense), "centre": centre})
+    return Word(on_paper(term.angle.exact))
 
 
 def on_paper(angle: float) -> str:

@@ -68,9 +68,14 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
     kept = _kept(book, terms, axes)
     if not kept:
         return Value(name, book.measure, 0.0)
-    sums = [axis.sum(1 if axis.total > 0 else -1) for axis in kept]
+    sums = [axis.sum(1 if _is_positive(axis) else -1) for axis in kept]
     whole = sums[0] if len(sums) == 1 else hypotenuse(sums)
     return book.derive(name, book.measure, whole if divisor == 1 else Ratio(whole, Constant(float(divisor))))
+
+
+def _is_positive(axis: _Axis) -> bool:
+    """Whether a sum is written as it is, not with opposite signs: a single projection without a minus before it."""
+    return axis.parts[0].sign > 0 if len(axis.parts) == 1 else axis.total > 0
 
 
 def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Known:
@@ -101,9 +106,14 @@ def _kept(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> list[_Axi
     return kept
 
 
+def first_along(terms: Sequence[Term]) -> Term:
+    """The vector along the first axis: the one that leaves the fewest oblique vectors."""
+    return min(terms, key=lambda term: (_oblique(terms, term.angle), not term.name.part.endswith("n")))
+
+
 def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
     """The axes that leave the fewest oblique vectors."""
-    best = min(terms, key=lambda term: (_oblique(terms, term.angle), not term.name.part.endswith("n")))
+    best = first_along(terms)
     first = _Axis(best.angle, best, shares(terms, best.angle))
     square = (term for term in terms if _is_square(term.angle, best.angle))
     beside = next(square, None)

@@ -117,4 +117,4 @@ def enter_rate(book: Book, body: str, turn: Term, size: Value, arm: Value) -> No
     assert found.size is not None
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, found.size / arm), sense)
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}", body=Body(body), vector=VectorOf(turn.name))
+    book.say(f"rates.{kind}_{rate.word}", body=Body(body), rate=Name(kind, body), vector=VectorOf(turn.name))

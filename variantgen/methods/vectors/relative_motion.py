@@ -20,6 +20,7 @@ from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.groups.wanted import is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
+from variantgen.methods.vectors import constant_distance
 from variantgen.methods.vectors.coriolis import coriolis_of, say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
@@ -54,6 +55,12 @@ class _Sides:
 def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
     """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
     group = _seen(book, group)
+    if constant_distance.is_rod(book, group):
+        constant_distance.solve_rod(book, group)
+        return
+    if constant_distance.is_face(book, group):
+        constant_distance.solve_face(book, group)
+        return
     point, carrier = group.path.point, group.carrier
     needed = [name for name in (group.pole, group.own_pole) if name]
     needed += [point] if group.point_path is None and not group.body and not group.driven else []
@@ -93,12 +100,11 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
         _say_parts(book, group)
-        book.say(f"relative.sum_{book.letter}")
+        book.say(f"relative.sum_{book.letter}", **facts)
         return
     named_by = group.carrier_path.point if group.carrier_path is not None else group.pole
     if named_by not in book.task.fixed:
-        facts = {"vector": VectorOf(_named_as_given(book, named_by)), "carrier": facts["carrier"]}
-        book.say(f"relative.translation_{book.letter}", **facts)
+        book.say(f"relative.translation_{book.letter}", vector=VectorOf(_named_as_given(book, named_by)), **facts)
 
 
 def _say_parts(book: Book, group: SlidingPair) -> None:
@@ -234,7 +240,7 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
-    say_unneeded(book, point, carrier)
+    say_unneeded(book, book.coriolis.get((point, carrier), ()) if book.order == 2 else ())
     _enter(book, group, sides, sizes)
 
 

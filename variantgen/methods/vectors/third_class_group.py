@@ -52,7 +52,7 @@ def solve_third_class_group(book: Book, group: ThirdClassGroup) -> None:
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"body": Body(body), "pole": Point(pole)}
     with book.step(f"coupled.{book.measure}", view, **facts):
-        book.say(f"coupled.choose_{book.letter}", **facts)
+        book.say("coupled.choose_again" if book.has_said("coupled.choose", **facts) else "coupled.choose", **facts)
         known, path = on_path(book, group.point_path)
         path = _ahead(path, (book.exact(pole) - resultant(known)) * cmath.rect(1.0, -math.radians(path.angle.exact)))
         rows = [_row(book, group, support, known, path) for support in group.supports]
@@ -162,7 +162,7 @@ def _enter(book: Book, body: str, found: Value) -> None:
         return
     rate = Rate(found, 1 if book.exact_rate(body) > 0 else -1)
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body))
+    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body), rate=Name(kind, body))
 
 
 def _keep_tracked(book: Book, group: ThirdClassGroup) -> None:

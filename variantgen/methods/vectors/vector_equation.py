@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.geometry.angle_sums import acute
+from variantgen.methods.geometry.angle_sums import acute, supplement
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.solution.named_angles import named
@@ -181,7 +181,7 @@ def _share(share: Share) -> Expression:
 
 
 def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
-    """Projections of vectors on an axis with acute angles; those across it are left out."""
+    """Projections of vectors on an axis, those of unknown ones with acute angles; vectors across it are left out."""
     found = []
     for term in terms:
         if term.size is not None and term.size.exact == 0:
@@ -206,8 +206,10 @@ def share_of(term: Term, axis: Value) -> Share | None:
     size = 180.0 - abs(angle) if obtuse else abs(angle)
     if size < _PARALLEL:
         return Share(-1 if obtuse else 1, term, None)
+    sign = -1 if obtuse else 1
     function, written = acute(term.angle, axis, size)
-    return Share(-1 if obtuse else 1, term, written, function)
+    whole = supplement(written) if function == "cos" and term.size is not None else None
+    return Share(sign, term, written, function) if whole is None else Share(-sign, term, whole)
 
 
 def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:

@@ -56,7 +56,12 @@ def problem_tables(exam: Exam, sheets: Sequence[Sheet], writing: Writing) -> dic
             if place(item) not in tables:
                 found = key_table(item, exam, language)
                 symbols = [writing.heading(symbol, unit) for symbol, unit in found.heads]
-                tables[place(item)] = {"title": found.title, "symbols": symbols, "rows": []}
+                tables[place(item)] = {
+                    "title": found.title,
+                    "form": found.form,
+                    "symbols": symbols,
+                    "rows": [],
+                }
             values = [{"value": language.answer(a.quantity, a.value).text, **_remarks(a, exam)} for a in item.answers]
             tables[place(item)]["rows"].append({**_whose(sheet), "values": values})
     return tables

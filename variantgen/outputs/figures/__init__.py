@@ -15,7 +15,7 @@ from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import without_millimetres
+from variantgen.figure.motion.plans import without_millimetres
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.plans import without_millimetres
+from variantgen.figure.motion.plans import without_millimetres
 from variantgen.outputs.figures import svg, unit
 from variantgen.outputs.figures.engine import page_by
 from variantgen.outputs.typst.typesetter import Typesetter

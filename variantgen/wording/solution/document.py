@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import StepGeometry
 from variantgen.wording.formula import Formula
 from variantgen.wording.text import Text
 
@@ -84,7 +86,8 @@ class Section:
 class SolutionText:
     """A whole solution in a language.
 
-    Figures show its ``centres`` (rays to acceleration centres) as if asked, and draw its ``vectors``.
+    Figures show its ``centres`` (rays to acceleration centres) as if asked, draw its ``vectors`` and mark its
+    ``geometry``, which is told by the names of the figures.
     """
 
     plan: Text
@@ -93,3 +96,4 @@ class SolutionText:
     check: tuple[Block, ...] = ()
     centres: tuple[Quantity, ...] = ()
     vectors: tuple[PointVectors, ...] = ()
+    geometry: Mapping[str, StepGeometry] = field(default_factory=dict)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
-from variantgen.figure.label_requests import Costs, LabelRequest, Places, far_from
-from variantgen.figure.misleading_places import misleading_costs
-from variantgen.figure.occupancy import Occupancy
+from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
+from variantgen.figure.placement.misleading_places import misleading_costs
+from variantgen.figure.placement.occupancy import Occupancy
 
 GAP = 0.8  # free space around a label, u
 _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.figure.label_requests import around
+from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.mechanism.linkage import Linkage
 from variantgen.methods.linkage.instant import Instant

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.label_requests import Costs, LabelRequest, Places
-from variantgen.figure.occupancy import Occupancy
+from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places
+from variantgen.figure.placement.occupancy import Occupancy
 
 # Costs of a label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own
 # (which would be misread), of a line between a label and what it names.

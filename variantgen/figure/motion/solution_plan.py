@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.algebra.name import Name
-from variantgen.figure.plans import PlanVector, VectorPlan
-from variantgen.figure.vectors import Vectors
+from variantgen.figure.motion.plans import PlanVector, VectorPlan
+from variantgen.figure.motion.vectors import Vectors
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation
 from variantgen.wording.formula import Symbol
 

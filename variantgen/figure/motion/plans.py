@@ -13,8 +13,8 @@ import numpy as np
 from variantgen.families.units import Unit
 from variantgen.families.units import unit as unit_of
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
-from variantgen.figure.label_requests import LabelRequest, Places, along_line, around, label_size
-from variantgen.figure.least_crowded import first_clean
+from variantgen.figure.placement.label_requests import LabelRequest, Places, along_line, around, label_size
+from variantgen.figure.placement.least_crowded import first_clean
 from variantgen.figure.sketch import DOT, Sketch
 from variantgen.methods.graphical.plan_scale import MILLIMETRES, per_millimetre, places_of
 from variantgen.methods.graphical.vector_chain import VectorChain

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
-from variantgen.figure.centre_rays import plane_bodies
 from variantgen.figure.drawing import THIN, Layer
-from variantgen.figure.label_requests import around
+from variantgen.figure.motion.centre_rays import plane_bodies
+from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT
 from variantgen.methods.linkage.instant import Instant
 from variantgen.wording.formula import Symbol

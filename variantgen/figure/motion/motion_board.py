@@ -13,9 +13,9 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.build import mechanism
 from variantgen.figure.drawing import BOLD, Drawing, Layer
-from variantgen.figure.label_requests import along_arrow
-from variantgen.figure.least_crowded import first_roomy
-from variantgen.figure.plans import EQUAL
+from variantgen.figure.motion.plans import EQUAL
+from variantgen.figure.placement.label_requests import along_arrow
+from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Symbol

@@ -1,0 +1,45 @@
+"""Nothing on paper lies on anything else, leaves its cell or the page: read back from the PDFs, letter by letter."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.letter_boxes import page_letters
+from variantgen.cli import main
+from variantgen.families.load import load_family
+from variantgen.resources import catalog_dir
+
+MILLIMETRE = 72 / 25.4
+WIDTH, HEIGHT = 210, 297
+HANGING = 0.8  # mm: punctuation hangs out of the line
+FOOT = 5  # mm
+MARGINS = {"sheets": (18, 14), "key": (15, 13), "solutions": (15, 13)}  # mm: sides, top
+
+
+@pytest.fixture(scope="module", params=["en", "ru"])
+def everything(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """All documents of an exam with every form of the catalogue."""
+    folder = tmp_path_factory.mktemp("everything")
+    lines = [f'title = "Plane motion of a rigid body"\nlanguage = "{request.param}"\nseed = 77\n']
+    for path in sorted(catalog_dir().glob("*/family.toml")):
+        name = path.parent.name
+        lines += [f'[[problem]]\nfamily = "{name}"\nform = "{form}"\n' for form in load_family(name, ()).forms]
+    (folder / "exam.toml").write_text("".join(lines), "utf-8")
+    assert main(["build", str(folder / "exam.toml"), "--variants", "2", "--out", str(folder / "out")]) == 0
+    return folder / "out"
+
+
+@pytest.mark.parametrize("document", MARGINS)
+def test_letters_keep_apart(everything: Path, document: str) -> None:
+    side, top = MARGINS[document]
+    left, right = (side - HANGING) * MILLIMETRE, (WIDTH - side + HANGING) * MILLIMETRE
+    seen = 0
+    for number, page in enumerate(page_letters(everything / f"{document}.pdf"), start=1):
+        assert list(page.overlaps()) == [], f"page {number}: letters on each other"
+        assert page.crossed() == [], f"page {number}: rules through letters"
+        outside = page.outside(left, FOOT * MILLIMETRE, right, (HEIGHT - top) * MILLIMETRE)
+        assert outside == [], f"page {number}: letters beyond the margins"
+        seen += len(page.text)
+    assert seen > 10_000

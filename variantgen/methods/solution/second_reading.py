@@ -1,0 +1,114 @@
+"""A second reading of finished steps: what was said is not said again, what only prepares a step is a part of it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
+
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import in_order
+from variantgen.methods.solution.used import read
+from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, Term, TermTable, VectorOf
+
+_SAYING = ("points.about_pivot", "velocity_centre.direction", "relative.zhukovsky")  # sentences that say directions
+_PREPARING = ("points.turning", "rolling.", "turning.", "rested.")  # steps that often only prepare another one
+_PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
+
+
+def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
+    """The steps as a reader wants them: nothing twice, drivers in the step that needs them.
+
+    A line that finds again what an earlier one has found is left out, and of a vector the direction that is known
+    already. A step without a vector equation and without a figure, of which only the next step needs what it finds,
+    becomes its beginning.
+    """
+    asked = {value.name for value in results if value.name is not None}
+    once = _without_repeated_lines(steps)
+    return _joined(_without_known_directions(once), asked)
+
+
+def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
+    """The steps without lines that an earlier step has."""
+    seen: set[tuple[Name, float]] = set()
+    kept: list[Step] = []
+    for step in steps:
+        items: list[Item] = []
+        found: set[tuple[Name, float]] = set()
+        for item in step.items:
+            if isinstance(item, Derived) and item.value.name is not None:
+                mark = (item.value.name, item.value.exact)
+                if mark in seen:
+                    continue
+                found.add(mark)
+            items.append(item)
+        seen |= found
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
+    """The steps with tables of those vectors only whose directions are new.
+
+    Of a vector of which a later sentence says to which side it points, and why, the line is enough.
+    """
+    known: set[Name] = set()
+    kept: list[Step] = []
+    for step in steps:
+        reasons = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
+        items: list[Item] = []
+        for item in step.items:
+            if isinstance(item, Sentence) and item.key.startswith(_SAYING):
+                known |= _vectors(item)
+            if isinstance(item, TermTable):
+                terms = [_line(term) if term.name in reasons else term for term in item.terms]
+                items.append(TermTable(tuple(term for term in terms if not _is_known(term, known))))
+                known |= {term.name for term in terms}
+            else:
+                items.append(item)
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _sought(item: Projection) -> set[Name]:
+    """The vectors of which the words of a projection say to which side they point."""
+    reasons = (sentence for sentence in item.words if sentence.key.startswith("axes.by_"))
+    return {name for sentence in reasons for name in _vectors(sentence)}
+
+
+def _vectors(sentence: Sentence) -> set[Name]:
+    """The vector that a sentence is about."""
+    fact = sentence.facts.get("vector")
+    return {fact.name} if isinstance(fact, VectorOf) else set()
+
+
+def _line(term: Term) -> Term:
+    """A term of a table without the side to which it points."""
+    way = term.way.facts.get("way") if term.way.key == _PLAIN else None
+    return replace(term, way=way) if isinstance(way, Sentence) else term
+
+
+def _is_known(term: Term, known: Collection[Name]) -> bool:
+    """Whether the direction of a vector, or of the whole of which it is a component, has been said."""
+    return term.is_laid or term.name in known or (not term.name.about and term.name._replace(part="") in known)
+
+
+def _joined(steps: Sequence[Step], asked: Collection[Name]) -> list[Step]:
+    """The steps, those that only prepare the next one as its beginning."""
+    kept: list[Step] = []
+    for step in reversed(steps):
+        if kept and _prepares(step, kept[-1], asked):
+            following = kept.pop()
+            kept.append(replace(following, items=[*step.items, *following.items]))
+        else:
+            kept.append(step)
+    return kept[::-1]
+
+
+def _prepares(step: Step, following: Step, asked: Collection[Name]) -> bool:
+    """Whether a step finds only what the following one needs: the motion of a point of the driving link, of a wheel."""
+    if step.views or not step.heading.key.startswith(_PREPARING):
+        return False
+    found = [item.value for item in step.items if isinstance(item, Derived)]
+    met = in_order(value for item in following.items for value in read(item))
+    return any(value in met for value in found) and not any(value.name in asked for value in found)
