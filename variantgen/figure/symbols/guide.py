@@ -65,12 +65,12 @@ def _roomier_side(board: Board, point: str, way: complex) -> complex:
         p for names in form.figure.lines for p in pairwise(names)
     ]
     steps = [board.sketch.at[end] - board.sketch.at[start] for start, end in strokes]
-    reach = 0.0
+    farthest = 0.0
     for (start, end), step in zip(strokes, steps, strict=True):
         ends = [(board.sketch.at[name] - place) * way.conjugate() for name in (start, end)]
         if abs(step) > 1e-6 and max(abs(far.imag) for far in ends) < _ON_ROD:
-            reach = max((reach, *(far.real for far in ends)), key=abs)
-    side = way if reach >= 0 else -way
+            farthest = max((farthest, *(far.real for far in ends)), key=abs)
+    side = way if farthest >= 0 else -way
     # Unless another point with a name is there.
     gaps = [abs(board.sketch.at[name] - place - _BESIDE * side) for name in board.shown if name != point]
     return -side if min(gaps, default=math.inf) < _HALF_LENGTH + 2.5 else side
