@@ -85,8 +85,8 @@ def test_a_roller_cam_is_a_slider_crank() -> None:
     slope = -arm * sin(phi) - arm**2 * sin(phi) * cos(phi) / reach
     assert found["v_D"] == pytest.approx(-4 * slope, rel=1e-7)
     assert "moves like the slider of a slider-crank mechanism with the crank OC and the connecting rod CB" in text
-    assert "v⃗_B = v⃗_C + v⃗_BC" in text
-    assert "a^n_BC = v_BC^2 / CB" in text
+    assert "v⃗_B = v⃗_C + v⃗_B/C" in text
+    assert "(a_B/C)_n = v_B/C^2 / CB" in text
     assert "Coriolis" not in text
 
 
@@ -97,7 +97,7 @@ def test_the_rod_of_a_roller_cam_in_translation() -> None:
     along = 12 * 15 - 3**2 * 15**2 / sqrt(31**2 - 15**2)
     assert found["a_D"] == pytest.approx(along, rel=1e-7)
     assert "the rod CB is in translation at this instant, v⃗_B = v⃗_C" in text
-    assert "so a⃗^n_BC = 0" in text
+    assert "so (a⃗_B/C)_n = 0" in text
 
 
 def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
@@ -105,12 +105,12 @@ def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
     assert found["v_D"] == pytest.approx(6 * 20 * sin(radians(50)), rel=1e-7)
     assert "have equal components across this face" in text
     assert "v_D = v_C sin φ = " in text
-    assert "compound motion" not in text
+    assert "relative motion" not in text
 
 
 def test_compound_motion_where_it_is_wished() -> None:
     assert "Coriolis" in solved("cam_disc", "roller", "181", ("relative_motion",))[0]
-    assert "compound motion" in solved("cam_disc", "flat", "181", ("relative_motion",))[0]
+    assert "relative motion" in solved("cam_disc", "flat", "181", ("relative_motion",))[0]
 
 
 @pytest.mark.parametrize("seed", ["121", "122", "7"])
@@ -143,7 +143,7 @@ def test_the_other_end_of_a_diameter_has_twice_the_velocity_of_the_centre() -> N
 def test_the_ends_of_a_diameter_have_half_their_sum_at_the_centre() -> None:
     text, found = solved("movable_pulley", "load_and_axle", "135")  # v_A = 2, v_E = 1.2, a_A = 1 and a_E = 2
     assert "v_G = 2 v_C − v_D = 2 · 1.2 − 2 = 0.4" in text
-    assert "a^τ_G = 2 a_C + a^τ_D = 2 · 2 + 1 = 5" in text
+    assert "(a_G)_t = 2 a_C + (a_D)_t = 2 · 2 + 1 = 5" in text
     assert (found["v_B"], found["a_B"]) == pytest.approx((0.4, 5.0), rel=1e-12)
 
 
