@@ -16,7 +16,7 @@ from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
-from variantgen.methods.steps.step_geometry import NOTHING_MARKED, Corner, StepGeometry
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, StepGeometry
 
 _OF_EQUATIONS = {
     1: ("velocities", "body_velocities", "contact_velocities"),
@@ -64,7 +64,12 @@ def _names(
         equations = vectors[order - 1].equations if 0 < order <= len(vectors) else ()
         own = dict.fromkeys(_first(equations, equation) for equation in equations if equation.step == number)
         bodies = _bodies(task, step)
-        if own:
+        if view == "rate_chain":
+            start, end = step.heading.facts["start"], step.heading.facts["end"]
+            assert isinstance(start, Point)
+            assert isinstance(end, Point)
+            yield f"{view}:{start.name}-{end.name}"
+        elif own:
             yield from (f"{_EQUATION[order]}:{i}" for i in own)
         elif view in _OF_BODIES:
             still = view == "velocity_centre" and abs(task.now.omega[bodies[0]]) < _NOTHING * _fastest(task)
@@ -116,7 +121,8 @@ def _geometry(task: Task, step: Step) -> StepGeometry:
     corners = [corner for value in values if (corner := _corner(task, value, said)) is not None and _is_true(corner)]
     names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
     segments = [(name.of, name.about) for name in names if not name.part]
-    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)))
+    chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
+    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain)
 
 
 def _named(step: Step) -> Iterator[Value]:

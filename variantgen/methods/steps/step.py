@@ -10,7 +10,7 @@ from variantgen.algebra.expression import Applied, Expression, Value
 from variantgen.algebra.name import OWN_AXES, Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
-from variantgen.methods.steps.step_geometry import StepGeometry
+from variantgen.methods.steps.step_geometry import ChainGraph, StepGeometry
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,23 +232,6 @@ class ProgramListing:
 
     code: str
     results: tuple[Value, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ChainLink:
-    """A link of a chain: its number, the direction from the last point to the next one, that point."""
-
-    number: int
-    angle: Value
-    end: str
-
-
-@dataclass(frozen=True, slots=True)
-class ChainGraph:
-    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
-
-    start: str
-    legs: tuple[ChainLink, ...]
 
 
 Item: TypeAlias = (

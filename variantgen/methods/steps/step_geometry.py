@@ -24,14 +24,34 @@ class Corner:
 
 
 @dataclass(frozen=True, slots=True)
+class ChainLink:
+    """A link of a chain: its number, the direction from the last point to the next one, that point."""
+
+    number: int
+    angle: Value
+    end: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChainGraph:
+    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
+
+    start: str
+    legs: tuple[ChainLink, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class StepGeometry:
-    """The ``corners``, and the ends of the ``segments`` between points, in the order in which they are met."""
+    """The ``corners``, the ends of the ``segments`` between points, in the order in which they are met, a ``chain``."""
 
     corners: tuple[Corner, ...] = ()
     segments: tuple[tuple[str, str], ...] = ()
+    chain: ChainGraph | None = None
 
     def __add__(self, other: StepGeometry) -> StepGeometry:
-        return StepGeometry((*self.corners, *other.corners), (*self.segments, *other.segments))
+        return StepGeometry(
+            (*self.corners, *other.corners), (*self.segments, *other.segments), self.chain or other.chain
+        )
 
 
 NOTHING_MARKED = StepGeometry()
