@@ -22,7 +22,7 @@ from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of
-from variantgen.methods.steps.step import Derived, EquationLine, Sentence
+from variantgen.methods.steps.step import Derived, EquationLine
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -201,7 +201,7 @@ class TestProblem28:
         assert found == pytest.approx(math.degrees(math.atan2(37.90779 - 28.284271, -20.29777 - 90.284271)), abs=1e-5)
         diagonal = math.hypot(62 + 40 * math.sqrt(0.5), 40 * math.sqrt(0.5))
         assert any(value.exact == pytest.approx(diagonal, rel=1e-12) for value in lines(geometry))
-        assert not any(isinstance(item, Sentence) for item in geometry.items)
+        assert not any(isinstance(item, EquationLine) for item in geometry.items)
 
 
 def test_example_36() -> None:

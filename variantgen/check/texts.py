@@ -15,6 +15,7 @@ from variantgen.check.statement_reading import read_sheet
 from variantgen.errors import VariantgenError
 from variantgen.families.family import Family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
@@ -54,6 +55,20 @@ def check_texts(variants: Sequence[Variant], motion: Motion, report: Report) -> 
             if found:
                 break
     _check_agreement(variants[:_FIGURES], asked, motion, report)
+    _look_at_arrows(variants[:_FIGURES], asked, motion, report)
+
+
+def _look_at_arrows(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, report: Report) -> None:
+    """Remark on arrows that cross lines or may be misread: each kind of fault once for a form, with its count."""
+    seen: dict[str, list[str]] = {}
+    for place, variant in enumerate(variants):
+        drawing = statement_figure(variant, motion, place, asked, load_language(languages()[0]))
+        for kind, faults in inspect_arrows(drawing).by_kind.items():
+            seen.setdefault(kind, []).extend(f"figure, {_where(variant, place)}: {fault}" for fault in faults)
+    for found in seen.values():
+        if found:
+            others = f" (so do {len(found) - 1} more)" if len(found) > 1 else ""
+            report.remark(f"{found[0]}{others}")
 
 
 def _check_agreement(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, report: Report) -> None:

@@ -12,6 +12,7 @@ from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
@@ -63,6 +64,7 @@ class SolutionFigures:
         self.variant, self.asked, self.language = variant, asked, language
         self.numbers: dict[str, int] = {}
         self._place, self._vectors = place, text.vectors if text else ()
+        self._geometry = text.geometry if text else {}
         self._shown = (*asked, *(text.centres if text else ()))
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
@@ -84,7 +86,7 @@ class SolutionFigures:
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
         kind, _, which = name.partition(":")
-        further = (which,) if which else ()
+        further = (which, self._geometry.get(name, NOTHING_MARKED)) if which else ()
         drawn: Drawing = view(kind).draw(
             self.variant, *self._place, self._shown, self.language, self._vectors, *further
         )

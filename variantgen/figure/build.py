@@ -139,6 +139,8 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)
+    for driver in board.scene.drivers if marks else ():
+        _occupy_directions(board, driver)
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
@@ -150,6 +152,9 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for joint in board.scene.joints:
         if not _seeks_room(joint):
             _draw_symbol(board, joint)
+    for driver in board.scene.drivers if marks else ():
+        if not _seeks_room(driver):
+            _draw_symbol(board, driver)
     for length in form.figure.lengths:
         if length.name in given:
             draw_length(board, length)
@@ -163,9 +168,10 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
             _draw_symbol(board, joint)
     _draw_points(board, board.shown)
     if marks:
-        # Last, because the arrows of given motion go where there is room left.
+        # Last, because arcs of rotation go where there is room left.
         for driver in board.scene.drivers:
-            _draw_symbol(board, driver)
+            if _seeks_room(driver):
+                _draw_symbol(board, driver)
 
 
 def _has_axes(asked: Sequence[Quantity]) -> bool:
@@ -182,6 +188,13 @@ def _draw_parts(board: Board, item: Constraint) -> None:
     parts = getattr(_symbol_of(item), "draw_parts", None)
     if parts is not None:
         parts(board, item)
+
+
+def _occupy_directions(board: Board, item: Constraint) -> None:
+    """Note the directions of arrows that stand for lines of reference of angles."""
+    directions = getattr(_symbol_of(item), "directions", None)
+    for point, way in directions(board, item) if directions is not None else ():
+        board.sketch.occupy(point, way)
 
 
 def _symbol_of(item: Constraint) -> ModuleType:

@@ -19,12 +19,13 @@ from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import fixed_points
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 
-WIDE, HIGH = 90.0, 58.0  # room for a figure but for its labels, u
+WIDE, HIGH = 87.0, 58.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 60.0, 44.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
@@ -36,13 +37,14 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 @dataclass(frozen=True)
 class FigureSubject:
-    """A variant of a solved batch and what is asked of it, for figures in a language."""
+    """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``."""
 
     variant: Variant
     motion: Motion
     index: int
     asked: Sequence[Quantity]
     language: Language
+    geometry: StepGeometry = NOTHING_MARKED
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -53,19 +55,24 @@ class FigureSubject:
 
 
 class BodyBoard:
-    """Draws some ``bodies`` of a mechanism and the ``points`` to which the figure speaks, as large as there is room."""
+    """Draws some ``bodies`` of a mechanism and the ``points`` of which the figure speaks, as large as there is room.
+
+    ``further`` are places (m) beside these points at which something joins the bodies, ``rods`` links between points
+    that are drawn in the place of discs that touch.
+    """
 
     def __init__(
         self,
         subject: FigureSubject,
         bodies: Iterable[str],
         points: Iterable[str],
+        further: Sequence[complex] = (),
         rods: Sequence[tuple[str, str]] = (),
     ) -> None:
-        """``rods`` are links between points that are drawn in the place of discs that touch."""
         self.subject = subject
         self._rods = tuple(rods)
         self._bodies = tuple(bodies)
+        self._further = further
         points = tuple(points)
         self.named = shown_points(subject.variant, subject.asked)
         shown = {*self.named, *points}
@@ -119,7 +126,8 @@ class BodyBoard:
         own = {disc.body for disc in discs if disc.body in self._bodies or disc.centre == self.points[0]}
         own = set() if self._rods else own
         rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
-        return Surroundings(tuple(at[name] for name in self.points), tuple(members), tuple(rims))
+        places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
+        return Surroundings(places, tuple(members), tuple(rims))
 
 
 def draw_point(board: MotionBoard, point: str) -> None:

@@ -102,7 +102,7 @@ class Geometry(PositionLines):
         low, high = self.ordered(start, end)
         place = self.places[high]
         own = place.length(low) if low in place.neighbours() else None
-        return own if own is not None else trigonometry.length_of(self, self._triangle(low, high))
+        return own if own is not None else trigonometry.length_of(self, self._triangle(low, high), (low, high))
 
     def defined(self, start: str, end: str, expression: Expression) -> Value:
         """A distance that is made of others, as that of two points of contact on a diameter."""

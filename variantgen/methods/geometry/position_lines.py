@@ -11,6 +11,8 @@ from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import Derived, Fact, Item, Point, Segment, Sentence
 
+_FEET = ("H", "K", "L", "N", "S", "T", "U", "W")  # letters of feet of perpendiculars
+
 
 class PositionLines(Layout):
     """The given geometry of one variant; ``items`` are the lines that derive further values, in order."""
@@ -19,6 +21,7 @@ class PositionLines(Layout):
         super().__init__(task)
         self.items: list[Item] = []
         self._corners: dict[tuple[str, frozenset[str]], Value] = {}
+        self._feet: dict[tuple[str, str, str], Pair] = {}
         self._letters = 0  # given to angles
 
     def located(self, name: Name, expression: Expression) -> Value:
@@ -68,6 +71,31 @@ class PositionLines(Layout):
         if key not in self._corners:
             self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
         return self._corners[key]
+
+    def known_corner(self, vertex: str, first: str, second: str) -> Value | None:
+        """A corner of a triangle that has a line already."""
+        return self._corners.get((vertex, frozenset((first, second))))
+
+    def foot(self, start: str, on_line: str, end: str, along: Expression, across: Expression) -> Pair | None:
+        """The legs SH along a line and EH of the right triangle that a perpendicular from the end E makes, with lines.
+
+        None where a point has no letter in the figure, or no letter is left.
+        """
+        if {start, on_line, end} & set(self.task.form.figure.hidden):
+            return None
+        key = (start, on_line, end)
+        if key not in self._feet:
+            letter = next((letter for letter in _FEET if letter not in self._taken_letters()), "")
+            if not letter:
+                return None
+            self.say("perpendicular", False, line=Segment(end, letter), to=Segment(*self.ordered(start, on_line)))
+            down = self._entered(Name("length", end, letter), "length", across)
+            self._feet[key] = self._entered(Name("length", start, letter), "length", along), down
+        return self._feet[key]
+
+    def _taken_letters(self) -> set[str]:
+        """Letters of points, with the feet of perpendiculars."""
+        return {*self.places, *(pair[0].name.about for pair in self._feet.values() if pair[0].name is not None)}
 
     def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
         """The acute angle between a segment and a line that has no second point, under a letter of its own.
