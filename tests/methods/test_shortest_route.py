@@ -154,3 +154,22 @@ def test_a_right_triangle_beyond_another_corner_spares_a_law_of_cosines() -> Non
     assert "cosines" not in text
     reach = 1.5 + 4 / sqrt(4**2 + 2**4)
     assert found["a_D"] == pytest.approx(sqrt(reach**2 + 1.5**2) * sqrt(4**2 + 2**4), rel=1e-7)
+
+
+def test_the_contact_as_base_point_checks_an_acceleration() -> None:
+    """The component along MO with both base points: R = 0.75, MP = 2 R cos(30 deg), omega = 4, epsilon = 8/3."""
+    text, _ = solved("rolling_wheel", "", "135")
+    along = 12 - 2 * sin(radians(60))
+    chord = 2 * 0.75 * cos(radians(30))
+    about_contact = 16 * chord * cos(radians(30)) - 8 / 3 * chord * sin(radians(30)) - 12 * cos(radians(60))
+    assert about_contact == pytest.approx(along, rel=1e-12)
+    assert text.count(f"= {along:.2f}") == 2
+
+
+def test_a_check_takes_no_number_that_the_solution_does_not_show() -> None:
+    variant = one_variant("rolling_wheel", seed="135")
+    text = " ".join(str(explain(variant, language="en", ask=["a_M"])).replace("\xa0", " ").split())
+    assert "MP" not in text
+    assert "P as base point" not in text
+    text, _ = solved("pulley_and_wheel", "axle", "5313")  # epsilon_1 has no line: a_C MP / R_1 stands for epsilon_1 MP
+    assert "(60 · 64.10 / 38) · sin" in text

@@ -12,7 +12,7 @@ import math
 from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres import pivot_triangle
-from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle
+from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle, own_angle
 from variantgen.methods.centres.triangle_shapes import say_shape, shapes
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
@@ -82,6 +82,7 @@ def facts_of_two(body: str, first: Term, second: Term) -> dict[str, Fact]:
     a, b = first.point, second.point
     centre = Centre(body)
     facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "segment": Segment(a, b)}
+    facts["omega"] = Name("omega", body)
     facts |= {"point": Point(a), "vector": VectorOf(Name("v", a)), "way": first.way, "ray": centre.segment(a)}
     other: dict[str, Fact] = {"other": Point(b), "other_vector": VectorOf(Name("v", b))}
     return facts | other | {"other_way": second.way, "other_ray": centre.segment(b)}
@@ -117,9 +118,9 @@ def _solve_triangle(
     geometry = book.geometry
     side = geometry.length(a, b)
     ways = geometry.direction(a, b), geometry.direction(b, a)
-    at_a = difference(centre.corner(a, b), rays[0], ways[0])
-    at_b = difference(centre.corner(b, a), rays[1], ways[1])
-    at_p = difference(centre.vertex(a, b), *rays)
+    at_a = own_angle(difference(centre.corner(a, b), rays[0], ways[0]))
+    at_b = own_angle(difference(centre.corner(b, a), rays[1], ways[1]))
+    at_p = own_angle(difference(centre.vertex(a, b), *rays))
     if not is_short(angle_sum(at_p)):
         rest = Constant(180.0, "angle") - at_a - at_b
         at_p = Value(at_p.name, "angle", rest.number(True), rest)

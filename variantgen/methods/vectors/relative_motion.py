@@ -166,6 +166,9 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
     if group.turning:
         known, sides.turn = about_pole(book, point, pole, carrier)
         if fixed:
+            if book.order == 2 and not known:
+                normal = Name(book.letter, point, part="tr").component("n")
+                book.say("rates.no_normal", omega=Name("omega", carrier), vector=normal)
             known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
         sides.right += [*known, sides.turn]
     else:
