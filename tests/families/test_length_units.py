@@ -127,7 +127,8 @@ def test_units_of_the_command_line(capsys: pytest.CaptureFixture[str], tmp_path:
     assert "expected a unit of length (got yard)\n    one of m, dm, cm, mm, in, ft" in capsys.readouterr().err
     scene = tmp_path / "rod.toml"
     scene.write_text(
-        'length_unit = "cm"\nask = ["v_B"]\n[points]\nA = { coordinates = { x = "0 cm", y = "0 cm" } }\nB = { coordinates = { x = "30 cm", y = "0 cm" } }\n[bodies]\nAB = ["A", "B"]\n'
+        'length_unit = "cm"\nask = ["v_B"]\n[points]\nA = { coordinates = { x = "0 cm", y = "0 cm" } }\n'
+        'B = { coordinates = { x = "30 cm", y = "0 cm" } }\n[bodies]\nAB = ["A", "B"]\n'
         '[[joints]]\npivot = { point = "A" }\n[[drivers]]\nrotation = { body = "AB", omega = 2 }\n',
         "utf-8",
     )
