@@ -9,7 +9,7 @@ from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, resultant
-from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Share, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
 from variantgen.methods.vectors.contact_parts import enter_rate
 from variantgen.methods.vectors.natural_sum import ordered_sum, signed
 from variantgen.methods.vectors.point_paths import on_path
