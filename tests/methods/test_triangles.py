@@ -83,3 +83,19 @@ def test_the_second_angle_by_the_height(base: float, own: float, opposite: float
 def test_corners_are_spelt_by_the_letters() -> None:
     assert corner_name("B", "C", "A").about == "A C"
     assert corner_name("C", "B", "O").about == "O B"
+
+
+def test_a_given_angle_of_the_triangle_of_the_centre_is_used_as_it_is() -> None:
+    # A ladder of 2.4 m at 30 degrees: AP = 2.4 cos 30 = 2.078, BP = 2.4 sin 30 = 1.2 m.
+    text = text_of("ladder", "driven_at_wall", AB=2.4, phi=30)
+    assert "AP = AB cos φ = 2.4 · cos 30° = 2.078 m" in text
+    assert "BP = AB sin φ = 2.4 · sin 30° = 1.2 m" in text
+    assert "∠BAP" not in text
+
+
+def test_two_equal_sides_of_the_position_make_no_law_of_cosines() -> None:
+    # OF = OB = 1.6 m with 50 degrees between: FB = 2 * 1.6 sin 25 = 1.352 m, and 65 degrees at the base.
+    text = text_of("hydraulic_hoist", "boom", OF=1.6, OB=1.6, phi=50)
+    assert "Triangle BFO is isosceles:" in text
+    assert "2 · 1.6 · sin(50° / 2) = 1.352 m" in text
+    assert "arctan" not in text and "arccos" not in text
