@@ -71,7 +71,7 @@ def add_explaining(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="WORD",
-        help="letters of the solution: alpha (angular acceleration), rotational (components of accelerations)",
+        help="letters of the solution: alpha, epsilon (angular acceleration), rotational (components of accelerations)",
     )
 
 

@@ -208,7 +208,7 @@ def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance) -> tuple[Exa
 
 def _notation(table: Table) -> Notation:
     """The letters that the course is used to; mistakes are noted in the table."""
-    chosen = {name: table.take(name, str, known[0]) for name, known in CHOICES.items()}
+    chosen = {name: table.take(name, str, "") for name in CHOICES}
     table.finish()
     try:
         return Notation(**chosen)

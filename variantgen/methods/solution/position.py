@@ -53,7 +53,10 @@ def with_position(task: Task, items: Sequence[Item], steps: Sequence[Step], resu
 def _give_letters(task: Task, steps: Sequence[Step]) -> None:
     """Greek letters for angles without points, in the order in which they are met; when used up, with numbers."""
     form = task.form
-    letters = [letter for letter in _LETTERS if letter not in {*form.parameters, *form.symbols.values()}]
+    taken = {*form.parameters, *form.symbols.values()}
+    if "alpha" in taken:  # which is delta where alpha is an angular acceleration
+        taken.add("delta")
+    letters = [letter for letter in _LETTERS if letter not in taken]
     values = dict.fromkeys(item.value for step in steps for item in step.items if isinstance(item, Derived))
     angles = (value for value in values if value.name is not None and value.name.kind == "inclination")
     for number, value in enumerate(angles):

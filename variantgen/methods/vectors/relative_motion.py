@@ -100,12 +100,11 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
         _say_parts(book, group)
-        book.say(f"relative.sum_{book.letter}")
+        book.say(f"relative.sum_{book.letter}", **facts)
         return
     named_by = group.carrier_path.point if group.carrier_path is not None else group.pole
     if named_by not in book.task.fixed:
-        facts = {"vector": VectorOf(_named_as_given(book, named_by)), "carrier": facts["carrier"]}
-        book.say(f"relative.translation_{book.letter}", **facts)
+        book.say(f"relative.translation_{book.letter}", vector=VectorOf(_named_as_given(book, named_by)), **facts)
 
 
 def _say_parts(book: Book, group: SlidingPair) -> None:

@@ -122,7 +122,7 @@ def manifest_frame(
             },
         },
         "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
-        "notation": asdict(exam.notation),
+        "notation": asdict(exam.spoken.notation),
         "formats": list(exam.formats),
         "seed": exam.seed,
         "redrawn": list(redrawn),

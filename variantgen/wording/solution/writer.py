@@ -141,7 +141,7 @@ class Writer:
             if isinstance(part, SentenceField):
                 parts += self._fact(sentence.facts[part.name], part.form)
             elif isinstance(part, Letter):
-                parts.append(Symbol(part.name))
+                parts.append(Symbol(self.formulas.language.axis(part.name)))
             else:
                 parts.append(part)
         if capital and parts and isinstance(parts[0], str):
@@ -164,7 +164,7 @@ class Writer:
             case CentreOf(body, kind):
                 return (self.symbols.centre(kind, body),)
             case AxisOf(letter):
-                return (Symbol(letter),)
+                return (Symbol(self.formulas.language.axis(letter)),)
             case NumberOf(value):
                 return (self.formulas.measured(value),)
             case Value():
