@@ -65,6 +65,7 @@ class SolutionFigures:
         self.numbers: dict[str, int] = {}
         self._place, self._vectors = place, text.vectors if text else ()
         self._geometry = text.geometry if text else {}
+        self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
@@ -73,7 +74,7 @@ class SolutionFigures:
         for name in names:
             if name not in self._drawn:
                 try:
-                    self._drawn[name] = self._figure(name)
+                    self._drawn[name] = self.figure(name)
                 except MissingWordError:
                     raise
                 except InputError:
@@ -82,13 +83,18 @@ class SolutionFigures:
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)
 
-    def _figure(self, name: str) -> Drawing:
+    def figure(self, name: str) -> Drawing:
+        """One figure by its name. Raises InputError where there is nothing to draw."""
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
         kind, _, which = name.partition(":")
-        further = (which, self._geometry.get(name, NOTHING_MARKED)) if which else ()
+        further: dict[str, object] = {}
+        if which:
+            further |= {"which": which, "geometry": self._geometry.get(name, NOTHING_MARKED)}
+        if not kind.endswith("_plan"):
+            further["true_scale"] = self._true_scale
         drawn: Drawing = view(kind).draw(
-            self.variant, *self._place, self._shown, self.language, self._vectors, *further
+            self.variant, *self._place, self._shown, self.language, self._vectors, **further
         )
         return drawn
 

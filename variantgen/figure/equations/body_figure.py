@@ -116,7 +116,7 @@ class BodyFigure:
         self._touching = touching
         shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
         self._places = {**{name: now.z[name] for name in moving}, **{n: c.place for n, c in touching.items()}}
-        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST)
+        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST, subject.least)
         self._vectors = {
             name: length * vector / abs(vector) for (name, vector), length in zip(shown.items(), lengths, strict=True)
         }
