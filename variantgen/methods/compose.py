@@ -123,7 +123,9 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
-    check = tuple(_checked_by_links(book.task))
+    if not measured:
+        steps = read_again(steps, found.values())
+    check = tuple(_checked_by_links(book.task) if measured else third_axis(steps))
     items, answers = [*(item for step in steps for item in step.items), *check], list(found.values())
     if measured:
         follow_printed_digits(items, answers, measured + 1)

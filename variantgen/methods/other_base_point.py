@@ -7,9 +7,9 @@ and another triangle than in ``a_M = a_O + a^n_MO + a^tau_MO``, on the same axis
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
-from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.expression import Expression, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import resting_contacts
 from variantgen.methods.geometry.geometry import Geometry
@@ -18,6 +18,7 @@ from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import (
     Balance,
+    Derived,
     Fact,
     Item,
     NumberOf,
@@ -42,25 +43,28 @@ def other_base_point(book: Book, steps: Sequence[Step]) -> list[Item]:
     if book.task.order < 2:
         return []
     book = book.at(2)
-    lines = (item for step in reversed(steps) for item in step.items if isinstance(item, VectorLine))
-    for line in lines:
+    written = [item for step in steps for item in step.items]
+    shown = {item.value.name for item in written if isinstance(item, Derived)}
+    for line in (item for item in reversed(written) if isinstance(item, VectorLine)):
         pole = line.right[-1].name.about
         if len(line.left) == 1 and line.left[0].size is None and pole:
-            items = _compared(book, line, line.left[0].point, pole)
+            items = _compared(book, line, line.left[0].point, pole, shown)
             if items:
                 return items
     return []
 
 
-def _compared(book: Book, line: VectorLine, point: str, pole: str) -> list[Item]:
-    """Both sums on the first natural axis of the equation."""
+def _compared(book: Book, line: VectorLine, point: str, pole: str, shown: Collection[Name | None]) -> list[Item]:
+    """Both sums on the first natural axis of the equation; nothing where a reader has not seen what they need."""
     body = next((b for b, members in book.task.scene.bodies.items() if {point, pole} <= set(members)), "")
     centre = book.centres.get(("P", body))
     if centre is None or not {point, pole} <= set(centre.rays) or not _is_contact(book, centre, pole):
         return []
+    if not all(_is_seen(value, shown) for value in (centre.rays[point].arm, book.omega[body].size)):
+        return []
     along = first_along(line.right)
     contact = _of_contact(book, centre, line, pole)
-    terms = [*([contact] if contact else []), *_about_contact(book, centre, point)]
+    terms = [*([contact] if contact else []), *_about_contact(book, centre, point, shown)]
     found = [_on_axis(book, term, size, along.angle) for term, size in terms]
     parts = [part for part in found if part is not None]
     own = book.values.get(Name("a", point, part="on_n"))
@@ -102,13 +106,27 @@ def _of_contact(book: Book, centre: Centre, line: VectorLine, pole: str) -> tupl
     return Term(Name("a", pole), size, back if exact > 0 else ray.angle, way), size
 
 
-def _about_contact(book: Book, centre: Centre, point: str) -> Iterator[tuple[Term, Expression]]:
-    """``omega^2 MP`` towards the contact and ``epsilon MP`` across the way to it."""
+def _is_seen(value: Value, shown: Collection[Name | None]) -> bool:
+    """Whether a value is given, or has a line."""
+    return value.expression is None or isinstance(value.expression, Value) or value.name in shown
+
+
+def _about_contact(
+    book: Book, centre: Centre, point: str, shown: Collection[Name | None]
+) -> Iterator[tuple[Term, Expression]]:
+    """``omega^2 MP`` towards the contact and ``epsilon MP``, or ``a_O MP / r``, across the way to it."""
     ray, omega, epsilon = centre.rays[point], book.omega[centre.body], book.epsilon[centre.body]
-    turned = Geometry.turned(ray.angle, -90.0 * epsilon.sense)
-    for rate, size, angle in ((omega, omega.size**2 * ray.arm, ray.angle), (epsilon, epsilon.size * ray.arm, turned)):
-        if rate.sense:
-            yield Term(Name("a", point), Value(None, "acceleration", size.number(True)), angle, Sentence("")), size
+    found: list[tuple[Expression, Value]] = []
+    if omega.sense:
+        found.append((omega.size**2 * ray.arm, ray.angle))
+    if epsilon.sense:
+        across: Expression = epsilon.size * ray.arm
+        match epsilon.size.expression:
+            case Ratio(Value() as tangential, Value() as radius) if not _is_seen(epsilon.size, shown):
+                across = tangential * ray.arm / radius
+        found.append((across, Geometry.turned(ray.angle, -90.0 * epsilon.sense)))
+    for size, angle in found:
+        yield Term(Name("a", point), Value(None, "acceleration", size.number(True)), angle, Sentence("")), size
 
 
 def _on_axis(book: Book, term: Term, size: Expression, axis: Value) -> tuple[int, Expression] | None:

@@ -93,7 +93,9 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
         sums = [sum_of([replace(share, sign=-share.sign) for share in side]) for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
     found = [Value(None, "number", whole.number(True), whole, scale) for whole in sums]
-    return [Sentence("check.third_axis", {"side": Word(word)}, detail=False), Balance(*found)]
+    first, second = (VectorOf(term.name) for term in unknowns((*line.left, *line.right)))
+    facts: dict[str, Fact] = {"side": Word(word), "first": first, "second": second}
+    return [Sentence("check.third_axis", facts, detail=False), Balance(*found)]
 
 
 def _by_number(share: Share) -> Share:

@@ -82,6 +82,7 @@ def facts_of_two(body: str, first: Term, second: Term) -> dict[str, Fact]:
     a, b = first.point, second.point
     centre = Centre(body)
     facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "segment": Segment(a, b)}
+    facts["omega"] = Name("omega", body)
     facts |= {"point": Point(a), "vector": VectorOf(Name("v", a)), "way": first.way, "ray": centre.segment(a)}
     other: dict[str, Fact] = {"other": Point(b), "other_vector": VectorOf(Name("v", b))}
     return facts | other | {"other_way": second.way, "other_ray": centre.segment(b)}

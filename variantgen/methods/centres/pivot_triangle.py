@@ -157,9 +157,9 @@ def _own(angle: Value) -> AngleForm:
 
 
 def _is_given(angle: Value) -> bool:
-    """Whether an angle or its supplement is given."""
+    """Whether an angle or its supplement is given, or a right angle."""
     parts = angle_sum(angle).parts
-    return len(parts) == 1 and isinstance(parts[0][0], Value) and parts[0][0].expression is None
+    return not parts or (len(parts) == 1 and isinstance(parts[0][0], Value) and parts[0][0].expression is None)
 
 
 def _pivot(book: Book, term: Term) -> str:

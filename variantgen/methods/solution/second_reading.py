@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
-from variantgen.algebra.expression import Value
+from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order
+from variantgen.algebra.values import in_order, parts
 from variantgen.methods.solution.used import read
-from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, Term, TermTable, VectorOf
+from variantgen.methods.steps.step import (
+    Body,
+    Derived,
+    Fact,
+    Item,
+    Projection,
+    Sentence,
+    Step,
+    Term,
+    TermTable,
+    VectorOf,
+)
 
 _SAYING = ("points.about_pivot", "velocity_centre.direction", "relative.zhukovsky")  # sentences that say directions
 _PREPARING = ("points.turning", "rolling.", "turning.", "rested.")  # steps that often only prepare another one
@@ -24,7 +35,7 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     becomes its beginning.
     """
     asked = {value.name for value in results if value.name is not None}
-    once = _without_repeated_lines(steps)
+    once = _with_letters(_without_repeated_lines(steps))
     return _joined(_without_known_directions(once), asked)
 
 
@@ -45,6 +56,31 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
         seen |= found
         kept.append(replace(step, items=items))
     return kept
+
+
+def _with_letters(steps: Sequence[Step]) -> list[Step]:
+    """The steps with a sentence before each line whose law has the first mention of an angular rate."""
+    met: set[Name] = set()
+    kept: list[Step] = []
+    for step in steps:
+        items: list[Item] = []
+        for item in step.items:
+            if isinstance(item, Derived) and item.law is not None:
+                for name in _rates_in(item.law) - met:
+                    facts: dict[str, Fact] = {"rate": name, "body": Body(name.of)}
+                    items.append(Sentence(f"rates.called_{name.kind}", facts, detail=False))
+                    met.add(name)
+            if isinstance(item, Derived) and item.value.name is not None:
+                met.add(item.value.name)
+            items.append(item)
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _rates_in(expression: Expression) -> set[Name]:
+    """The names of angular velocities and accelerations that are not given."""
+    names = {value.name for value in parts(expression) if value.name is not None}
+    return {name for name in names if name.kind in ("omega", "epsilon")}
 
 
 def _without_known_directions(steps: Sequence[Step]) -> list[Step]:

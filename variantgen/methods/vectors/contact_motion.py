@@ -56,7 +56,7 @@ def _solve_rate(book: Book, group: ContactGroup, known: ContactSide, sought: Con
         parts: Parts = [(found.sign, found.size)] if found.size else []
         carried = centre_parts(book, sought)
         if carried and not known.is_rest:
-            say_sum(book, sought)
+            say_sum(book, sought, "sum" if found.size else "balance")
         name = contact_name(book, sought)._replace(about=sought.centre if carried else "")
         if known.is_rest and len(carried) == 1 and isinstance(carried[0][1], Value):
             parts = [(-carried[0][0], carried[0][1])]  # v_KC is v_C turned back: no line of its own

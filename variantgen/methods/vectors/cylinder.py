@@ -32,7 +32,7 @@ def solve_extending_link(book: Book, group: ExtendingLink) -> None:
     with book.step(f"cylinder.{book.measure}", view, body=Body(group.body), **facts):
         if not book.has_said("cylinder.compound", **facts):
             book.say("cylinder.compound", **facts)
-        book.say(f"relative.sum_{book.letter}")
+        book.say(f"cylinder.sum_{book.letter}")
         start = len(book.items)
         known, turn = about_pole(book, point, group.pivot, group.body)
         sliding = _along(book, group)

@@ -100,11 +100,12 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
         book.say("relative.compound", **facts)
     if not is_translating(book, group.carrier):
         _say_parts(book, group)
-        book.say(f"relative.sum_{book.letter}", **facts)
+        book.say(f"relative.sum_{book.letter}")
         return
     named_by = group.carrier_path.point if group.carrier_path is not None else group.pole
     if named_by not in book.task.fixed:
-        book.say(f"relative.translation_{book.letter}", vector=VectorOf(_named_as_given(book, named_by)), **facts)
+        facts = {"vector": VectorOf(_named_as_given(book, named_by)), "carrier": facts["carrier"]}
+        book.say(f"relative.translation_{book.letter}", **facts)
 
 
 def _say_parts(book: Book, group: SlidingPair) -> None:
@@ -165,6 +166,9 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
     if group.turning:
         known, sides.turn = about_pole(book, point, pole, carrier)
         if fixed:
+            if book.order == 2 and not known:
+                normal = Name(book.letter, point, part="tr").component("n")
+                book.say("rates.no_normal", omega=Name("omega", carrier), vector=normal)
             known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
         sides.right += [*known, sides.turn]
     else:

@@ -63,8 +63,10 @@ Block: TypeAlias = Paragraph | FormulaLines | VectorTable | Program
 
 
 def append_block(blocks: list[Block], block: Block) -> None:
-    """Add a block; formulas join formulas, and sentences sentences."""
+    """Add a block, if it says anything; formulas join formulas, and sentences sentences."""
     last = blocks[-1] if blocks else None
+    if isinstance(block, Paragraph) and not block.text:
+        return
     if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
         blocks[-1] = FormulaLines(last.lines + block.lines)
     elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
