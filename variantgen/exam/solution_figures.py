@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
-from variantgen.figure.drawing import Drawing
+from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.figure.lettering import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
@@ -27,6 +28,7 @@ _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
 _STATEMENT_UNIT, _SMALLEST, _UNIT = 0.62, 0.5, 0.83
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
+_POINTS = 72 / 25.4  # in a millimetre
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
 
@@ -38,6 +40,11 @@ class SolutionFigure:
     drawing: Drawing
     caption: Text
     unit: float
+
+    @property
+    def index_size(self) -> float:
+        """The size of its indices on paper in points."""
+        return LETTER * INDEX * self.unit * _POINTS
 
 
 def view_order(text: SolutionText) -> list[str]:

@@ -37,6 +37,7 @@ _SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
 _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u
 _LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
 _MU_ARC = 6.5  # radius of the arc between an acceleration and the ray to Q, u
 _MANY_RAYS = 4
 
@@ -140,11 +141,11 @@ class BodyFigure:
         centre = self._centre()
         if centre is None:
             return self._finished(self._board(self._bodies, self._bodies.scale(self._tips)))
-        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), scale * centre])
+        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
         small = size > 0 and size * with_cranks < _LEAST_BODY
         bodies = self._alone if small or self.order == 2 else self._bodies
-        scale = bodies.scale(lambda scale: [*self._tips(scale), scale * centre])
+        scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         board = self._board(bodies, scale)
         board.sketch.at["centre"] = scale * centre
         rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]
@@ -253,9 +254,11 @@ class BodyFigure:
         if abs(sweep) < math.radians(3):
             return
         start, at = cmath.phase(vector), board.sketch.at[name]
-        board.sketch.arc(Arc(at, _MU_ARC, Layer.MARK, THIN, start, sweep))
+        board.sketch.arc(Arc(at, _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_MU_ARC, Layer.MARK, THIN, start, sweep))
         letter = self.named.symbols.letter(Name("mu", self.body))
-        board.sketch.label(along_arc(letter, at, _MU_ARC, start, sweep, inner=True))
+        board.sketch.label(along_arc(letter, at, _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_MU_ARC, start, sweep, inner=True))
 
     def _letter(self, centre: complex) -> Symbol:
         """The letter of the centre as the solution has it."""
