@@ -38,6 +38,7 @@ _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u
 _LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
 _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
 _MU_ARC = 6.5  # radius of the arc between an acceleration and the ray to Q, u
 _MANY_RAYS = 4
 
@@ -254,11 +255,9 @@ class BodyFigure:
         if abs(sweep) < math.radians(3):
             return
         start, at = cmath.phase(vector), board.sketch.at[name]
-        board.sketch.arc(Arc(at, _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
-_MU_ARC, Layer.MARK, THIN, start, sweep))
+        board.sketch.arc(Arc(at, _MU_ARC, Layer.MARK, THIN, start, sweep))
         letter = self.named.symbols.letter(Name("mu", self.body))
-        board.sketch.label(along_arc(letter, at, _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
-_MU_ARC, start, sweep, inner=True))
+        board.sketch.label(along_arc(letter, at, _MU_ARC, start, sweep, inner=True))
 
     def _letter(self, centre: complex) -> Symbol:
         """The letter of the centre as the solution has it."""
