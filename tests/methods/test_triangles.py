@@ -83,3 +83,31 @@ def test_the_second_angle_by_the_height(base: float, own: float, opposite: float
 def test_corners_are_spelt_by_the_letters() -> None:
     assert corner_name("B", "C", "A").about == "A C"
     assert corner_name("C", "B", "O").about == "O B"
+
+
+def test_a_given_angle_of_the_triangle_of_the_centre_is_used_as_it_is() -> None:
+    # A ladder of 2.4 m at 30 degrees: AP = 2.4 cos 30 = 2.078, BP = 2.4 sin 30 = 1.2 m.
+    text = text_of("ladder", "driven_at_wall", AB=2.4, phi=30)
+    assert "AP = AB cos φ = 2.4 · cos 30° = 2.078 m" in text
+    assert "BP = AB sin φ = 2.4 · sin 30° = 1.2 m" in text
+    assert "∠BAP" not in text
+
+
+def test_two_equal_sides_of_the_position_make_no_law_of_cosines() -> None:
+    # OF = OB = 1.6 m with 50 degrees between: FB = 2 * 1.6 sin 25 = 1.352 m, and 65 degrees at the base.
+    text = text_of("hydraulic_hoist", "boom", OF=1.6, OB=1.6, phi=50)
+    assert "Triangle BFO is isosceles:" in text
+    assert "2 · 1.6 · sin(50° / 2) = 1.352 m" in text
+    assert "arctan" not in text and "arccos" not in text
+
+
+def test_a_diagonal_over_three_links_by_a_right_triangle() -> None:
+    # O below C: AB goes up by 90 - 30 cos 145 - 24 cos 80 = 110.4 and across by 24 sin 80 - 30 sin 145 = 6.428 cm.
+    data = {"OA": 30, "AM": 62, "BM": 80, "BC": 24, "OC": 90, "phi": 145, "psi": 80}
+    text = text_of("two_cranks_and_rod", "", **data)
+    along = 90 - 30 * math.cos(math.radians(145)) - 24 * math.cos(math.radians(80))
+    across = 24 * math.sin(math.radians(80)) - 30 * math.sin(math.radians(145))
+    assert "In the right triangle ABH the leg AH is parallel to OC:" in text
+    assert f"= {along:.1f} cm" in text and f"= {across:.3f} cm" in text
+    assert f"AB = √(AH^2 + BH^2) = √(110.4^2 + 6.428^2) = {math.hypot(along, across):.1f} cm" in text
+    assert "axis x" not in text and "x_A" not in text

@@ -20,6 +20,7 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
+from variantgen.figure.symbols.gears import contour
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.variants.printed_data import given_names, shown_points
@@ -135,7 +136,8 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
-        sketch.circle(sketch.at[disc.centre], radius, Layer.DISC, BOLD if disc.body else MEDIUM)
+        rim = contour(board, disc.centre, radius)
+        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, BOLD if disc.body else MEDIUM)
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)

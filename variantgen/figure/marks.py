@@ -15,9 +15,11 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.placement.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
 from variantgen.figure.placement.labels import GAP
+from variantgen.figure.symbols.gears import contour
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
+_HALF_WAY = 0.45  # to a rim an arc is drawn about its centre
 _ROOMY = 9.0  # radius of a disc that has room for a name inside, u
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _NEARLY = math.radians(5)  # between a radius and a line that it nearly crosses
@@ -69,7 +71,7 @@ def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
             if rim > radius + 2 * _OFF_RIM:
                 continue
             # Half way to the rim, so that the letter finds room between arc and rim; outside a tiny disc.
-            return 0.5 * rim if rim > _ARC else rim + _OFF_RIM
+            return _HALF_WAY * contour(board, disc.centre, rim) if rim > _ARC else rim + _OFF_RIM
     return radius
 
 
@@ -230,11 +232,13 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     formula = Symbol(name)
     width, height = label_size(formula)
     half = 0.5 * math.hypot(width, height)
-    inside = [radius - half - off for off in (0.9, 2.4, 4.2, 6.5) if radius - half - off > half]
-    distances = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
+    inner, outer = sorted((radius, contour(board, mark.centre, radius)))
+    inside = [inner - half - off for off in (0.9, 2.4, 4.2, 6.5) if inner - half - off > half]
+    outside = [outer + half + 0.7, outer + half + 2.0]
+    distances = [*inside, *outside] if radius > _ROOMY else [*outside, *inside]
     ways = np.exp(1j * math.tau / 24 * np.arange(24))
     centre = board.sketch.at[mark.centre]
     places = centre + np.array(distances)[:, None] * ways[None, :]
     costs = 1.5 * np.arange(len(distances))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
-    rim = tuple(complex(place) for place in centre + radius * ways[::4])
-    board.sketch.label(LabelRequest(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))
+    edge = tuple(complex(place) for place in centre + radius * ways[::4])
+    board.sketch.label(LabelRequest(formula, edge[0], places.ravel(), costs.ravel(), edge[1:]))

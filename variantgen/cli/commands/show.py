@@ -53,7 +53,14 @@ def run(arguments: argparse.Namespace) -> int:
 
     folders = family_folders(arguments.families)
     variant = one_variant(
-        arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice
+        arguments.family,
+        settings(arguments),
+        arguments.seed,
+        arguments.form,
+        arguments.ask,
+        folders,
+        arguments.nice,
+        arguments.units,
     )
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:

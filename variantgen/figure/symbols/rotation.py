@@ -21,6 +21,7 @@ _SWEEP = math.radians(70)
 _LONGEST = 16.0  # length of an arc, u
 _RADII = (6.2, 8.4, 10.4)
 _WIDER = 13.0  # radius of an arc inside a large ring of another body, u
+_ROOMY = 16.0  # radius of a disc with room for arcs about its axis and the letter of the axis, u
 _OF_PLATE, _ON_PLATE = (0.62, 0.5), (7.4, 11.0)  # radii of arcs on a plate: parts of the room there, bounds (u)
 _OFF_RIM = (2.4, 4.8)
 _LEAST = 5.0  # radius of an arc, u
@@ -91,8 +92,10 @@ def _radii(board: Board, body: str, pivot: str) -> NDArray[np.float64]:
     strange = [r for disc in about if disc.body not in ("", body) for r in board.discs.get(disc.body, [])]
     least = math.inf if own else min(strange, default=math.inf)
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
-    found = list(_RADII) if not own or alone else []
-    found += [rim + off for rim in rims for off in _OFF_RIM]
+    inner = list(_RADII) if not own or alone else []
+    along = [rim + off for rim in rims for off in _OFF_RIM]
+    # Inside a small step of a drum arcs would leave no room for the letter of the axis.
+    found = along + inner if len(rims) > 1 and rims[0] < _ROOMY else inner + along
     found += [_WIDER] if least < math.inf else []
     if own > 2 * _LEAST:
         found.append(own - 3.0)

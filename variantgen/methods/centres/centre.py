@@ -39,10 +39,16 @@ def named_place(book: Book, place: complex) -> str:
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 
+def own_angle(value: Value) -> Value:
+    """An angle of a triangle; one that is a given or known angle is that."""
+    return value.expression if isinstance(value.expression, Value) else value
+
+
 def note_angle(book: Book, value: Value) -> Value:
-    """Show once how an angle is found."""
+    """Show once how an angle is found; a given or known one needs no line."""
+    if isinstance(value.expression, Value) or value.name is None or value.name.kind == "parameter":
+        return own_angle(value)
     name = value.name
-    assert name is not None
     if name not in book.values:
         value = by_name(book, value)
         book.items.append(Derived(value))

@@ -12,7 +12,7 @@ import math
 from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres import pivot_triangle
-from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle
+from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle, own_angle
 from variantgen.methods.centres.triangle_shapes import say_shape, shapes
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
@@ -118,9 +118,9 @@ def _solve_triangle(
     geometry = book.geometry
     side = geometry.length(a, b)
     ways = geometry.direction(a, b), geometry.direction(b, a)
-    at_a = difference(centre.corner(a, b), rays[0], ways[0])
-    at_b = difference(centre.corner(b, a), rays[1], ways[1])
-    at_p = difference(centre.vertex(a, b), *rays)
+    at_a = own_angle(difference(centre.corner(a, b), rays[0], ways[0]))
+    at_b = own_angle(difference(centre.corner(b, a), rays[1], ways[1]))
+    at_p = own_angle(difference(centre.vertex(a, b), *rays))
     if not is_short(angle_sum(at_p)):
         rest = Constant(180.0, "angle") - at_a - at_b
         at_p = Value(at_p.name, "angle", rest.number(True), rest)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, sin
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import summed
 from variantgen.methods.centres.centre import note_angle
@@ -45,8 +45,6 @@ def solve(book: Book, centre: Centre, terms: tuple[Term, Term], rays: tuple[Valu
     side = book.geometry.length(o, c)
     shape, needed, arms = next(case for case in shapes(side, angles[0], angles[1], at_p) if case[0])
     if shape == "by_sines":
-        at_o, at_c = (supplement(angle) or angle for angle in angles)
-        arms = (side * sin(at_c) / sin(at_p), side * sin(at_o) / sin(at_p))
         corners = triangle(o, c, centre.kind, centre.body)
         book.say("perpendiculars.pivots", True, triangle=corners, segment=Segment(o, c))
     else:

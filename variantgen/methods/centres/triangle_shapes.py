@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.methods.centres.centre import is_angle
+from variantgen.methods.geometry.angle_sums import supplement
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Fact, Point, Segment, triangle
@@ -27,7 +28,8 @@ def shapes(side: Value, at_a: Value, at_b: Value, at_p: Value) -> Iterator[Shape
     yield case(is_angle(at_b.exact, 90.0), "right_at_other", (at_a,), side / cos(at_a), side * Applied("tan", at_a))
     leg = side / (two * cos(at_a))
     yield case(equal, "isosceles", (at_a, at_b), leg, leg)
-    by_sines = (side * sin(at_b) / sin(at_p), side * sin(at_a) / sin(at_p))
+    sines = [sin(supplement(angle) or angle) for angle in (at_a, at_b, at_p)]
+    by_sines = (side * sines[1] / sines[2], side * sines[0] / sines[2])
     yield case(True, "by_sines", (at_a, at_b, at_p), *by_sines)
 
 

@@ -23,6 +23,7 @@ from variantgen.methods.geometry.angles import AngleForm, Atom, normal_angle, ti
 from variantgen.methods.geometry.legs import Leg
 
 _NOTHING = 1e-11  # a cosine or sine below it is zero but for rounding
+_EQUAL = 1e-9  # relative difference of two lengths that are one
 _SHARP = 0.5  # cosine of an angle that its sine still gives sharply
 _QUARTERS = {
     "cos": (("cos", 1), ("sin", -1), ("cos", -1), ("sin", 1)),
@@ -57,6 +58,14 @@ class Angular(Protocol):
         self, start: str, on_line: str, end: str, along: Expression, across: Expression
     ) -> tuple[Value, Value] | None:
         """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters."""
+
+    def projections(
+        self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression
+    ) -> tuple[Value, Value] | None:
+        """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
+
+    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point that lies in a direction from another one, or nothing."""
@@ -143,6 +152,8 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
         return angle_of(geometry, axis.turned(90.0 * left))
     if along == across:
         return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
+    if len(legs) == 2 and _are_equal(*legs):
+        return angle_of(geometry, legs[0].form.plus(_turn(geometry, legs), 0.5))
     axis, left = (axis, left) if ahead > 0 else (axis.turned(180.0), -left)
     start, end = ends
     on_side = geometry.ahead_on(start, axis)
@@ -176,6 +187,33 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
     return geometry.foot(ends[0], on_side, ends[1], along, across) if on_side else None
 
 
+def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
+    """The legs of the right triangle on a way of several segments: along one of them and across it; nothing where the
+    figure has no letters for it.
+    """
+    axis = _axis_of(legs)
+    ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
+    left, across = positive(summed(projected(geometry, "sin", legs, axis)))
+    if geometry.is_nothing(along) or geometry.is_nothing(across):
+        return []
+    found = geometry.projections(ends, axis, along, across)
+    if found is None:
+        return []
+    return [Leg(found[0], axis if ahead > 0 else axis.turned(180.0)), Leg(found[1], axis.turned(90.0 * left))]
+
+
+def _are_equal(first: Leg, second: Leg) -> bool:
+    """Whether two legs are the equal sides of an isosceles triangle."""
+    one, other = first.length.number(True), second.length.number(True)
+    return abs(one - other) <= _EQUAL * one
+
+
+def _turn(geometry: Angular, legs: Sequence[Leg]) -> AngleForm:
+    """The angle from the first of two legs to the second, between -180 and 180 degrees."""
+    turn = legs[1].form.minus(legs[0].form)
+    return turn.turned(geometry.number(turn) - geometry.total(turn))
+
+
 def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> Expression:
     """The length of the sum of legs: law of Pythagoras, by a perpendicular where it takes one, or law of cosines."""
     if not legs:
@@ -192,12 +230,12 @@ def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> 
     sign, cosine = reduced(geometry, "cos", turn)
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
-    if cosine is not None and first == second:
-        wrapped = turn.turned(geometry.number(turn) - geometry.total(turn))
-        half = reduced(geometry, "cos", wrapped.times(0.5))[1]
+    if _are_equal(*legs):
+        geometry.isosceles(ends, legs[0])
+        if cosine is None:
+            return SquareRoot(Constant(2.0)) * first
+        half = reduced(geometry, "cos", _turn(geometry, legs).times(0.5))[1]
         return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
-    if first == second:
-        return SquareRoot(Constant(2.0)) * first
     squares = squared((first, second))
     if cosine is None:
         return SquareRoot(squares)
