@@ -240,12 +240,17 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> 
     sizes = [(sign * _share(share).number(True), share.term) for sign, share in known]
     against = -sum(min(size, 0.0) for size, _ in sizes)
     if len(sizes) == 1:
-        return [Sentence("axes.by_one", {**facts, "known": VectorOf(sizes[0][1].name)})]
+        return [Sentence("axes.by_one", {**facts, "known": _named_in_text(sizes[0][1])})]
     if against == 0:
         return [Sentence("axes.by_all", facts)]
     largest, strongest = max(sizes, key=lambda item: item[0])
     if largest > _CLEAR * against:
-        return [Sentence("axes.by_strongest", {**facts, "known": VectorOf(strongest.name)})]
+        return [Sentence("axes.by_strongest", {**facts, "known": _named_in_text(strongest)})]
     parts = Total(tuple((sign, _share(share)) for sign, share in known))
     total = Value(None, book.measure, parts.number(True), parts)
     return [Sentence("axes.by_sum", {**facts, "sum": NumberOf(total)})]
+
+
+def _named_in_text(term: Term) -> Fact:
+    """A vector in a sentence; of a component along a laid axis its letter, for the equation has the whole vector."""
+    return term.name if term.is_laid else VectorOf(term.name)
