@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from decimal import Decimal
 
+from variantgen.check.cranks import wrong_cranks
 from variantgen.check.languages import differing
 from variantgen.check.printed import print_mismatches
 from variantgen.check.report import Report
@@ -27,6 +28,7 @@ from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.statement import Statement, statement
 
 _FIGURES = 20  # variants per form whose figure is drawn and compared with the statement
+_TURNED = 8  # those of them whose cranks are turned full circle, a tenth of a second each
 
 
 def check_languages(family: Family, report: Report) -> None:
@@ -88,6 +90,8 @@ def _check_agreement(variants: Sequence[Variant], asked: Sequence[Quantity], mot
         for sheet in sheets:
             for kind, message in wrong_senses(sheet, variant, motion, place):
                 report.fail(message, f"statement.{sheet.language}.j2, {where}", f"{sheet.language} {kind}")
+        for language, (kind, message) in wrong_cranks(sheets, motion, place) if place < _TURNED else ():
+            report.fail(message, f"statement.{language}.j2, {where}", f"{language} {kind}")
         for found in differing(sheets, given_names(variant, asked), form):
             if found.sure:
                 report.fail(found.message, f"statement.{found.language}.j2, {where}", f"{found.language} {found.kind}")

@@ -84,9 +84,9 @@ def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
     return found
 
 
-def short_arrows(drawing: Drawing) -> list[complex]:
-    """Starts of the arrows that are shorter than twice their heads."""
-    return [start for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
+def short_arrows(drawing: Drawing) -> list[tuple[complex, complex]]:
+    """Starts and tips of the arrows that are shorter than twice their heads."""
+    return [(start, tip) for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
 
 
 def misread_labels(drawing: Drawing) -> list[str]:
@@ -128,6 +128,16 @@ def figure_faults(drawing: Drawing) -> list[str]:
     if drawing.width > WIDEST or drawing.height > HIGHEST:
         found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too large")
     return found
+
+
+def vector_faults(drawing: Drawing) -> list[str]:
+    """Faults of the arrows of a figure of motion and of their names, in words."""
+    found = [
+        f"an arrow of {abs(tip - start):.1f} units is shorter than twice its head"
+        for start, tip in short_arrows(drawing)
+    ]
+    found += [f"the label {name} stands nearer to another arrow than to its own" for name in misread_labels(drawing)]
+    return found + [f"the point {to_plain(letter)} lies outside the figure" for letter in drawing.beyond]
 
 
 def _weighted(lines: tuple[Line, ...]) -> tuple[np.ndarray, np.ndarray]:

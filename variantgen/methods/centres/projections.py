@@ -68,9 +68,8 @@ def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
     path = Term(path.name, None, way, path.way)
     book.say("projections.theorem", True, **facts)
-    book.say("projections.same_sign", True, start=Point(start), end=Point(end), **facts)
     first, second = named_shares(book, known, axis), _share(path, axis)
-    line = Sentence("projections.line", {"start": Point(start), "end": Point(end)})
+    line = Sentence("projections.same_sign", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), first, (second,)))
     speed, beside = ordered_sum(signed(first)), second.factor
     size = book.derive(path.name, "velocity", speed if beside is None else speed / beside)
