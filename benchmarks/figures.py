@@ -38,7 +38,7 @@ _SAMPLE = 5  # figures of each form that are typeset for comparison
 HEAD = """\
 | family | form | figures | label on label | label on line | off paper | unnamed points | leaders | least space, u | \
 hinges too near | not to scale | no text | arrow over a line | double arrow | behind a wall | line past a head | \
-radius over a line | along a rim | small arc | foreign arc | no dot | largest, u | median, ms |
+radius over a line | along a rim | small arc | foreign arc | no dot | largest, u | median CPU, ms |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"""
 # Faults of arrows in the order of the columns, and points without a mark.
 ARROWS = ("crossed", "doubled", "behind", "continued", "radii", "grazing", "small", "foreign", "unmarked")
@@ -125,9 +125,9 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
     motion = solve_variants(variants, 0)
     tally = Tally()
     for i, variant in enumerate(variants):
-        start = time.perf_counter()
+        start = time.process_time()
         drawing = statement_figure(variant, motion, i, asked, language)
-        tally.times.append(time.perf_counter() - start)
+        tally.times.append(time.process_time() - start)
         seen = inspect_labels(drawing)
         tally.figures += 1
         tally.sample += [drawing] if i < _SAMPLE else []
@@ -163,9 +163,9 @@ def typesetting(drawings: list[Drawing]) -> float:
         (engine.root / "figures.typ").write_text(page, "utf-8")
 
         def seconds(some: list[dict[str, object]]) -> float:
-            start = time.perf_counter()
+            start = time.process_time()
             engine.compile("figures.typ", {"figures": some})
-            return time.perf_counter() - start
+            return time.process_time() - start
 
         # Each figure once: the engine remembers what it has laid out.
         seconds(data[:1])
