@@ -44,6 +44,14 @@ radius over a line | along a rim | small arc | foreign arc | no dot | largest, u
 ARROWS = ("crossed", "doubled", "behind", "continued", "radii", "grazing", "small", "foreign", "unmarked")
 
 
+# The same inspections before arrows and radii were placed by what they cross: what the last row is compared with.
+BEFORE = (
+    "Before arrows were placed by what they cross, the same inspections counted in 22 800 figures: 1313 arrows over"
+    " a line, 432 double arrows, 2305 behind a wall, 1574 lines past a head, 507 radii over a line, 127 along a rim,"
+    " 2358 small arcs, 57 foreign ones, 900 points without a dot."
+)
+
+
 @dataclass
 class Tally:
     """Counts over the figures of one form (or of all)."""
@@ -201,7 +209,7 @@ def main() -> None:
     if not options.family:
         note = f"{options.seeds} seeds per form, {machine_line()}"
         head = f"# The figures, inspected\n\n`python -m benchmarks.figures`: {note}.\n"
-        write_beside(__file__, [head, *lines, "", share + ratio])
+        write_beside(__file__, [head, *lines, "", share + ratio, "", BEFORE])
 
 
 if __name__ == "__main__":
