@@ -99,3 +99,15 @@ def test_two_equal_sides_of_the_position_make_no_law_of_cosines() -> None:
     assert "Triangle BFO is isosceles:" in text
     assert "2 · 1.6 · sin(50° / 2) = 1.352 m" in text
     assert "arctan" not in text and "arccos" not in text
+
+
+def test_a_diagonal_over_three_links_by_a_right_triangle() -> None:
+    # O below C: AB goes up by 90 - 30 cos 145 - 24 cos 80 = 110.4 and across by 24 sin 80 - 30 sin 145 = 6.428 cm.
+    data = {"OA": 30, "AM": 62, "BM": 80, "BC": 24, "OC": 90, "phi": 145, "psi": 80}
+    text = text_of("two_cranks_and_rod", "", **data)
+    along = 90 - 30 * math.cos(math.radians(145)) - 24 * math.cos(math.radians(80))
+    across = 24 * math.sin(math.radians(80)) - 30 * math.sin(math.radians(145))
+    assert "In the right triangle ABH the leg AH is parallel to OC:" in text
+    assert f"= {along:.1f} cm" in text and f"= {across:.3f} cm" in text
+    assert f"AB = √(AH^2 + BH^2) = √(110.4^2 + 6.428^2) = {math.hypot(along, across):.1f} cm" in text
+    assert "axis x" not in text and "x_A" not in text

@@ -13,6 +13,7 @@ from variantgen.algebra.expression import Expression, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import resting_contacts
 from variantgen.methods.geometry.geometry import Geometry
+from variantgen.methods.groups.contact import resting_letter
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.solution.rays import Centre
@@ -76,7 +77,7 @@ def _compared(book: Book, line: VectorLine, point: str, pole: str, shown: Collec
     if abs(sides[0].exact - sides[1].exact) > _NOTHING * scale:
         return []
     facts: dict[str, Fact] = {"vector": VectorOf(Name("a", point)), "along": VectorOf(along.name), "pole": Point(pole)}
-    facts["centre"] = Point(centre.at) if centre.at else centre.fact
+    facts["centre"] = Point(resting_letter(book.task, centre.body, centre.at)) if centre.at else centre.fact
     key = "check.other_base_point" if contact else "check.other_base_point_at_rest"
     if contact and contact[0].size is not None:
         facts |= {"size": NumberOf(contact[0].size), "way": contact[0].way}

@@ -27,6 +27,7 @@ _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean someth
 _OF_NEXT = (
     "position.drawn",
     "position.perpendicular",
+    "position.projections",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "right")),
     *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
 )

@@ -140,7 +140,7 @@ def _usual(term: Term) -> tuple[str, str] | None:
 
 def _is_known(term: Term, known: Collection[Name]) -> bool:
     """Whether the direction of a vector, or of the whole of which it is a component, has been said."""
-    return term.is_laid or term.name in known or (not term.name.about and term.name._replace(part="") in known)
+    return term.is_laid or term.name in known or (not term.name.about and term.name.whole in known)
 
 
 def _joined(steps: Sequence[Step], asked: Collection[Name]) -> list[Step]:

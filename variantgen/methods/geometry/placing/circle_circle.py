@@ -13,6 +13,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.steps.step import EquationLine, Point, Segment, triangle
 
+_SIDES = 2  # of a triangle on the line of centres
 _NEAR = 1e-9  # relative difference of two lengths that are one
 
 
@@ -77,9 +78,12 @@ class Derivation(ConstructedPoint):
         return "sides", Applied("arccos", Ratio(squares, two * own * base))
 
     def coordinates(self) -> Pair | None:
-        """The solution of the equations of both circles, unless the direction of a link is known."""
+        """The solution of the equations of both circles, unless the direction of a link follows from a triangle."""
         geometry, first, second = self.geometry, self.fields["first"], self.fields["second"]
         if any(geometry.has_direction(centre, self.point) for centre in (first, second)):
+            return None
+        if len(geometry.way(first, second, before=self.point)) <= _SIDES:
+            geometry.direction(second, self.point)
             return None
         z = self._crossing()
         pair = geometry.solution(Name("x", self.point), z.real), geometry.solution(Name("y", self.point), z.imag)
