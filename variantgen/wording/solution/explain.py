@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity, recorded
@@ -54,7 +55,8 @@ def explain(
         raise UnexplainedError(
             f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
         ) from error
-    return written(task, found, language, options.depth == "short")
+    text = written(task, found, language, options.depth == "short")
+    return replace(text, true_scale=options.true_scale)
 
 
 def answers_only(
