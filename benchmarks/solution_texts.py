@@ -93,11 +93,6 @@ def of_steps(found: Any, given: Sequence[float]) -> dict[str, float]:
     """What is counted in the steps themselves."""
     items = [item for step in found.steps for item in step.items]
     derived = [item.value for item in items if type(item).__name__ == "Derived"]
-    used = {name for name, _ in ((value.name, value) for _, value in found.answers)}
-    used |= {value.name for value in derived for value in values_in(value.expression)}
-    for item in (*items, *found.check):
-        if type(item).__name__ != "Derived":
-            used |= {value.name for value in values_in(item)}
     answers = [abs(value.exact) for _, value in found.answers]
     again = [value for value in derived if value.measure == "angle" and reproduces(value, given)]
     free = {
@@ -107,7 +102,7 @@ def of_steps(found: Any, given: Sequence[float]) -> dict[str, float]:
         if type(term).__name__ == "Term" and term.size is None and term.way.key != _FREE
     }
     sought = {value.name: value for value in derived if value.name in free}
-    unused = [v for v in derived if v.name not in used and not any(abs(abs(v.exact) - a) <= _SAME * a for a in answers)]
+    unused = [v for v in not_met_again(items, found) if not any(abs(abs(v.exact) - a) <= _SAME * a for a in answers)]
     return {
         "given again": len(again),
         "unknown": len(sought),
@@ -115,6 +110,33 @@ def of_steps(found: Any, given: Sequence[float]) -> dict[str, float]:
         "unused": len(unused),
         "figures": sum(len(step.views) for step in found.steps),
     }
+
+
+def not_met_again(items: Sequence[Any], found: Any) -> list[Any]:
+    """The values of lines that no later line needs; of vectors those that no later equation has either."""
+    met = {value.name for _, value in found.answers}
+    for item in found.check:
+        met |= names_in(item)
+    unused = []
+    for item in reversed(items):
+        if type(item).__name__ != "Derived":
+            met |= names_in(item)
+            continue
+        if item.value.name not in met:
+            unused.append(item.value)
+        met |= names_in(item.value.expression) | names_in(item.law)
+    return unused
+
+
+def names_in(item: Any) -> set[Any]:
+    """The names of values and vectors in an item; a value without a name has those of which it is computed."""
+    names: set[Any] = set()
+    for part in inside(item):
+        if type(part).__name__ == "Term":
+            names.add(part.name)
+        elif type(part).__name__ == "Value":
+            names |= {part.name} if part.name is not None else names_in(part.expression)
+    return names
 
 
 def reproduces(value: Any, given: Sequence[float]) -> bool:

@@ -7,6 +7,7 @@ whose value is an angle give it in degrees; ``2 ω_BD · v`` is a product. Symbo
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 
 FUNCTIONS = {
@@ -19,6 +20,7 @@ FUNCTIONS = {
     "arcsin": lambda x: math.degrees(math.asin(x)),
     "arccos": lambda x: math.degrees(math.acos(x)),
 }
+COMPONENT = re.compile(r"\([va]_[^()]*\)_")  # (a_B/A)_t is one symbol
 SPACES = " \u00a0\u2009\u202f"
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
@@ -97,6 +99,8 @@ class Calculator:
 
     def atom(self) -> float:
         self.skip()
+        if COMPONENT.match(self.text, self.at):
+            return self.symbol()
         if self.take("("):
             inner = self.sum()
             if not self.take(")"):

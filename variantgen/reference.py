@@ -11,6 +11,7 @@ import re
 
 from variantgen.families.dimensions import CONSTANTS
 from variantgen.families.expressions import FUNCTIONS
+from variantgen.families.machine import LIMITS, SIZES
 from variantgen.families.units import UNITS
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.resources import catalog_dir
@@ -24,9 +25,11 @@ def refreshed(text: str) -> str:
 
 
 def table(name: str) -> str:
-    """A table in Markdown: constructions, conditions, joints, drivers, units or expressions."""
+    """A table in Markdown: constructions, conditions, joints, drivers, units, sizes or expressions."""
     if name == "units":
         return _units()
+    if name == "sizes":
+        return _sizes()
     if name == "expressions":
         return _expressions()
     rows = ["| kind | fields (optional ones in brackets) | meaning |", "|---|---|---|"]
@@ -70,6 +73,13 @@ def _units() -> str:
         kinds.setdefault(unit.measures, []).append(f"`{unit.name}`")
     rows = [f"| {measures} | {', '.join(names)} |" for measures, names in kinds.items()]
     return "\n".join(["| measures | units |", "|---|---|", *rows])
+
+
+def _sizes() -> str:
+    heads = ["`size`", *(f"`{name}` ({unit_name})" for name, unit_name in LIMITS.items())]
+    rows = [[f"`{size}`", *(f"{getattr(machine, name):g}" for name in LIMITS)] for size, machine in SIZES.items()]
+    head, *lines = (f"| {' | '.join(row)} |" for row in (heads, *rows))
+    return "\n".join([head, "|---" * len(heads) + "|", *lines])
 
 
 def _expressions() -> str:

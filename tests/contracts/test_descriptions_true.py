@@ -59,6 +59,11 @@ def test_every_given_rate_has_its_arrow(name: str) -> None:
         assert rates <= set(said_arrows(each)) <= rates | constants, each.figure.alt
 
 
+def letters(each: DescribedFigure) -> str:
+    """The letters of angular velocities and accelerations in the language of a figure."""
+    return "ωα" if each.language.name == "en" else "ωε"
+
+
 def rotations(each: DescribedFigure) -> dict[str, float]:
     """Solved rates of rotation by the phrase of their sense: first omega, then epsilon, by body."""
     found = {}
@@ -73,12 +78,12 @@ def rotations(each: DescribedFigure) -> dict[str, float]:
 @pytest.mark.parametrize("name", FAMILIES)
 def test_senses_of_rotation_are_those_of_the_solved_motion(name: str) -> None:
     for each in described_figures(name):
-        arrows = {symbol: item for symbol, item in said_arrows(each).items() if symbol[0] in "ωε"}
+        arrows = {symbol: item for symbol, item in said_arrows(each).items() if symbol[0] in letters(each)}
         solved = {key: rate for key, rate in rotations(each).items() if rate != 0}
         assert len(arrows) == len(solved), each.figure.alt
         # Told in the order of the drivers, the angular velocity before the angular acceleration.
         for (symbol, item), (key, rate) in zip(arrows.items(), solved.items(), strict=True):
-            assert symbol[0] == key[0]
+            assert symbol[0] == {"ω": letters(each)[0], "ε": letters(each)[1]}[key[0]]
             right, wrong = each.words["counter_clockwise"], each.words["clockwise"]
             if rate < 0:
                 right, wrong = wrong, right
@@ -111,7 +116,7 @@ def test_straight_arrows_point_where_the_drivers_do(name: str) -> None:
         ways = vectors(each)
         if not ways:  # another form, which turns
             continue
-        items = [item for symbol, item in said_arrows(each).items() if symbol[0] not in "ωε"]
+        items = [item for symbol, item in said_arrows(each).items() if symbol[0] not in letters(each)]
         if not any(q.order == 2 for q in each.asked):
             assert len(items) <= len(ways)
             continue

@@ -28,6 +28,7 @@ course = "Механика"
 language = "{language}"
 seed = 11
 formats = {formats}
+{units}
 [solutions]
 depth = "answers"
 [moodle]
@@ -54,7 +55,8 @@ Read = tuple[Place, list[float], Windows | None]
 def built(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
     folder = tmp_path_factory.mktemp(request.param)
     categories = {"ru": "students", "en": "families"}[request.param]
-    text = EXAM.format(language=request.param, formats=json.dumps(list(FORMATS)), categories=categories)
+    units = {"ru": "", "en": 'units = "ft"'}[request.param]
+    text = EXAM.format(language=request.param, formats=json.dumps(list(FORMATS)), categories=categories, units=units)
     (folder / "exam.toml").write_text(text, "utf-8")
     (folder / "class.csv").write_text(ROSTER, "utf-8")
     arguments = [

@@ -100,7 +100,7 @@ def alt_of_scene(path: Path, scene: str, language_name: str) -> str:
 
 def test_rigid_sleeves_and_sliders(tmp_path: Path) -> None:
     text = alt_of_scene(tmp_path / "scene.toml", SCENE, "en")
-    assert "sleeve B, rigidly attached to BD, slides along OA, now between O and A." in text.replace("Sleeve", "sleeve")
+    assert "collar B, rigidly attached to BD, slides along OA, now between O and A." in text.replace("Collar", "collar")
     assert "slider E, rigidly attached to EF, moves in a fixed vertical guide." in text.replace("Slider", "slider")
     assert "F directly above E" in text
     russian = alt_of_scene(tmp_path / "scene.toml", SCENE, "ru")

@@ -41,6 +41,11 @@ FURTHER = [
     Symbol("V", (Index("rel", True),), (Index("y"),)),
     Symbol("a", (Index("кор", True), Index("M"))),  # kerned
     Symbol("T", (Index("P"),)),
+    Symbol("v", (Index("B/A"),)),
+    Symbol("v", (Index("C′"),)),
+    Symbol("a", (Index("C′/B"),), (), (Index("t"),)),
+    Symbol("a", (Index("O1"),), (), (Index("n"),)),
+    Symbol("alpha", (Index("OA"),)),
     Measured(Number("7,5"), UnitText((("об/мин", 1),))),
     Measured(Number("117.4"), UnitText((("s", -1),))),
     SymbolProperty("modulus", Symbol("omega", (Index("OA"),))),

@@ -36,7 +36,10 @@ def drawings(name: str, form: str, order: int) -> list[tuple[Variant, Motion, in
 
 
 def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing) -> float:
-    """Figure units per m/s that most of the arrows near shown points in the directions of their velocities have."""
+    """Figure units per m/s of arrows near shown points in the directions of their velocities.
+
+    Those of the least length may be lengthened; where all are, there is no scale to measure.
+    """
     found = arrows(drawing, Layer.SLIDER)
     ratios = []
     for point in points:
@@ -44,9 +47,8 @@ def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing)
         place = drawing.scale * complex(motion.z[point][i]) + drawing.origin
         for start, tip in found:
             if abs(start - place) < 5 and abs(v) > 0 and abs(np.angle((tip - start) / v)) < 1e-9:
-                ratios.append(abs(tip - start) / abs(v))
-    values, counts = np.unique(np.round(ratios, 6), return_counts=True)
-    return float(values[np.argmax(counts)])
+                ratios += [abs(tip - start) / abs(v)] if abs(tip - start) > LEAST + 1e-6 else []
+    return max(ratios, default=0.0)
 
 
 @pytest.mark.parametrize(("name", "form"), FORMS)
@@ -179,7 +181,7 @@ def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> Non
         seen = inspect_labels(drawing)
         assert not seen.overlaps
         assert not seen.outside
-        assert drawing.width < 120
+        assert drawing.width < 125  # the letters of English are wider: (a_C/B)_n
         assert drawing.height < 120
 
 
@@ -226,7 +228,7 @@ def test_a_given_rate_bears_the_letter_of_the_statement() -> None:
         assert "ω_AB" not in letters
 
 
-@pytest.mark.parametrize(("order", "relative", "rest"), [(1, "u", ("v_tr B",)), (2, "w", ("a^τ_tr B",))])
+@pytest.mark.parametrize(("order", "relative", "rest"), [(1, "u", ("v_B′",)), (2, "w", ("(a_B′)_t",))])
 def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: str, rest: tuple[str, ...]) -> None:
     # What is too short to be seen is left out: in one of the variants all are long enough.
     found = [
@@ -241,17 +243,17 @@ def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: 
     ("name", "form", "order", "named", "unnamed"),
     [
         # A body in translation has one velocity: as the statement calls it, or that of its guided point.
-        ("wedge_and_rod", "vertical", 1, {"v", "v_A", "v_rel A"}, {"v_F", "v_D", "v_E", "v_B", "v_tr A"}),
-        ("wedge_and_rod", "inclined", 2, {"a", "a_A", "a_rel A"}, {"a_F", "a_tr A"}),
-        ("scotch_yoke", "oblique", 1, {"v_A", "v_B", "v_rel A"}, {"v_tr A"}),
+        ("wedge_and_rod", "vertical", 1, {"v", "v_A", "v_rel A"}, {"v_F", "v_D", "v_E", "v_B", "v_A′"}),
+        ("wedge_and_rod", "inclined", 2, {"a", "a_A", "a_rel A"}, {"a_F", "a_A′"}),
+        ("scotch_yoke", "oblique", 1, {"v_A", "v_B", "v_rel A"}, {"v_A′"}),
         # The parts of transport motion are those of the solution: about a fixed axis, about a moving pole.
-        ("slotted_rocker", "swinging", 2, {"a^τ_tr A", "a_cor A"}, {"a_tr A", "a_B"}),
-        ("sleeve_on_crank", "", 1, {"v_B", "v_CB", "v_rel C"}, {"v_tr C", "v_D"}),
-        ("sleeve_on_crank", "", 2, {"a_B", "a^n_CB", "a^τ_CB", "a_cor C"}, {"a_tr C"}),
-        ("arc_yoke", "", 2, {"a^τ_rel A"}, {"a_rel A"}),
-        ("triangle_plate", "scalene", 2, {"ε", "a_B", "a_D"}, {"ε_ABD"}),
+        ("slotted_rocker", "swinging", 2, {"(a_A′)_t", "a_Cor A"}, {"a_A′", "a_B"}),
+        ("sleeve_on_crank", "", 1, {"v_B", "v_C/B", "v_rel C"}, {"v_C′", "v_D"}),
+        ("sleeve_on_crank", "", 2, {"a_B", "(a_C/B)_n", "(a_C/B)_t", "a_Cor C"}, {"a_C′"}),
+        ("arc_yoke", "", 2, {"(a_rel A)_t"}, {"a_rel A"}),
+        ("triangle_plate", "scalene", 2, {"α", "a_B", "a_D"}, {"α_ABD"}),
         # A wheel held by its rim has the contact as its pole; a rod led by cranks has the velocity of its first hinge.
-        ("wheel_with_rod", "driven_by_slider", 2, {"P", "a_P", "a^τ_AP", "a_O"}, {"a^τ_AO", "a^τ_OP"}),
+        ("wheel_with_rod", "driven_by_slider", 2, {"P", "a_P", "(a_A/P)_t", "a_O"}, {"(a_A/O)_t", "(a_O/P)_t"}),
         ("parallelogram_with_disc", "moving_point", 1, {"v_A", "v_rel M", "v_M"}, {"v_C"}),
     ],
 )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import cmath
+import math
 from functools import cache
 
 import pytest
 
 from tests.figure.reading import FORMS, arrows, dots
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigure, SolutionFigures, view_order
-from variantgen.figure.drawing import Drawing, Layer, Path
+from variantgen.figure.drawing import Arc, Drawing, Layer, Path
 from variantgen.figure.faults import figure_faults, misread_labels, short_arrows
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.solution_options import SolutionOptions
@@ -102,7 +103,7 @@ def test_velocities_are_perpendicular_to_the_rays_to_a_centre_on_the_paper(name:
             near = min(abs(place - at) for place in seen)
             assert near < 1e-6 or near > 5, view  # at its place, or behind a break
         for start, tip in arrows(drawing, Layer.SLIDER):
-            point = min(points.values(), key=lambda place: abs(place - start))
+            point = min((*points.values(), *dots(drawing)), key=lambda place: abs(place - start))
             arm = (at - point) * (tip - start).conjugate()
             assert abs(arm.real) < 1e-6 * abs(arm), view
 
@@ -150,3 +151,57 @@ def test_an_equation_that_is_used_twice_is_drawn_once(name: str, form: str) -> N
     ]
     assert drawn
     assert len(set(drawn)) == len(drawn)
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_an_angle_is_drawn_as_large_as_its_value_says(name: str, form: str) -> None:
+    for view, figure in solved(name, form, "1")[2].items():
+        if view.startswith("rate_chain"):
+            continue  # angles with the axis stand in the graph
+        arcs = [
+            math.degrees(abs(line.sweep))
+            for line in figure.drawing.lines
+            if isinstance(line, Arc) and line.layer is Layer.MARK
+        ]
+        values = [text for label in figure.drawing.labels if (text := to_plain(label.formula)).endswith("°")]
+        for value in values:
+            assert any(abs(arc - float(value.removesuffix("°"))) < 0.02 for arc in arcs), (view, value)
+
+
+def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
+    # Offset slider-crank: the angles of AP and AB with the path of B, by which both have one projection on it.
+    drawing = solved("slider_crank", "offset", "1")[2]["velocity_centre:AB"].drawing
+    labels = {to_plain(label.formula) for label in drawing.labels}
+    assert {"O", "A", "B", "P", "φ", "ψ"} <= labels
+
+
+def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
+    text, figures = solved("four_bar", "crank", "7", ("three_rates",))[1:]
+    assert list(figures) == ["rate_chain:O-C"]  # for velocities and accelerations the same
+    assert sum("rate_chain:O-C" in section.views for section in text.sections) == 2
+    drawing = figures["rate_chain:O-C"].drawing
+    labels = [to_plain(label.formula) for label in drawing.labels]
+    assert all(labels.count(letter) == 2 for letter in "OABC123")
+    assert {"x", "y", "60°"} <= set(labels)  # phi = 60 degrees from OC, which lies on the axis x
+    graph = [tip - start for start, tip in arrows(drawing, Layer.VECTOR)]
+    assert len(graph) == 3
+    assert all(way.imag == 0 < way.real for way in graph)
+
+
+def test_the_angle_mu_stands_at_each_point_beside_an_acceleration_centre() -> None:
+    (figure,) = solved("plate_acceleration_centre", "square", "149")[2].values()
+    drawing = figure.drawing
+    labels = [to_plain(label.formula) for label in drawing.labels]
+    # Data of the model solution: epsilon = omega^2, so that mu = 45 degrees.
+    arcs = [line for line in drawing.lines if isinstance(line, Arc) and line.layer is Layer.MARK]
+    assert "Q" in labels
+    assert all(abs(abs(arc.sweep) - math.pi / 4) < 1e-6 for arc in arcs)
+    assert labels.count("μ") == len(arcs) == sum(label.startswith("a_") for label in labels) >= 3
+
+
+@pytest.mark.parametrize("form", ["two_loads", "load_and_axle"])
+def test_the_pulley_alone_is_drawn_with_what_its_threads_do(form: str) -> None:
+    drawing = solved("movable_pulley", form, "1")[2]["contact_velocities:pulley"].drawing
+    labels = {to_plain(label.formula) for label in drawing.labels}
+    assert {"v_D", "v_C", "v_G", "ω"} <= labels
+    assert not labels & {"A", "v_A", "v_B", "v_M"}

@@ -134,10 +134,10 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
                 wanted = symbol_of(symbols, value.name)
                 parts = [v for v in plan.vectors if v.symbol == wanted]
                 # A vector that is drawn as two components is measured from the start of one to the end of the other.
-                parts = parts or [v for v in plan.vectors if v.symbol._replace(upper=()) == wanted]
+                parts = parts or [v for v in plan.vectors if v.symbol._replace(part=()) == wanted]
                 # One that is given bears the letter of the data.
                 if name == "point_on_rotating_disc" and value.name and value.name.part == "rel":
-                    parts += [v for v in plan.vectors if to_plain(v.symbol) == "a_τ"]
+                    parts += [v for v in plan.vectors if to_plain(v.symbol) == "a_t"]
                 assert parts, wanted
                 steps = [drawing.scale * (v.end - v.start) for v in parts]
                 assert abs(abs(sum(steps)) * MILLIMETRES - value.shown) < RULER

@@ -100,7 +100,7 @@ def test_figures_and_solutions_take_the_same_pole(family: str) -> None:
     plate = next(body for body in form.bodies if len(form.bodies[body]) == 3)
     poles = {turn.pole for turn in turns if turn.body == plate}
     items = [item for step in solution(task).steps for item in step.items if isinstance(item, Sentence)]
-    assert {Point(pole) for pole in poles} == {item.facts["pole"] for item in items if item.key == "coupled.choose_v"}
+    assert {Point(pole) for pole in poles} == {item.facts["pole"] for item in items if item.key == "coupled.choose"}
 
 
 def test_a_magnitude_is_found_where_its_components_are() -> None:
@@ -113,7 +113,7 @@ def test_a_magnitude_is_found_where_its_components_are() -> None:
 
 
 def test_translation_is_shown_in_figures() -> None:
-    assert views("parallelogram_with_disc", "fixed_point", "v_M a_M") == {"velocities", "accelerations"}
+    assert views("parallelogram_with_disc", "fixed_point", "v_M a_M") == {"body_velocities", "body_accelerations"}
 
 
 def test_a_relative_velocity_that_nothing_needs_is_not_found() -> None:

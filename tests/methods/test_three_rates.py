@@ -9,7 +9,8 @@ from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.by_groups import three_rates
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import ChainGraph, LinearSystem
+from variantgen.methods.steps.step import LinearSystem
+from variantgen.methods.steps.step_geometry import ChainGraph
 
 SEEDS = 3
 # Chains of three links between fixed pivots that lead to what is asked.

@@ -75,7 +75,7 @@ def test_panels_are_grouped_by_units() -> None:
         ["v_B"],
         ["ω_AB", "ω_BC"],
         ["a_B"],
-        ["ε_AB", "ε_BC"],
+        ["α_AB", "α_BC"],
     ]
     assert constants == []
 

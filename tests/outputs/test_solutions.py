@@ -59,7 +59,7 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
         "Problem 1. Four-bar linkage",
         "Directions:",
         "Given:",
-        "Find:",
+        "Determine:",
         "1. Position",
         "Answer:",
         "Check",
@@ -111,16 +111,21 @@ def test_no_solutions(exam: str, options: tuple[str, ...], tmp_path: Path) -> No
 
 def test_the_letter_of_angular_acceleration_is_the_same_in_all_documents(tmp_path: Path) -> None:
     names = ("sheets", "key", "solutions")
-    usual = build(tmp_path, HEAD + PROBLEM, students=1)
-    assert all(EPSILON in text(usual / f"{name}.pdf") for name in names)
-    other = tmp_path / "other"
-    other.mkdir()
-    out = build(other, HEAD + '[notation]\nangular_acceleration = "alpha"\n' + PROBLEM, students=1)
-    for name in names:
-        said = text(out / f"{name}.pdf")
-        assert ALPHA in said
-        assert EPSILON not in said
-    assert record(out)["notation"]["angular_acceleration"] == "alpha"
+    table, russian = '[notation]\nangular_acceleration = "{}"\n', HEAD.replace('"en"', '"ru"')
+    cases = {
+        "usual": (HEAD, ALPHA, EPSILON, "alpha"),
+        "other": (HEAD + table.format("epsilon"), EPSILON, ALPHA, "epsilon"),
+        "russian": (russian, EPSILON, ALPHA, "epsilon"),
+        "russian alpha": (russian + table.format("alpha"), ALPHA, EPSILON, "alpha"),
+    }
+    for folder, (head, has, lacks, recorded) in cases.items():
+        (tmp_path / folder).mkdir()
+        out = build(tmp_path / folder, head + PROBLEM, students=1)
+        for name in names:
+            said = text(out / f"{name}.pdf")
+            assert has in said
+            assert lacks not in said
+        assert record(out)["notation"] == {"angular_acceleration": recorded, "components": "normal"}
 
 
 def test_the_manifest_records_methods_and_depth(tmp_path: Path) -> None:

@@ -37,8 +37,9 @@ DRAWN: list[tuple[str, int, str, int, int, int, dict[str, str]]] = [
         {"OA": "22", "AB": "64", "phi": "55", "v_B": "45", "a_B": "-120"},
     ),
     ("slider_crank", 1, "central", -1, 2, 1, {"OA": "32", "AB": "62", "phi": "115", "sense": "1", "omega_OA": "4.0"}),
-    ("ladder", 0, "driven_at_floor", 1, 0, 2, {"AB": "3.2", "phi": "30", "way": "-1", "v_B": "3.0", "a_B": "-1"}),
-    ("ladder", 1, "driven_at_floor", -1, 0, 1, {"AB": "1.0", "phi": "55", "way": "-1", "v_B": "6.0", "a_B": "6"}),
+    # The second and the first attempt were too fast for a ladder (v_A = 5.2, v_B = 6 m/s), before there were limits.
+    ("ladder", 0, "driven_at_floor", 1, 0, 4, {"AB": "4.2", "phi": "70", "way": "-1", "v_B": "2.5", "a_B": "-1"}),
+    ("ladder", 1, "driven_at_floor", -1, 0, 3, {"AB": "5.4", "phi": "60", "way": "-1", "v_B": "2.5", "a_B": "-3"}),
     ("falling_rod", 0, "", -1, 0, 5, {"AB": "4.7", "omega": "1.75", "t": "0.65", "g": "9.8", "sense": "1"}),
     ("wheel_with_rod", 0, "driven_by_slider", 1, 0, 11, {"R": "42", "AB": "112", "alpha": "50", "v_B": "120"}),
     ("wheel_with_rod", 1, "central", -1, 0, 2, {"R": "36", "AB": "116", "alpha": "75", "v_O": "40", "a_O": "60"}),

@@ -169,7 +169,9 @@ LETTERS = st.sampled_from(["a", "v", "OA", "O1", "O2B", "x", *sorted(GREEK.keys(
 INDICES = st.lists(st.one_of(LETTERS.map(Index), st.builds(Index, WORDS, st.just(True))), min_size=0, max_size=2).map(
     tuple
 )
-ANY_SYMBOL = st.one_of(LETTERS.map(Symbol), st.builds(Symbol, st.sampled_from(["v", "a", "omega"]), INDICES, INDICES))
+ANY_SYMBOL = st.one_of(
+    LETTERS.map(Symbol), st.builds(Symbol, st.sampled_from(["v", "a", "omega"]), INDICES, INDICES, INDICES)
+)
 PARTS = st.lists(st.tuples(WORDS, st.integers(-2, 2)), min_size=1, max_size=2).map(tuple)
 UNITS = st.builds(UnitText, PARTS, st.booleans())
 ANY_LEAF: st.SearchStrategy[Formula] = st.one_of(

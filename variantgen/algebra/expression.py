@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from variantgen.algebra.decimals import ANGLE, DRAWING_LENGTH, PRINTED_DIGITS, WHOLE_DEGREES, decimals_of, rounded
 from variantgen.algebra.name import Name
+from variantgen.algebra.triples import ratio
 
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
@@ -260,18 +261,16 @@ _FUNCTIONS: dict[str, Callable[[float], float]] = {
 
 @dataclass(frozen=True, slots=True)
 class Applied(Expression):
-    """A function of an angle in degrees (cos, sin, tan) or one with such a value (arctan, arcsin, arccos).
-
-    Only the data of a family have functions of a ``second`` argument (min, max, atan2).
-    """
+    """A function of an angle in degrees, or one with such a value; data have some of two arguments: min, max, atan2."""
 
     function: str
     argument: Expression
     second: Expression | None = None
 
     def number(self, exact: bool) -> float:
-        """The value of the function."""
-        return _FUNCTIONS[self.function](self.argument.number(exact))
+        """The value of the function; from printed numbers that of a triangle like 3:4:5 stays its fraction."""
+        found = None if exact else ratio(self.function, self.argument.number(True))
+        return _FUNCTIONS[self.function](self.argument.number(exact)) if found is None else found[0] / found[1]
 
     def operands(self) -> Sequence[Expression]:
         """The arguments."""

@@ -16,6 +16,7 @@ from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.draw_rules import HandFriendly
 from variantgen.families.family import Family, Form
+from variantgen.families.machine import LIMITS
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
@@ -53,6 +54,9 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
     found.acceptance = seeds / attempts
     found.own_acceptance = seeds / sum(v.attempt for v in _drawn(family, form, seeds, RejectionCounts(), None))
     found.rejected = dict(tally.rejected.most_common())
+    if form.machine:
+        found.size = form.machine.size
+        found.beyond = sum(tally.rejected[form.machine.rule(name)] for name in LIMITS)
     count = variety(family, form, asked, seeds, attempts)
     found.grid, found.valid, found.valid_exact = count.grid, count.valid, count.exact
     if found.own_acceptance < _LEAST_ACCEPTANCE:

@@ -37,6 +37,7 @@ class FormReport:
 
     ``nice`` is an estimate of the number of hand-friendly variants (0: none were found), each of which took
     ``nice_attempts`` draws in the mean. ``own_acceptance`` leaves out the screens of answers (rounding, mistakes).
+    ``beyond`` draws were larger or faster than the ``size`` class of the form ('': none) allows.
     """
 
     name: str
@@ -56,6 +57,8 @@ class FormReport:
     spread: list[Spread] = field(default_factory=list)
     nice: int = 0
     nice_attempts: float = 0.0
+    size: str = ""
+    beyond: int = 0
 
     def as_text(self) -> list[str]:
         """The lines of the report."""
@@ -71,6 +74,9 @@ class FormReport:
             f" independent computation within {self.deviation:.0e}, invariants within {self.invariant:.0e}",
             f"        rejected most: {worst or 'nothing'}",
             f"        hand-friendly: {nice}",
+            f"        size {self.size}: {self.beyond} draws beyond its limits"
+            if self.size
+            else "        no limits of size",
             "        tenth .. half .. nine tenths: " + "; ".join(item.as_text() for item in self.spread),
         ]
 

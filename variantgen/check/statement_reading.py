@@ -111,7 +111,9 @@ def read_sheet(problem_text: Statement, form: Form, language: Language) -> State
     data: dict[str, tuple[PrintedNumber, ...]] = {}
     for equation in problem_text.given:
         if isinstance(equation.right, Measured) and isinstance(equation.left, Symbol):
-            name = to_plain(equation.left)
+            written = to_plain(equation.left)
+            # Languages write other letters for the same; a length is known by its two points.
+            name = written if two_points(written, form) else known.get(equation.left, written)
             found = _printed_number(equation.right.number.text, to_plain(equation.right.unit), units)
             data[name] = (*data.get(name, ()), *found)
     measured = rf"{_NUMBER}[ \N{{NO-BREAK SPACE}}]?(?P<unit>{'|'.join(map(re.escape, sorted(units, key=len)[::-1]))})"

@@ -40,6 +40,9 @@ def add_choice(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
     add_nice(parser)
+    parser.add_argument(
+        "--units", default="", metavar="UNIT", help="unit of length of data and answers: cm, mm, m, in, ft"
+    )
     add_families(parser)
 
 
@@ -71,7 +74,7 @@ def add_explaining(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="WORD",
-        help="letters of the solution: alpha (angular acceleration), rotational (components of accelerations)",
+        help="letters of the solution: alpha, epsilon (angular acceleration), rotational (components of accelerations)",
     )
 
 
@@ -90,7 +93,8 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
 
     depth = arguments.depth or "full"
     try:
-        return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
+        true_scale = getattr(arguments, "true_scale", False)
+        return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation, true_scale)
     except UnexplainedError as error:
         tell(str(error))
         return None

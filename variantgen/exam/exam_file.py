@@ -19,6 +19,7 @@ from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
 from variantgen.families.asking import Ask, check_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
+from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
@@ -88,7 +89,7 @@ class Exam:
 
     def solution_options(self, task: ExamProblem) -> SolutionOptions:
         """The options of the solution of a problem."""
-        return SolutionOptions(task.methods, cast(Depth, self.solutions.depth))
+        return SolutionOptions(task.methods, cast(Depth, self.solutions.depth), self.solutions.true_scale)
 
     @property
     def spoken(self) -> Language:
@@ -167,7 +168,7 @@ def parse_exam(
         sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
-        tasks=_tasks(top, folders, tolerance),
+        tasks=_tasks(top, folders, tolerance, _units(top)),
     )
     page.finish()
     top.finish()
@@ -194,7 +195,16 @@ def _printed(top: Table, key: str, text: str) -> str:
     return text
 
 
-def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance) -> tuple[ExamProblem, ...]:
+def _units(top: Table) -> str:
+    """The unit of length of data and answers; '' if each family keeps its own. Mistakes are noted in the table."""
+    name = top.take("units", str, "")
+    if "units" in top.data:
+        with top.collecting("units"):
+            return check_length_unit(name, "")
+    return ""
+
+
+def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance, units: str) -> tuple[ExamProblem, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
     within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
@@ -202,13 +212,13 @@ def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance) -> tuple[Exa
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )
-    found = (_task(table, number, folders, usual) for number, table in enumerate(tables, start=1))
+    found = (_task(table, number, folders, usual, units) for number, table in enumerate(tables, start=1))
     return tuple(task for task in found if task)
 
 
 def _notation(table: Table) -> Notation:
     """The letters that the course is used to; mistakes are noted in the table."""
-    chosen = {name: table.take(name, str, known[0]) for name, known in CHOICES.items()}
+    chosen = {name: table.take(name, str, "") for name in CHOICES}
     table.finish()
     try:
         return Notation(**chosen)
@@ -217,7 +227,7 @@ def _notation(table: Table) -> Notation:
         return USUAL
 
 
-def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance) -> ExamProblem | None:
+def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance, units: str) -> ExamProblem | None:
     before = len(table.problems)
     for key in ("families", "form", "ask", "method"):
         table.bounded(key, LISTED)
@@ -250,7 +260,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     families = []
     for name in names:
         with table.collecting(""):
-            family = restrict(load_family(name, folders), fixed, ranges, forms, nice)
+            family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
             families.append(family)
     check_forms(table, ask, families)

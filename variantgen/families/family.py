@@ -12,6 +12,7 @@ from typing import Any
 from variantgen.families.draw_rules import HandFriendly, Pose, Screens, TiedValues
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
+from variantgen.families.machine import Machine
 from variantgen.families.parameter import Parameter
 from variantgen.families.quantities import quantity_names
 from variantgen.mechanism.arithmetic import Real
@@ -71,6 +72,7 @@ class Form:
     nice: HandFriendly = field(default_factory=HandFriendly)
     ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
+    machine: Machine | None = None  # its size class; without one nothing is too large or too fast
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:

@@ -15,6 +15,7 @@ from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
+from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
@@ -29,7 +30,7 @@ from variantgen.tables import Table
 
 SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
-    "symbols", "nouns", "nice",
+    "symbols", "nouns", "nice", "machine",
 )  # fmt: skip
 
 
@@ -90,6 +91,7 @@ class FormReader:
         nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
         symbols = {name: written.take(name, str, "") for name in written.data}
+        machine = read_machine(self.top.table("machine"))
         called = self.top.table("nouns")
         nouns = {name: called.take(name, str, "") for name in called.data}
         self.top.finish()
@@ -115,6 +117,7 @@ class FormReader:
             symbols,
             nice,
             nouns=nouns,
+            machine=machine,
         )
         with self.top.collecting(""):
             _check_constants(form)

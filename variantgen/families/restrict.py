@@ -10,6 +10,7 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
+from variantgen.families.length_units import check_length_unit, in_unit
 from variantgen.families.nice import hand_friendly, no_nice_forms
 from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words
@@ -23,17 +24,19 @@ def restrict(
     forms: Sequence[str] = (),
     nice: bool = False,
     beyond: bool = False,
+    units: str = "",
 ) -> Family:
     """The family with parameters fixed (numbers, "30 cm", or words of a choice), ranges [low, high], forms chosen.
 
-    A bare number is in the unit that the sheet prints. Fixed values need not lie on the grid, but in its range, unless
+    ``units`` is another unit of length for the data and answers (:mod:`variantgen.families.length_units`). A bare
+    number is in the unit that the sheet prints. Fixed values need not lie on the grid, but in its range, unless
     they may lie ``beyond`` it. ``nice``: only hand-friendly variants, of the forms that have any. The same narrowing
     gives the same family again, so that problems which are alike share what is known of their forms. Raises InputError
     naming the key, the value and what is possible.
     """
     fixed, ranges = fixed or {}, ranges or {}
-    key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond))
-    return _restricted(_Narrowing(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond))
+    key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond, units))
+    return _restricted(_Narrowing(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond, units))
 
 
 @dataclass(frozen=True)
@@ -48,12 +51,15 @@ class _Narrowing:
     forms: tuple[str, ...] = field(compare=False)
     nice: bool = field(compare=False)
     beyond: bool = field(compare=False)
+    units: str = field(compare=False)
 
 
 @lru_cache(maxsize=64)
 def _restricted(narrowing: _Narrowing) -> Family:
     """The narrowed family. A narrowing that is kept keeps its family, so that the number of that stays its own."""
     family, fixed, ranges, forms = narrowing.family, narrowing.fixed, narrowing.ranges, narrowing.forms
+    if narrowing.units:
+        family = in_unit(family, check_length_unit(narrowing.units, "units"))
     problems: list[Problem] = []
     for name in forms:
         if name not in family.forms:

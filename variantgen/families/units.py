@@ -20,7 +20,7 @@ Number = TypeVar("Number", float, NDArray[np.float64])
 class Unit:
     """A unit: name, dimension (exponents of length and time), factor to SI, what it measures.
 
-    ``turn`` marks units that carry an extra factor pi/180 or pi/30, which no decimal number can hold.
+    ``turn`` marks units that carry an extra factor, which no decimal number can hold: pi/180, pi/30, 1/3.6.
     """
 
     name: str
@@ -38,13 +38,24 @@ class Unit:
         return value / self.turn / float(self.factor)
 
 
+# Units of length by their metres; velocities and accelerations are made of them.
+LENGTHS = {
+    "m": Decimal(1),
+    "dm": Decimal("0.1"),
+    "cm": Decimal("0.01"),
+    "mm": Decimal("0.001"),
+    "in": Decimal("0.0254"),
+    "ft": Decimal("0.3048"),
+}
+
+
 def _table() -> dict[str, Unit]:
     one = Decimal(1)
-    lengths = {"m": one, "dm": Decimal("0.1"), "cm": Decimal("0.01"), "mm": Decimal("0.001")}
-    units = [Unit(name, (1, 0), factor, "length") for name, factor in lengths.items()]
-    units += [Unit(f"{name}/s", (1, -1), factor, "velocity") for name, factor in lengths.items()]
-    units += [Unit(f"{name}/s^2", (1, -2), factor, "acceleration") for name, factor in lengths.items()]
+    units = [Unit(name, (1, 0), factor, "length") for name, factor in LENGTHS.items()]
+    units += [Unit(f"{name}/s", (1, -1), factor, "velocity") for name, factor in LENGTHS.items()]
+    units += [Unit(f"{name}/s^2", (1, -2), factor, "acceleration") for name, factor in LENGTHS.items()]
     units += [
+        Unit("km/h", (1, -1), one, "velocity", 1 / 3.6),
         Unit("rad", (0, 0), one, "angle"),
         Unit("deg", (0, 0), one, "angle", math.pi / 180),
         Unit("1", (0, 0), one, "number"),
@@ -58,6 +69,7 @@ def _table() -> dict[str, Unit]:
 
 UNITS = _table()
 _LARGEST_EXPONENT = 12
+_DECIMALS = 12  # of a number in another unit, where it does not end
 _NUMBER_WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z][A-Za-z0-9/^-]*)?\s*")
 
 
@@ -110,6 +122,6 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
                 remedy=f"use {default.name} or another unit of {default.measures}",
             )
         )
-    if given.turn == default.turn:
+    if given.turn == default.turn and (value * given.factor) % default.factor.scaleb(-_DECIMALS) == 0:
         return value * given.factor / default.factor
-    return Decimal(repr(round(default.from_si(given.to_si(value)), 12)))
+    return Decimal(repr(round(default.from_si(given.to_si(value)), _DECIMALS)))

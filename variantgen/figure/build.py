@@ -20,6 +20,7 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
+from variantgen.figure.symbols.gears import contour
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.variants.printed_data import given_names, shown_points
@@ -135,10 +136,13 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
             continue
-        sketch.circle(sketch.at[disc.centre], radius, Layer.DISC, BOLD if disc.body else MEDIUM)
+        rim = contour(board, disc.centre, radius)
+        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, BOLD if disc.body else MEDIUM)
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)
+    for driver in board.scene.drivers if marks else ():
+        _occupy_directions(board, driver)
     for angle in form.figure.angles:
         if angle.name in given:
             draw_angle(board, angle)
@@ -150,6 +154,9 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for joint in board.scene.joints:
         if not _seeks_room(joint):
             _draw_symbol(board, joint)
+    for driver in board.scene.drivers if marks else ():
+        if not _seeks_room(driver):
+            _draw_symbol(board, driver)
     for length in form.figure.lengths:
         if length.name in given:
             draw_length(board, length)
@@ -163,9 +170,10 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
             _draw_symbol(board, joint)
     _draw_points(board, board.shown)
     if marks:
-        # Last, because the arrows of given motion go where there is room left.
+        # Last, because arcs of rotation go where there is room left.
         for driver in board.scene.drivers:
-            _draw_symbol(board, driver)
+            if _seeks_room(driver):
+                _draw_symbol(board, driver)
 
 
 def _has_axes(asked: Sequence[Quantity]) -> bool:
@@ -182,6 +190,13 @@ def _draw_parts(board: Board, item: Constraint) -> None:
     parts = getattr(_symbol_of(item), "draw_parts", None)
     if parts is not None:
         parts(board, item)
+
+
+def _occupy_directions(board: Board, item: Constraint) -> None:
+    """Note the directions of arrows that stand for lines of reference of angles."""
+    directions = getattr(_symbol_of(item), "directions", None)
+    for point, way in directions(board, item) if directions is not None else ():
+        board.sketch.occupy(point, way)
 
 
 def _symbol_of(item: Constraint) -> ModuleType:

@@ -105,13 +105,21 @@ class Label(NamedTuple):
     arrow: tuple[complex, complex] | None = None
 
 
+class RotationArc(NamedTuple):
+    """An arc of rotation: symbol of the rate, the arc with its head, radii (u) of its body's discs about its centre."""
+
+    formula: Formula
+    arc: Arc
+    rims: tuple[float, ...] = ()
+
+
 @dataclass(frozen=True)
 class Drawing:
     """A finished figure: width and height in u, lines back to front, labels; ``tell`` makes its alternative text.
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
-    than to scale, so that it is seen.
+    than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines.
     """
 
     width: float
@@ -124,6 +132,7 @@ class Drawing:
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
     lengthened: bool = False
+    rotations: tuple[RotationArc, ...] = ()
 
     @cached_property
     def alt(self) -> str:

@@ -27,10 +27,11 @@ from variantgen.wording.formula import (
     letters,
 )
 
-_INDEX_DOWN, _POWER_UP, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.16, 0.056
+_INDEX_DOWN, _POWER_UP, _POWER_UP_IN_INDEX, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
 _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
 _THIN, _AROUND_EQUALS, _WORD_SPACE = 1 / 6, 5 / 18, 0.331
-_SCALE = (1.0, 0.7, 0.5)  # of the sizes of formula, index, index of an index
+INDEX = 0.7  # size of an index in that of its letter
+_SCALE = (1.0, INDEX, 0.5)  # of the sizes of formula, index, index of an index
 _UNKNOWN = "0u°"  # stands for a letter that the table does not have
 
 
@@ -103,7 +104,8 @@ class _Run:
     def attach(self, index: _Run, power: _Run, level: int) -> None:
         """Set what stands below and above to the right of the letters so far."""
         scale = _SCALE[level]
-        down, up = _INDEX_DOWN * scale if index.glyphs else 0.0, _POWER_UP * scale if power.glyphs else 0.0
+        raised = _POWER_UP_IN_INDEX if level else _POWER_UP
+        down, up = _INDEX_DOWN * scale if index.glyphs else 0.0, raised * scale if power.glyphs else 0.0
         if index.glyphs and power.glyphs:
             highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
             lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)
@@ -126,10 +128,15 @@ def _upright(letter: str, level: int) -> Glyph:
 
 def _set(run: _Run, formula: Formula) -> None:
     match formula:
-        case Symbol(base, index, upper):
+        case Symbol(base, index, upper, part):
+            if part:
+                run.add("(", 0)
             _set_name(run, base, 0)
             if index or upper:
                 run.attach(_script(index, 1), _script(upper, 1), 0)
+            if part:
+                run.add(")", 0)
+                run.attach(_script(part, 1), _Run(), 0)
         case Number(text):
             run.words(text)
         case UnitText(parts):
@@ -191,9 +198,18 @@ def _set_name(run: _Run, name: str, level: int) -> None:
             run.add(digit, level)
     else:
         for letter, number in letters(name):
+            if letter == "′":
+                run.attach(_Run(), _prime(level + 1), level)
+                continue
             run.add(letter, level)
             if number:
                 run.attach(_digits(number, level + 1), _Run(), level)
+
+
+def _prime(level: int) -> _Run:
+    run = _Run()
+    run.add("′", min(level, 2))
+    return run
 
 
 def _digits(number: str, level: int) -> _Run:

@@ -15,12 +15,15 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.placement.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
 from variantgen.figure.placement.labels import GAP
+from variantgen.figure.symbols.gears import contour
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
+_HALF_WAY = 0.45  # to a rim an arc is drawn about its centre
 _ROOMY = 9.0  # radius of a disc that has room for a name inside, u
-_BESIDE = tuple(math.radians(a) for a in (38, -38, 30, -30, 46, -46))
 _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
+_NEARLY = math.radians(5)  # between a radius and a line that it nearly crosses
+_CROSSED, _NEAR = 12.0, 3.5  # costs of lines that a radius crosses or nearly crosses, for each u of their weights
 _RADII_APART = math.radians(25)
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
 _SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0])  # of a dimension line, u
@@ -68,7 +71,7 @@ def _clear_of_rims(board: Board, corner: complex, radius: float) -> float:
             if rim > radius + 2 * _OFF_RIM:
                 continue
             # Half way to the rim, so that the letter finds room between arc and rim; outside a tiny disc.
-            return 0.5 * rim if rim > _ARC else rim + _OFF_RIM
+            return _HALF_WAY * contour(board, disc.centre, rim) if rim > _ARC else rim + _OFF_RIM
     return radius
 
 
@@ -109,7 +112,7 @@ def _roomiest_shift(board: Board, start: complex, end: complex) -> complex:
     middle = sum(seen) / len(seen)
     outward = 1j * way if ((middle - start) * (1j * way).conjugate()).real < 0 else -1j * way
     shifts = np.concatenate((_SHIFTS * outward, -_SHIFTS * outward))
-    along = start + np.linspace(0.06, 0.94, _LANE) * (end - start)
+    along = start + np.linspace(0.0, 1.0, _LANE) * (end - start)
     lanes = (along[None, :] + shifts[:, None]).ravel()
     met = sketch.crossings(lanes, (1.5, 1.5)) > 0
     for body in board.form.figure.plates:
@@ -175,7 +178,7 @@ def _roomiest_radius(board: Board, point: str, radius: float, begin: float, lett
     centre = sketch.at[point]
     ways = np.exp(1j * _DIRECTIONS)
     room = np.maximum(0.0, math.radians(30) - sketch.freedom(point, _DIRECTIONS))
-    costs = 3 * sketch.rays_crossed(centre, _DIRECTIONS, 0.0, radius - 0.3) + 8 * room + _DIRECTION_COSTS
+    costs = _lines_on_rays(board, centre, _DIRECTIONS, radius - 0.3) + 8 * room + _DIRECTION_COSTS
     # What the letter would cover is asked only of the directions that are best without it.
     finalists = np.argsort(costs, kind="stable")[:_FINALISTS]
     ways, costs = ways[finalists], costs[finalists]
@@ -188,18 +191,35 @@ def _roomiest_radius(board: Board, point: str, radius: float, begin: float, lett
     return float(_DIRECTIONS[finalists[int(np.argmin(costs + 2 * best))]])
 
 
+def _lines_on_rays(board: Board, centre: complex, angles: NDArray[np.float64], end: float) -> NDArray[np.float64]:
+    """Cost of the lines that rays from a centre cross before a distance, or nearly cross (a rim beside one)."""
+    crossed, *beside = (
+        board.sketch.obstacles.weight_on_rays(centre, angles + turn, 0.0, end) for turn in (0.0, -_NEARLY, _NEARLY)
+    )
+    total: NDArray[np.float64] = _CROSSED * crossed + _NEAR * np.maximum(*beside)
+    return total
+
+
 def _draw_radius_of_arc(board: Board, mark: DiscMark, radius: float) -> None:
-    """The radius of an arc: from its centre to a place of the arc beside the mechanism."""
+    """The radius of an arc: from its centre to the place of the arc where it crosses least, beside the mechanism."""
     sketch = board.sketch
     centre = sketch.at[mark.centre]
-    guided = next(
-        (joint.shapes()[0].points[0] for joint in board.scene.joints if mark.centre in joint.landmarks()), None
+    arcs = [line for line in sketch.lines if isinstance(line, Arc) and line.layer == Layer.GROUND]
+    arc = min(arcs, key=lambda line: abs(line.centre - centre) + abs(line.radius - radius))
+    angles = arc.start + arc.sweep * np.linspace(0.06, 0.94, 45)
+    ways = np.exp(1j * angles)
+    formula = board.symbol(mark.name)
+    half_width, half_height = (0.5 * side + GAP for side in label_size(formula))
+    aside = 1.0 + half_width * np.abs(ways.imag) + half_height * np.abs(ways.real)
+    letters = np.array(
+        [centre + (part * radius + side * 1j * aside) * ways for part in (0.4, 0.5, 0.6) for side in (1, -1)]
     )
-    middle = cmath.phase(sketch.at[guided] - centre) if guided else -math.pi / 2
-    rims = [centre + cmath.rect(radius, middle + turn) for turn in _BESIDE]
-    rim = min(rims, key=lambda place: int(sketch.crossings([0.5 * (centre + place)], (0.25 * radius, 2.0))[0]))
+    covered = sketch.crossings(letters.ravel(), (half_width, half_height)).reshape(len(letters), -1)
+    room = np.maximum(0.0, math.radians(20) - sketch.freedom(mark.centre, angles))
+    costs = _lines_on_rays(board, centre, angles, radius - 1.5) + 8 * room + 2 * np.minimum(np.min(covered, axis=0), 4)
+    rim = centre + radius * complex(ways[int(np.argmin(costs))])
     sketch.arrow(centre, rim, Layer.MARK, THIN, _HEAD)
-    sketch.label(along_radius(board.symbol(mark.name), centre, rim, centre))
+    sketch.label(along_radius(formula, centre, rim, centre))
     sketch.occupy(mark.centre, rim - centre)
 
 
@@ -212,11 +232,13 @@ def draw_disc_name(board: Board, mark: DiscMark, radius: float) -> None:
     formula = Symbol(name)
     width, height = label_size(formula)
     half = 0.5 * math.hypot(width, height)
-    inside = [radius - half - off for off in (0.9, 2.4, 4.2, 6.5) if radius - half - off > half]
-    distances = [*inside, radius + half + 0.7] if radius > _ROOMY else [radius + half + 0.7, *inside]
+    inner, outer = sorted((radius, contour(board, mark.centre, radius)))
+    inside = [inner - half - off for off in (0.9, 2.4, 4.2, 6.5) if inner - half - off > half]
+    outside = [outer + half + 0.7, outer + half + 2.0]
+    distances = [*inside, *outside] if radius > _ROOMY else [*outside, *inside]
     ways = np.exp(1j * math.tau / 24 * np.arange(24))
     centre = board.sketch.at[mark.centre]
     places = centre + np.array(distances)[:, None] * ways[None, :]
     costs = 1.5 * np.arange(len(distances))[:, None] + np.linspace(0.0, 0.3, 24)[None, :]
-    rim = tuple(complex(place) for place in centre + radius * ways[::4])
-    board.sketch.label(LabelRequest(formula, rim[0], places.ravel(), costs.ravel(), rim[1:]))
+    edge = tuple(complex(place) for place in centre + radius * ways[::4])
+    board.sketch.label(LabelRequest(formula, edge[0], places.ravel(), costs.ravel(), edge[1:]))

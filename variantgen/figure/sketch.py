@@ -6,14 +6,14 @@ import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import chain
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, Strokes
-from variantgen.figure.ink import Sides, boxes_crossed_by, segments_of, spans_of
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
+from variantgen.figure.ink import Sides, segments_of
+from variantgen.figure.obstacles import Obstacles
 from variantgen.figure.placement.label_requests import LabelRequest
 from variantgen.figure.placement.labels import place_labels
 from variantgen.wording.formula import Symbol
@@ -31,7 +31,8 @@ class Sketch:
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
     ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
-    notes that a vector is longer than to scale.
+    notes that a vector is longer than to scale, ``rotations`` are the arcs of rotation,
+    ``walls`` the ends of hatched lines with the direction (unit) to their hatching.
     """
 
     at: dict[str, complex]
@@ -42,10 +43,10 @@ class Sketch:
     symbol_radius: dict[str, float] = field(default_factory=dict)
     beyond: list[Symbol] = field(default_factory=list)
     lengthened: bool = False
+    rotations: list[RotationArc] = field(default_factory=list)
+    walls: list[tuple[complex, complex, complex]] = field(default_factory=list)
+    obstacles: Obstacles = field(default_factory=Obstacles)
     _corners: list[complex] = field(default_factory=list)
-    _obstacles: list[complex] = field(default_factory=list)  # ends of segments in turn
-    _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
-    _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
@@ -77,6 +78,7 @@ class Sketch:
         count = min(_MOST_STROKES, max(2, round(length / _HATCH_STEP)))
         feet = [start + way * (0.3 + length * i / count) for i in range(count + 1)]
         first, last = feet[0], feet[-1]
+        self.walls.append((start, end, normal))
         outline = [
             (first + stroke, last + stroke),
             (first, first + stroke),
@@ -105,8 +107,8 @@ class Sketch:
         self.path((start, end - 0.8 * head * way), layer, weight)
         self._head(end, way, layer, head)
 
-    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> None:
-        """An arc with a head at its end, in the sense of ``sweep``."""
+    def arc_arrow(self, centre: complex, radius: float, start: float, sweep: float) -> Arc:
+        """An arc with a head at its end, in the sense of ``sweep``; returns it with its head."""
         head = 2.3
         sense = math.copysign(1.0, sweep)
         self.arc(Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep - sense * 0.8 * head / radius))
@@ -114,6 +116,7 @@ class Sketch:
         # The head follows the chord of its own length, so that it lies on the arc.
         way = 1j * sense * cmath.rect(1.0, start + sweep - sense * 0.5 * head / radius)
         self._head(tip, way, Layer.VECTOR, head)
+        return Arc(centre, radius, Layer.VECTOR, MEDIUM, start, sweep)
 
     def _head(self, tip: complex, way: complex, layer: Layer, head: float) -> None:
         wing = 0.31 * head * 1j * way
@@ -123,7 +126,7 @@ class Sketch:
         """Draw a line that stands in the way of labels as the ``obstacles`` say."""
         self.lines.append(line)
         self._corners += _extent(line)
-        self._obstacles += chain.from_iterable(obstacles)
+        self.obstacles.add(obstacles, line.weight)
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
@@ -143,55 +146,8 @@ class Sketch:
         return result
 
     def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
-        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
-        segments = self._segments()
-        if self._spans.shape[1] != len(segments):
-            self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
-        return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
-
-    def circle_crossings(
-        self, centre: complex, radii: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
-        segments = self._segments()
-        start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
-        # |start + t step| = radius
-        a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
-        root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
-        circle, line = ((root >= 0) & (a > 0)).nonzero()
-        a, b, root = a[line], b[line], np.sqrt(root[circle, line])
-        t = np.concatenate(((-b - root) / a, (-b + root) / a))
-        on = ((t >= 0) & (t <= 1)).nonzero()[0]
-        met = on % max(1, len(line))
-        place = start[line[met]] + t[on] * step[line[met]]
-        return np.arctan2(place.imag, place.real), circle[met]
-
-    def corners_near_circles(
-        self, centre: complex, radii: NDArray[np.float64], margin: float
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
-
-        Near is within ``margin`` (u) of the ``radii``, shape (R,).
-        """
-        arms = self._segments()[:, 0] - centre
-        circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
-        return np.arctan2(arms.imag, arms.real)[arm], circle
-
-    def rays_crossed(self, centre: complex, angles: NDArray[np.float64], start: float, end: float) -> NDArray[np.int64]:
-        """How many of the lines drawn so far each ray from a centre crosses between two distances, shape (A,)."""
-        segments = (self._segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
-        low, high = segments[..., 0], segments[..., 1]
-        rise = high.imag - low.imag
-        over = (low.imag <= 0) != (high.imag <= 0)
-        place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
-        result: NDArray[np.int64] = np.sum(over & (place > start) & (place < end), axis=1)
-        return result
-
-    def _segments(self) -> NDArray[np.complex128]:
-        if self._known.size != len(self._obstacles):
-            new = np.array(self._obstacles[self._known.size :], dtype=complex).reshape(-1, 2)
-            self._known = np.concatenate((self._known, new))
-        return self._known
+        """How many of the lines drawn so far cross the box about each place, shape (P,); see :class:`Obstacles`."""
+        return self.obstacles.crossings(places, half_sides)
 
     def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
@@ -203,7 +159,7 @@ class Sketch:
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels, leaders = place_labels(self.requests, self._segments(), list(named.values()))
+        labels, leaders = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
         corners = [*self._corners, *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
@@ -221,6 +177,7 @@ class Sketch:
             origin=-low,
             beyond=tuple(self.beyond),
             lengthened=self.lengthened,
+            rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.rotations]),
         )
 
 
@@ -267,4 +224,8 @@ def moved(line: Line, by: complex) -> Line:
         return Path(tuple([p + by for p in line.points]), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):
         return Strokes(tuple([(p + by, q + by) for p, q in line.segments]), line.layer, line.weight)
-    return Arc(line.centre + by, line.radius, line.layer, line.weight, line.start, line.sweep, line.fill, line.dash)
+    return _moved_arc(line, by)
+
+
+def _moved_arc(arc: Arc, by: complex) -> Arc:
+    return arc._replace(centre=arc.centre + by)

@@ -14,11 +14,13 @@ from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.other_base_point import other_base_point
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.second_reading import read_again
 from variantgen.methods.solution.used import used_lines, used_steps
+from variantgen.methods.step_figures import step_figures
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
@@ -82,14 +84,15 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     """The solution group by group."""
     task = book.task
     steps = used_steps(book.steps, found.values())
-    check = tuple(third_axis(steps) or equal_projections(book))
+    check = tuple(third_axis(steps) or other_base_point(book, steps) or equal_projections(book))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)
     steps = read_again(steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     centres, vectors = _acceleration_centres(book), _vectors(book, steps)
-    return Solution(tuple(steps), tuple(found.items()), check, centres=centres, vectors=vectors)
+    steps, geometry = step_figures(task, steps, vectors)
+    return Solution(tuple(steps), tuple(found.items()), check, 0, centres, vectors, geometry)
 
 
 def named_vectors(task: Task, methods: Sequence[str] = ()) -> tuple[PointVectors, ...]:
@@ -120,13 +123,17 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
-    check = tuple(_checked_by_links(book.task))
+    if not measured:
+        steps = read_again(steps, found.values())
+    check = tuple(_checked_by_links(book.task) if measured else third_axis(steps))
     items, answers = [*(item for step in steps for item in step.items), *check], list(found.values())
     if measured:
         follow_printed_digits(items, answers, measured + 1)
     else:
         choose_printed_digits(items, answers)
-    return Solution(tuple(steps), tuple(found.items()), check, measured, vectors=_vectors(book, steps))
+    vectors = _vectors(book, steps)
+    steps, geometry = step_figures(book.task, steps, vectors)
+    return Solution(tuple(steps), tuple(found.items()), check, measured, (), vectors, geometry)
 
 
 def _checked_by_links(task: Task) -> list[Item]:

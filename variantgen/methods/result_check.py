@@ -35,6 +35,7 @@ from variantgen.methods.vectors.vector_equation import share_of, shares, unknown
 
 _AXES = {"right": RIGHT, "up": UP}
 _UNKNOWNS = 2  # vectors that an equation determines
+_EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
 _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
@@ -46,10 +47,16 @@ def equal_projections(book: Book) -> list[Item]:
     for body, members in book.task.scene.bodies.items():
         moving = [p for p in members if len(book.velocity.get(p, ())) == 1]
         for first, second in combinations(moving, 2):
-            items = _pair(book, body, first, second)
+            items = [] if _are_equated(book, first, second) else _pair(book, body, first, second)
             if items:
                 return items
     return []
+
+
+def _are_equated(book: Book, first: str, second: str) -> bool:
+    """Whether the velocities of two points were found by their equal projections."""
+    ends = (Segment(first, second), Segment(second, first))
+    return any(book.has_said(key, segment=segment) for key in _EQUATED for segment in ends)
 
 
 def third_axis(steps: Sequence[Step]) -> list[Item]:
@@ -78,7 +85,7 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
     sides = []
     for terms in (line.left, line.right):
         known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
-        sides.append(shares(known, axis))
+        sides.append([_by_number(share) for share in shares(known, axis)])
     word = next(word for word, own in _AXES.items() if own is axis)
     sums = [sum_of(side) for side in sides]
     if sums[0].number(True) < 0:
@@ -86,7 +93,17 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
         sums = [sum_of([replace(share, sign=-share.sign) for share in side]) for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
     found = [Value(None, "number", whole.number(True), whole, scale) for whole in sums]
-    return [Sentence("check.third_axis", {"side": Word(word)}, detail=False), Balance(*found)]
+    first, second = (VectorOf(term.name) for term in unknowns((*line.left, *line.right)))
+    facts: dict[str, Fact] = {"side": Word(word), "first": first, "second": second}
+    return [Sentence("check.third_axis", facts, detail=False), Balance(*found)]
+
+
+def _by_number(share: Share) -> Share:
+    """A projection whose angle, unless it is one of the solution, is a number: only numbers are printed of a check."""
+    if share.angle is None or share.angle.name is not None:
+        return share
+    number = share.angle.exact
+    return replace(share, angle=Value(None, "angle", number, Constant(number, "angle")))
 
 
 def by_links(found: Mapping[str, Value]) -> list[Item]:

@@ -60,7 +60,7 @@ def parameter_screens(form: Form, values: Values, size: int) -> dict[str, Passed
 
 
 def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Passed]:
-    """Assembles, hinges apart, hinges off foreign links, sane aspect, joints inside their links."""
+    """Assembles, hinges apart, hinges off foreign links, sane aspect, joints inside their links, not too large."""
     shown = [name for name in motion.z if name not in form.figure.hidden]
     z = np.array([motion.z[name] for name in shown])
     low, high = _box(form, motion, values, z)
@@ -78,6 +78,8 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
         square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
         part = dot(line, motion.z[point] - motion.z[start]) / square
         found[f"{point} inside {start}{end}"] = _at_least(part, _MARGIN) & _at_least(1 - part, _MARGIN)
+    if form.machine:
+        found[form.machine.rule("length")] = _at_least(form.machine.length, size)
     return found
 
 
@@ -125,7 +127,7 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
 
 
 def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:
-    """Away from dead points; answers neither trivial nor out of proportion to the rest of the motion."""
+    """Away from dead points; answers neither trivial nor out of proportion; nothing implausibly fast."""
     found = {"away from dead points": motion.solved & _at_least(motion.transmission, np.sin(form.screens.transmission))}
     for quantity in asked:
         # A direction or a sense is as clear as its vector or rate is large.
@@ -135,7 +137,22 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
         if quantity.is_centre:
             clear &= size <= _FAR_CENTRE * scale
         found[f"{quantity.name} not trivial"] = clear
-    return found
+    return found | plausibility_screens(form, motion)
+
+
+def plausibility_screens(form: Form, motion: Motion) -> dict[str, Passed]:
+    """Nothing faster than its machine would be (:class:`variantgen.families.machine.Machine`)."""
+    if form.machine is None:
+        return {}
+    v, a = ({n: rates for n, rates in t.items() if n not in form.figure.hidden} for t in (motion.v, motion.a))
+    tables = {"speed": v, "acceleration": a, "omega": motion.omega, "epsilon": motion.epsilon}
+    return {
+        form.machine.rule(name): _at_least(
+            getattr(form.machine, name), np.max([np.abs(rates) for rates in table.values()], axis=0)
+        )
+        for name, table in tables.items()
+        if table
+    }
 
 
 def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from html import escape
 
@@ -35,11 +36,14 @@ class _Html(Markup):
         before_unit=_SPACE,
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         scripts = (("sup", symbol.upper), ("sub", symbol.index))
-        raised = [(tag, "\N{THIN SPACE}".join(map(_index, parts))) for tag, parts in scripts if parts]
+        raised = [(tag, _joined(parts)) for tag, parts in scripts if parts]
         letter = _base(symbol.base, MARKS_ABOVE[mark]) + "".join(f"<{tag}>{text}</{tag}>" for tag, text in raised)
         return letter if exponent is None else self.power(letter, exponent)
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return f"({whole})<sub>{_joined(index)}</sub>"
 
     def number(self, text: str) -> str:
         return escape(text)
@@ -93,3 +97,7 @@ def _base(base: str, mark: str = "") -> str:
 
 def _index(index: Index) -> str:
     return escape(index.text) if index.upright else _base(index.text)
+
+
+def _joined(parts: Sequence[Index]) -> str:
+    return "\N{THIN SPACE}".join(map(_index, parts))

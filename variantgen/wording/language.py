@@ -36,7 +36,7 @@ class Language:
 
     name: str
     tables: Mapping[str, Mapping[str, str]]
-    notation: Notation = USUAL
+    notation: Notation
 
     @property
     def decimal_mark(self) -> str:
@@ -78,15 +78,28 @@ class Language:
 
     def letter(self, kind: str) -> str:
         """The letter of a kind of quantity; where alpha is an angular acceleration, an angle alpha is written delta."""
-        if self.notation.angular_acceleration == "epsilon":
-            return kind
-        return _ALPHA.get(kind, kind)
+        return _ALPHA.get(kind, kind) if self.notation.angular_acceleration == "alpha" else kind
 
-    def component(self, part: str) -> Index:
-        """How the part ``n`` or ``tau`` of an acceleration is marked above its index."""
-        if self.notation.components == "normal":
-            return Index(part)
-        return Index(self.tables["index"][part], True)
+    def axis(self, letter: str) -> str:
+        """The letter of an axis and of the component along it: the tangent ``tau`` may be ``t``."""
+        return self.tables["axes"].get(letter, letter)
+
+    def with_component(self, symbol: Symbol, part: str) -> Symbol:
+        """The symbol of the part ``n`` or ``tau`` of an acceleration: ``a^tau_BA``, ``(a_B/A)_t``."""
+        normal = self.notation.components == "normal"
+        mark = Index(self.axis(part)) if normal else Index(self.tables["index"][part], True)
+        if self.tables["language"]["components"] == "above":
+            return symbol._replace(upper=(*symbol.upper, mark))
+        return symbol._replace(part=(*symbol.part, mark))
+
+    def carrying(self, point: str) -> tuple[Index, ...]:
+        """The index of the place of a moving body at which a point is now: ``C′``, or a word before ``C``."""
+        parts = self.tables["language"]["carrying_point"].split()
+        return tuple(Index(part.format(point), "{" not in part) for part in parts)
+
+    def relative_to(self, point: str, base_point: str) -> Index:
+        """The index of a vector of one point as seen from another: ``BA``, ``B/A``."""
+        return Index(self.tables["language"]["base_point"].format(point, base_point))
 
     def symbol(self, name: str, bodies: Mapping[str, str]) -> Symbol:
         """The symbol of a parameter, point, body or quantity name; ``bodies`` replaces index words (see [symbols])."""
@@ -100,6 +113,7 @@ class Language:
         target, _, component = rest.partition(".")
         target = bodies.get(target, target)
         if target:
+            target = self.axis(target) if kind in ("v", "a") else target
             index.append(Index(target, len(target) > 1 and target.islower() and target not in GREEK))
         if component:
             index.append(Index(component))
@@ -136,6 +150,15 @@ def load_language(name: str, notation: Notation = USUAL) -> Language:
     """A language by name (``ru``, ``en``) with the letters of a notation. Raises InputError for an unknown name."""
     if name not in languages():
         raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
+    return _with_notation(name, notation.filled(_tables(name)["notation"]))
+
+
+@cache
+def _with_notation(name: str, notation: Notation) -> Language:
+    return Language(name, _tables(name), notation)
+
+
+@cache
+def _tables(name: str) -> Words[Mapping[str, str]]:
     path = templates_dir() / "words" / f"{name}.toml"
-    tables = {table: Words(words, path, table) for table, words in read_toml(path).items()}
-    return Language(name, Words(tables, path), notation)
+    return Words({table: Words(words, path, table) for table, words in read_toml(path).items()}, path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 from variantgen.wording.formula.markup import Mark, Markup, Signs
@@ -45,13 +46,16 @@ class _Latex(Markup):
         before_unit=r"\,",
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         scripts = (("_", symbol.index), ("^", symbol.upper))
-        joined = [(sign, r"\,".join(map(_index, parts))) for sign, parts in scripts if parts]
+        joined = [(sign, _joined(parts)) for sign, parts in scripts if parts]
         wide = mark is Mark.ARROW and symbol.is_name
         pattern = _WIDE_ARROW if wide else _MARKS[mark]
         letter = pattern.format(_base(symbol.base)) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
         return letter if exponent is None else self.power(letter, exponent)
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return rf"({whole})_{{{_joined(index)}}}"
 
     def number(self, text: str) -> str:
         return text.replace("\N{MINUS SIGN}", "-").replace(",", "{,}") if _is_plain(text) else _word(text)
@@ -102,11 +106,16 @@ def _base(base: str) -> str:
         return _GREEK.get(base, rf"\{base}")
     if base.isdecimal():
         return base
-    return " ".join(letter + (f"_{{{number}}}" if number else "") for letter, number in letters(base))
+    written = (letter.replace("′", "'") + (f"_{{{number}}}" if number else "") for letter, number in letters(base))
+    return " ".join(written)
 
 
 def _index(index: Index) -> str:
     return _word(index.text) if index.upright else _base(index.text)
+
+
+def _joined(parts: Sequence[Index]) -> str:
+    return r"\,".join(map(_index, parts))
 
 
 def _is_plain(text: str) -> bool:

@@ -5,6 +5,7 @@ Only elements of MathML Core are used, so that browsers show them without help.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from html import escape
 
@@ -51,7 +52,7 @@ class _MathML(Markup):
         before_unit=_THIN,
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         base = _row(_base(symbol.base))
         if mark is not Mark.NONE:
             sign = _ABOVE[mark]
@@ -61,7 +62,7 @@ class _MathML(Markup):
         upper = symbol.upper
         if upper == _PRIMED:  # raised by its own form
             base, upper = f"<mrow>{base}<mo>{GREEK['prime']}</mo></mrow>", ()
-        below, above = (_row(_THIN.join(map(_index, parts))) if parts else "" for parts in (symbol.index, upper))
+        below, above = (_row(_joined(parts)) if parts else "" for parts in (symbol.index, upper))
         if exponent is not None and not above:
             above, exponent = _number(exponent), None
         if above and mark is not Mark.NONE:  # what stands above the letter does not lift what stands beside it
@@ -72,6 +73,9 @@ class _MathML(Markup):
             tag = "msub" if below else "msup"
             base = f"<{tag}>{base}{below or above}</{tag}>"
         return base if exponent is None else self.power(self.parentheses(base), exponent)
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return f"<msub>{self.parentheses(whole)}{_row(_joined(index))}</msub>"
 
     def number(self, text: str) -> str:
         if text.startswith(_MINUS):
@@ -149,6 +153,10 @@ def _base(base: str) -> str:
 
 def _index(index: Index) -> str:
     return _word(index.text) if index.upright else _base(index.text)
+
+
+def _joined(parts: Sequence[Index]) -> str:
+    return _THIN.join(map(_index, parts))
 
 
 def _word(text: str) -> str:

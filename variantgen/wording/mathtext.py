@@ -55,11 +55,14 @@ class _Mathtext(Markup):
         before_unit=r"\,",
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         wide = mark is Mark.ARROW and symbol.is_name
         pattern = _WIDE_ARROW if wide else _MARKS[mark]
         letter = pattern.format(_base(symbol.base)) + _script("_", symbol.index) + _script("^", symbol.upper)
         return letter if exponent is None else self.power(letter, exponent)
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return f"({whole})" + _script("_", index)
 
     def number(self, text: str) -> str:
         return "".join(_NUMERAL.get(letter, letter) for letter in text)
@@ -102,7 +105,7 @@ def _base(name: str) -> str:
         return _VARIANTS.get(name, f"\\{name}")
     if name.isdecimal():
         return name
-    return "".join(letter + (f"_{{{number}}}" if number else "") for letter, number in letters(name))
+    return "".join(letter.replace("′", "'") + (f"_{{{number}}}" if number else "") for letter, number in letters(name))
 
 
 def _script(sign: str, parts: Sequence[Index]) -> str:

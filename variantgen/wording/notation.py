@@ -17,22 +17,27 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 class Notation:
     """``angular_acceleration``: its letter. ``components``: how the two parts of an acceleration are marked.
 
-    ``normal`` writes ``n`` and ``tau``; ``rotational`` the short words for centripetal and rotational of the language.
-    Raises InputError for another choice.
+    ``normal`` writes ``n`` and the letter of the tangent in the language (``tau``, ``t``); ``rotational`` the short
+    words for centripetal and rotational of the language. What is empty is as usual in the language. Raises InputError
+    for another choice.
     """
 
-    angular_acceleration: str = "epsilon"
-    components: str = "normal"
+    angular_acceleration: str = ""
+    components: str = ""
 
     def __post_init__(self) -> None:
         problems = []
         for field in fields(self):
             value, known = getattr(self, field.name), CHOICES[field.name]
-            if value not in known:
+            if value and value not in known:
                 remedy = nearest(value, known)
                 problems.append(Problem("unknown notation", key=field.name, value=value, remedy=remedy))
         if problems:
             raise InputError(problems)
+
+    def filled(self, usual: Mapping[str, str]) -> Notation:
+        """The notation with what is usual in a language where it chooses nothing."""
+        return Notation(**{field.name: getattr(self, field.name) or usual[field.name] for field in fields(self)})
 
 
 USUAL = Notation()

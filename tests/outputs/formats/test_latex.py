@@ -348,7 +348,7 @@ def test_a_problem_can_be_pasted_into_another_document(
     (tmp_path / "own.tex").write_text("\n".join(own), "utf-8")
     text = squeezed("".join(page_texts(pdflatex("own.tex"))))
     assert "Problem1(15points)" in text
-    assert "Find:" in text
+    assert "Determine:" in text
 
 
 def test_nothing_is_left_of_a_build_that_cannot_be_compiled(

@@ -57,8 +57,8 @@ def test_formulas_have_commas_and_an_end() -> None:
     tree = ET.fromstring(f"<p>{statement_html(said, load_language('en'), WRITING)}</p>")
     text, asked = tree
     assert text.text == "Text"
-    assert "".join(asked.itertext()) == "Find: A, B."
-    assert ["".join(node.itertext()) for node in asked] == ["Find:", "A,", "B."]
+    assert "".join(asked.itertext()) == "Determine: A, B."
+    assert ["".join(node.itertext()) for node in asked] == ["Determine:", "A,", "B."]
 
 
 def rows_of(lines: FormulaLines) -> list[ET.Element]:

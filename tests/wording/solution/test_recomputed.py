@@ -32,7 +32,7 @@ from variantgen.wording.statement import given
 SEEDS = 4
 CASES, IDS = cases("projections", "velocity_pole", "acceleration_centre")
 NEAR = 0.02  # by how much a number after "≈" may be off
-COMPONENTS = (" x", " y", " n", " τ", " ξ", " η")  # along an axis, with a sign
+COMPONENTS = (" x", " y", " n", " t", " τ", " ξ", " η")  # along an axis, with a sign
 DIGITS = 4  # significant digits of a printed number; one more where the first is a 1
 ANGLE_DECIMALS = 2
 
@@ -87,7 +87,7 @@ class Reader:
             # A law may go before what it comes down to: εR = a_O, where no number of ε is written.
             with suppress(UnreadableError) if len(texts) > 3 else nullcontext():
                 self.compare(text, value, unit, line.pieces[-1][0], whole)
-        if value < 0 and re.match("[va][_^]", texts[0]) and not texts[0].endswith(COMPONENTS):
+        if value < 0 and re.match(r"\(?[va][_^]", texts[0]) and not texts[0].endswith(COMPONENTS):
             self.wrong.append(f"{whole}: a vector that points against its direction")
         if 0 < abs(value - self.printed.get(texts[0], value)) < NEAR * abs(value):
             self.wrong.append(f"{whole}: another number than before, {self.printed[texts[0]]}")
@@ -121,10 +121,10 @@ class Reader:
             self.wrong.append(f"{where}: {sign} {wanted}, but {found:.9g}")
 
     def settle(self) -> None:
-        """Put what has been found back into the equations that led to it."""
-        for item in list(self.waiting):
+        """Put what has been found back into the equations that led to it, those first that say what a letter is."""
+        for item in sorted(self.waiting, key=lambda item: not re.fullmatch(r"\(?[va][_^]\S+", item[0])):
             left, right, whole = item
-            if left not in self.known and re.fullmatch(r"[va]_\S+", left):
+            if left not in self.known and re.fullmatch(r"\(?[va][_^]\S+", left):
                 with suppress(ValueError):
                     self.known[left] = evaluate(right, self.known, self.mark)  # v_BC = ω_BCD · BC
                     self.halves[left] = self.doubt(right)

@@ -41,7 +41,14 @@ def run(arguments: argparse.Namespace) -> int:
     load_language(arguments.lang)
     folders = family_folders(arguments.families)
     variant = one_variant(
-        arguments.family, settings(arguments), arguments.seed, arguments.form, arguments.ask, folders, arguments.nice
+        arguments.family,
+        settings(arguments),
+        arguments.seed,
+        arguments.form,
+        arguments.ask,
+        folders,
+        arguments.nice,
+        arguments.units,
     )
     document = solution_document(variant, arguments.ask)
     if arguments.json:

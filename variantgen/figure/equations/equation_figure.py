@@ -16,6 +16,7 @@ from variantgen.figure.equations.body_board import (
     draw_vectors,
     sizes,
 )
+from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.motion.motion_board import MotionBoard, named_together
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.placement.least_crowded import first_roomy
@@ -40,9 +41,12 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     met = [name for arrow in shown for name in (arrow.name.of, arrow.name.about) if name in known]
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
     ends = [end for rod in equation.rods for end in rod]
-    bodies = BodyBoard(subject, equation.bodies, dict.fromkeys((equation.point, *others, *ends)), equation.rods)
+    points = dict.fromkeys((equation.point, *others, *ends))
+    bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods)
+    # Marks of angles go where there is room for them.
     return first_roomy(
-        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size) for stretch, size in _SIZES
+        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, most)
+        for stretch, size, most in ((*_SIZES[0], MOST_ANGLES), *((*usual, 0) for usual in _SIZES))
     )
 
 
@@ -76,12 +80,13 @@ def _drawn(
     arrows: Sequence[Arrow],
     longest: float,
     size: float,
+    most_angles: int,
 ) -> Drawing:
     place = bodies.place(equation.point)
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
-    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest)
+    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, bodies.subject.least)
     drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
     scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
     board = bodies.drawn(scale)
@@ -94,6 +99,9 @@ def _drawn(
     weights = [BOLD if to_plain(name).split(" = ")[0] in bold else MEDIUM for name in names]
     draw_vectors(board, at, list(zip(names, drawn, weights, strict=True)), [])
     board.sketch.lengthened = lengthened
+    for _, vector in together:
+        board.sketch.occupy(equation.point, vector)
+    draw_geometry(board, bodies.subject, named.symbols, most_angles)
     draw_axes(board, at, [(axis.way, axis.letter) for axis in equation.axes if axis.letter], longest)
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 

@@ -40,7 +40,7 @@ class Surroundings:
     def names(self, own: Iterable[complex]) -> bool:
         """Whether a label that names one of these places belongs to what is drawn."""
         places = np.array(list(own), dtype=complex)
-        return bool(np.any(self._at_points(places, 1.0) | self._on_bodies(places)))
+        return bool(np.mean(self._at_points(places, 1.0) | self._on_bodies(places)) > 0.5)
 
     def pieces(self, line: Line) -> Iterator[Line]:
         """What of a line lies in the surroundings, lighter than in the figure of a statement."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from variantgen.algebra.name import Name
@@ -18,28 +18,33 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
 from variantgen.wording.solution.quantity_symbols import Symbols
 
-_CENTRE = "P"  # a contact at rest bears the letter of the velocity centre, which is drawn as such
+CENTRE = "P"  # a contact at rest bears the letter of the velocity centre
 
 
 @dataclass(frozen=True)
 class ContactPoint:
-    """A point of a turning body where it touches another or a thread: its place (m) and velocity (m/s)."""
+    """A point of a body about ``centre`` where it touches another or a thread: its place (m) and velocity (m/s)."""
 
     place: complex
     velocity: complex
+    body: str
+    centre: str
 
 
-def contacts(board: Board, task: Task, now: Instant) -> dict[str, ContactPoint]:
-    """The points of contact of the bodies that the solution needs, by letter, where no point is shown."""
+def contact_points(task: Task, now: Instant, shown: Collection[str], body: str = "") -> dict[str, ContactPoint]:
+    """The points of contact of the bodies that the solution needs, or of one ``body``, where no point is ``shown``.
+
+    By letter; of two bodies that touch the first where none is named.
+    """
     needed = task.needed.bodies
     found: dict[str, ContactPoint] = {}
     for contact in contacts_of_scene(task).values():
         for side in (contact.first, contact.second):
-            if not side.lever or side.name in (_CENTRE, *board.shown, *found) or side.body not in needed:
+            if not side.lever or side.name in (*shown, *found) or side.body not in ([body] if body else needed):
                 continue
             place = place_of(task, side) * task.length_unit
             swing = 1j * now.omega[side.body] * (place - now.z[side.centre])
-            found[side.name] = ContactPoint(place, now.v[side.centre] + swing)
+            found[side.name] = ContactPoint(place, now.v[side.centre] + swing, side.body, side.centre)
     return found
 
 
@@ -47,6 +52,8 @@ def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: 
     """Add dots with letters and velocities (``scale`` u per m/s)."""
     sketch = board.sketch
     for name, contact in found.items():
+        if name == CENTRE:
+            continue  # drawn as the centre
         key = f"contact {name}"
         place = sketch.at[key] = sketch.scale * contact.place
         draw_dot(board, place, name)

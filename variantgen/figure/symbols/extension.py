@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.figure.arrows import arrows_beside, directed
+from variantgen.figure.arrows import directed, draw_arrows
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.sketch import HINGE
@@ -37,4 +37,4 @@ def draw(board: Board, driver: Extension) -> None:
     v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
     symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
     place = start + _FREE_ROD * (end - start)
-    arrows_beside(board, driver.end, place, (directed(v, way), directed(a, way)), symbols)
+    draw_arrows(board, driver.end, (directed(v, way), directed(a, way)), symbols, place)

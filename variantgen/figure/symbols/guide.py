@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Layer
 from variantgen.figure.sketch import HINGE
@@ -9,6 +12,8 @@ from variantgen.mechanism.joints.guide import Guide
 
 _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
 _HALF_BEARING = 1.1
+_BESIDE = 6.4  # from the middle of a bearing to a point with a name, u
+_ON_ROD = 0.1  # distance from the line of a rod, u
 
 
 def draw(board: Board, joint: Guide) -> None:
@@ -41,17 +46,34 @@ def draw(board: Board, joint: Guide) -> None:
 
 
 def _draw_bearing(board: Board, point: str, way: complex) -> None:
-    """Two hatched cheeks on both sides of a rod that slides along itself."""
+    """Two hatched cheeks on both sides of a rod that slides along itself; a point with a name stands beside them."""
     sketch = board.sketch
-    centre = sketch.at[point]
+    named = point in board.shown
+    centre = sketch.at[point] + (_BESIDE * _roomier_side(board, point, way) if named else 0)
     for side in (1j * way, -1j * way):
         start, end = (centre + sign * (_HALF_LENGTH + 1.0) * way + _HALF_BEARING * side for sign in (-1, 1))
         sketch.path((start, end), Layer.GROUND)
         sketch.hatch(start, end, side)
-        sketch.occupy(point, side)
     for taken in (way, -way):
         sketch.occupy(point, taken)
-    board.clear[point] = _HALF_BEARING + 1.0
+
+
+def _roomier_side(board: Board, point: str, way: complex) -> complex:
+    """The direction along a rod in which it reaches farther from one of its points, or the one with room."""
+    place, form = board.sketch.at[point], board.form
+    strokes = [(start, end) for _, start, end in form.bars] + [
+        p for names in form.figure.lines for p in pairwise(names)
+    ]
+    steps = [board.sketch.at[end] - board.sketch.at[start] for start, end in strokes]
+    farthest = 0.0
+    for (start, end), step in zip(strokes, steps, strict=True):
+        ends = [(board.sketch.at[name] - place) * way.conjugate() for name in (start, end)]
+        if abs(step) > 1e-6 and max(abs(far.imag) for far in ends) < _ON_ROD:
+            farthest = max((farthest, *(far.real for far in ends)), key=abs)
+    side = way if farthest >= 0 else -way
+    # Unless another point with a name is there.
+    gaps = [abs(board.sketch.at[name] - place - _BESIDE * side) for name in board.shown if name != point]
+    return -side if min(gaps, default=math.inf) < _HALF_LENGTH + 2.5 else side
 
 
 def _free_side(board: Board, point: str, way: complex) -> complex:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.figure.arrows import arrows_beside, directed
+from variantgen.figure.arrows import directed, draw_arrows
 from variantgen.figure.board import Board
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 
@@ -13,5 +13,4 @@ def draw(board: Board, driver: RelativeTravel) -> None:
     way = (second - first) / abs(second - first)
     v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
     symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
-    place = board.sketch.at[driver.point]
-    arrows_beside(board, driver.point, place, (directed(v, way), directed(a, way)), symbols)
+    draw_arrows(board, driver.point, (directed(v, way), directed(a, way)), symbols)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
+from variantgen.figure.placement.label_requests import along_line
 from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.wording.formula import Symbol
 
 _THICKNESS = 2.2
 
@@ -18,6 +20,8 @@ def draw(board: Board, joint: Rolling) -> None:
         first, second = (sketch.at[name] for name in board.form.bodies[joint.on][:2])
         strip = (first, second, second + _THICKNESS * down, first + _THICKNESS * down)
         sketch.path(strip, Layer.SLIDER, MEDIUM, closed=True, fill="shade")
+        if number := board.form.symbols.get(joint.on):
+            sketch.label(along_line(Symbol(number), strip[2], 0.7 * strip[2] + 0.3 * strip[3]))
     else:
         half = 1.25 * abs(contact - centre)
         start, end = contact - half * 1j * down, contact + half * 1j * down

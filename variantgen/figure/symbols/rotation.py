@@ -10,15 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
-from variantgen.figure.drawing import Arc, Layer
+from variantgen.figure.drawing import Arc, Layer, RotationArc
 from variantgen.figure.placement.label_requests import along_arc, label_size
 from variantgen.figure.placement.labels import GAP
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 
-_SWEEP = math.radians(62)
+SEEKS_ROOM = True
+_SWEEP = math.radians(70)
 _LONGEST = 16.0  # length of an arc, u
 _RADII = (6.2, 8.4, 10.4)
+_WIDER = 13.0  # radius of an arc inside a large ring of another body, u
+_ROOMY = 16.0  # radius of a disc with room for arcs about its axis and the letter of the axis, u
+_OF_PLATE, _ON_PLATE = (0.62, 0.5), (7.4, 11.0)  # radii of arcs on a plate: parts of the room there, bounds (u)
 _OFF_RIM = (2.4, 4.8)
 _LEAST = 5.0  # radius of an arc, u
 _MARGIN = 0.8  # free space on both sides of an arc, u
@@ -56,12 +60,14 @@ def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]], ab
     sketch = board.sketch
     pivot = about or board.centre_of_rotation(body)
     radii = _radii(board, body, pivot)
+    own = tuple(board.discs[body]) if any(d.body == body and d.centre == pivot for d in board.form.figure.discs) else ()
     taken: list[float] = []
     for formula, rate in rates:
         radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
         turn = math.copysign(_sweep(radius), rate)
         taken.append(middle)
-        sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
+        arc = sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
+        sketch.rotations.append(RotationArc(formula, arc, own))
         sketch.label(along_arc(formula, sketch.at[pivot], radius, middle - turn / 2, turn))
         for part in (-0.5, 0.0, 0.5):
             sketch.busy.setdefault(pivot, []).append(middle + part * turn)
@@ -73,20 +79,36 @@ def _sweep(radius: float) -> float:
 
 
 def _radii(board: Board, body: str, pivot: str) -> NDArray[np.float64]:
-    """Radii of an arc, the usual ones first: about the pivot, or along the rim of a disc of the body.
+    """Radii of an arc, the usual ones first: about the pivot, along the rim of a disc of the body, or to fit a plate.
 
-    An arc keeps off the rims of discs about the same axis.
+    An arc keeps off the rims of discs about the same axis, and inside those of other bodies that turn: outside it would
+    show their rotation.
     """
+    if pivot not in board.scene.bodies[body] and body in board.form.figure.plates:
+        return _on_plate(board, body, pivot)
     about = [disc for disc in board.form.figure.discs if not disc.arc and disc.centre == pivot]
     rims = sorted(r for disc in about for r in board.discs.get(disc.body, []))
     own = max((r for disc in about if disc.body == body for r in board.discs[disc.body]), default=0.0)
+    strange = [r for disc in about if disc.body not in ("", body) for r in board.discs.get(disc.body, [])]
+    least = math.inf if own else min(strange, default=math.inf)
     alone = sum(isinstance(other, Rotation) for other in board.scene.drivers) == 1
-    found = list(_RADII) if not own or alone else []
-    found += [rim + off for rim in rims for off in _OFF_RIM]
+    inner = list(_RADII) if not own or alone else []
+    along = [rim + off for rim in rims for off in _OFF_RIM]
+    # Inside a small step of a drum arcs would leave no room for the letter of the axis.
+    found = along + inner if len(rims) > 1 and rims[0] < _ROOMY else inner + along
+    found += [_WIDER] if least < math.inf else []
     if own > 2 * _LEAST:
         found.append(own - 3.0)
-    clear = [r for r in found if r >= _LEAST and all(abs(r - rim) > _OFF_RIM[0] - 0.1 for rim in rims)]
+    clear = [r for r in found if _LEAST <= r < least and all(abs(r - rim) > _OFF_RIM[0] - 0.1 for rim in rims)]
     return np.array(clear[:_MOST_RADII] or [max(rims, default=0.0) + off for off in _OFF_RIM])
+
+
+def _on_plate(board: Board, body: str, middle: str) -> NDArray[np.float64]:
+    """Radii of an arc about the middle of a plate, in proportion to the room there."""
+    corners = np.array([board.sketch.at[name] for name in board.scene.bodies[body]]) - board.sketch.at[middle]
+    sides = np.roll(corners, -1) - corners
+    room = float(np.min(np.abs((corners * np.conj(sides)).imag) / np.abs(sides)))
+    return np.clip(room * np.array(_OF_PLATE), *_ON_PLATE)
 
 
 def _roomiest_arc(
@@ -137,8 +159,8 @@ def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArr
     """How many lines the arc of each radius in each direction meets or nearly meets, shape (radii, angles)."""
     circles = np.concatenate((radii - _MARGIN, radii + _MARGIN))
     # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
-    across, circle = board.sketch.circle_crossings(centre, circles)
-    along, ring = board.sketch.corners_near_circles(centre, radii, _MARGIN)
+    across, circle = board.sketch.obstacles.circle_crossings(centre, circles)
+    along, ring = board.sketch.obstacles.corners_near_circles(centre, radii, _MARGIN)
     direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
     gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
     half_angle = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])

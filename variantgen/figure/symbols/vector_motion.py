@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 
-from variantgen.figure.arrows import acceleration_arrow, velocity_arrow
+from variantgen.figure.arrows import directed, draw_arrows
 from variantgen.figure.board import Board
 from variantgen.mechanism.drivers.vector_motion import VectorMotion
 
-_APART = math.radians(20)
+
+def directions(board: Board, driver: VectorMotion) -> list[tuple[str, complex]]:
+    """The point and the directions of its arrows, which need no line of reference beside them."""
+    v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
+    ways = [directed(rate, complex(board.frame.direction(at))) for rate, at in ((v, driver.angle), (a, driver.a_angle))]
+    return [(driver.point, way) for way in ways if way]
 
 
 def draw(board: Board, driver: VectorMotion) -> None:
-    """Add the arrows, each in its direction; an acceleration near the line of the velocity is drawn beside it."""
+    """Add the arrows, each in its direction."""
     v, a = float(driver.v), float(driver.a) if board.accelerations else 0.0
     ways = [complex(board.frame.direction(angle)) for angle in (driver.angle, driver.a_angle)]
-    if v:
-        velocity_arrow(board, driver.point, math.copysign(1.0, v) * ways[0], board.rate(driver, "v"))
-    if a:
-        ahead = math.copysign(1.0, a) * ways[1]
-        near = v != 0 and abs(cmath.phase(ahead / ways[0] / math.copysign(1.0, v))) < _APART
-        acceleration_arrow(board, driver.point, ahead, board.rate(driver, "a"), near)
+    # The angle that gives the direction of an arrow is drawn at the point: so is the arrow, whatever it crosses.
+    symbols = (board.rate(driver, "v") if v else None, board.rate(driver, "a") if a else None)
+    draw_arrows(board, driver.point, (directed(v, ways[0]), directed(a, ways[1])), symbols, root=math.inf)

@@ -10,6 +10,7 @@ from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.equation_figure import draw_equation
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -24,6 +25,9 @@ def draw(
     language: Language,
     vectors: Sequence[PointVectors] = (),
     which: str = "",
+    geometry: StepGeometry = NOTHING_MARKED,
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of the equation numbered ``which``. Raises InputError where there is no such equation."""
-    return draw_equation(FigureSubject(variant, motion, index, asked, language), ORDER, vectors, which)
+    subject = FigureSubject(variant, motion, index, asked, language, geometry, true_scale)
+    return draw_equation(subject, ORDER, vectors, which)

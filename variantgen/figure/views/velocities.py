@@ -12,7 +12,7 @@ from functools import partial
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.motion.centre_rays import draw_centres
-from variantgen.figure.motion.contact_letters import contacts, draw_contacts
+from variantgen.figure.motion.contact_letters import contact_points, draw_contacts
 from variantgen.figure.motion.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.motion.motion_data import MotionData, motion_data
 from variantgen.figure.motion.vectors import Vectors, vectors_of
@@ -33,12 +33,13 @@ def draw(
     asked: Sequence[Quantity],
     language: Language,
     vectors: Sequence[PointVectors] = (),
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
     found = motion_data(variant, motion, index, asked, ORDER)
     named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
     annotate = partial(_annotate, found, named)
-    return draw_on_mechanism(variant, motion, index, asked, language, annotate)
+    return draw_on_mechanism(variant, motion, index, asked, language, annotate, true_scale)
 
 
 def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:
@@ -47,7 +48,7 @@ def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: fl
     # What another method than the vector equation needs of a velocity is the velocity itself.
     parts = {point: named.terms(point) for point in named.found.compound}
     points = named.telling([name for name in board.shown if name in found.chain.points])
-    touching = contacts(board, named.task, now)
+    touching = contact_points(named.task, now, board.shown)
     shown = [*(now.v[name] for name in points), *(vector for terms in parts.values() for _, vector in terms)]
     scale = stretch * scale_of([*shown, *(contact.velocity for contact in touching.values())])
     straight = set()

@@ -1,4 +1,4 @@
-"""The figure of the velocities of one body with their equal projections on the line through two points."""
+"""The figure of the velocities of two points of a body with their equal projections on the line of both."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.equations.body_board import FigureSubject
-from variantgen.figure.equations.centre_figure import draw_centre_figure
+from variantgen.figure.equations.body_figure import draw_body_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -24,6 +25,9 @@ def draw(
     language: Language,
     vectors: Sequence[PointVectors] = (),
     which: str = "",
+    geometry: StepGeometry = NOTHING_MARKED,
+    true_scale: bool = False,
 ) -> Drawing:
-    """The figure of the body ``which`` (none: the first in plane motion). Raises InputError where it is at rest."""
-    return draw_centre_figure(FigureSubject(variant, motion, index, asked, language), vectors, which, centre=False)
+    """The figure of the body ``which``, with what is marked in it. Raises InputError where it has no such vectors."""
+    subject = FigureSubject(variant, motion, index, asked, language, geometry, true_scale)
+    return draw_body_figure(subject, vectors, which, "projections", ORDER)

@@ -24,7 +24,8 @@ from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.shown_system import ZERO, enter_solution, system_of
-from variantgen.methods.steps.step import Body, ChainGraph, ChainLink, Derived, EquationLine, Fact, Point
+from variantgen.methods.steps.step import Body, Derived, EquationLine, Fact, Point
+from variantgen.methods.steps.step_geometry import ChainGraph, ChainLink
 
 _KIND = {1: "omega", 2: "epsilon"}
 
@@ -61,11 +62,12 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     loop = loop_of(book, group)
     assert loop is not None
     kind = _KIND[book.order]
-    view = "velocities" if book.order == 1 else "accelerations"
     ends: dict[str, Fact] = {"start": Point(loop.points[0]), "end": Point(loop.points[3])}
-    with book.step(f"three_rates.{kind}", view, **ends):
+    with book.step(f"three_rates.{kind}", "rate_chain", **ends):
         links = tuple(Body(body) for body in loop.bodies)
-        book.say(f"three_rates.equations_{kind}", True, first=links[0], second=links[1], third=links[2], **ends)
+        book.say(
+            f"three_rates.equations_{kind}", book.order > 1, first=links[0], second=links[1], third=links[2], **ends
+        )
         if book.order == 1:
             book.items.append(_graph(book, loop))
         known = _signed(book, loop.bodies[0])

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from variantgen.methods.by_groups import closed_chain
-from variantgen.methods.centres import acceleration_centre, known_centre, projections, velocity_centre
-from variantgen.methods.groups.group import Dyad, TwoPointBody
+from variantgen.methods.centres import acceleration_centre, guided_body, known_centre, projections, velocity_centre
+from variantgen.methods.groups.group import Dyad, ThirdClassGroup, TwoPointBody
 from variantgen.methods.solution.book import Book
 
 Applies = Callable[[Book, Any], bool]
@@ -37,6 +37,7 @@ GROUP_METHODS: dict[str, GroupMethod] = {
         ("velocity_centre.", "contact.wheel", "known_centre."),
         {
             Dyad: (velocity_centre.applies, velocity_centre.solve_dyad),
+            ThirdClassGroup: (guided_body.applies, guided_body.solve),
             TwoPointBody: (known_centre.is_divided, known_centre.solve_divided),
         },
         velocity_centre.carry,

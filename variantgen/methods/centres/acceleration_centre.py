@@ -24,7 +24,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the acceleration of a further point of a body whose motion is known: ``a_B = BQ sqrt(...)``."""
     name = Name("a", point)
     vector(book, pole)
-    with book.step("acceleration_centre.point", "accelerations", body=Body(body), point=Point(point)):
+    with book.step("acceleration_centre.point", "acceleration_centre", body=Body(body), point=Point(point)):
         centre = centre_of(book, body, pole)
         facts: dict[str, Fact] = {"point": Point(point), "centre": centre.fact, "vector": VectorOf(name)}
         if centre.infinite:
@@ -128,7 +128,7 @@ def _intensity(book: Book, body: str) -> Expression:
 def distance(book: Book, body: str, point: str) -> Value:
     """The asked distance of a point from the acceleration centre; infinite where there is none."""
     pole = known_point(book, body)
-    with book.step("acceleration_centre.distance", "accelerations", body=Body(body), point=Point(point)):
+    with book.step("acceleration_centre.distance", "acceleration_centre", body=Body(body), point=Point(point)):
         centre = centre_of(book, body, pole)
         if centre.infinite:
             return Value(centre.length(point), "length", math.inf)
@@ -140,7 +140,7 @@ def asked_angle(book: Book, body: str) -> Value:
     """The asked angle mu, in a step of its own if it has not been found on the way."""
     if Name("mu", body) in book.values:
         return book.values[Name("mu", body)]
-    with book.step("acceleration_centre.angle", "accelerations", body=Body(body)):
+    with book.step("acceleration_centre.angle", "acceleration_centre", body=Body(body)):
         if is_translating(book, body):
             book.say("acceleration_centre.infinite", False, body=Body(body), centre=Centre(body, "Q").fact)
             return Value(Name("mu", body), "angle", 0.0)

@@ -39,10 +39,16 @@ def named_place(book: Book, place: complex) -> str:
     return next((name for name in names if is_near(book, place, book.task.now.z[name])), "")
 
 
+def own_angle(value: Value) -> Value:
+    """An angle of a triangle; one that is a given or known angle is that."""
+    return value.expression if isinstance(value.expression, Value) else value
+
+
 def note_angle(book: Book, value: Value) -> Value:
-    """Show once how an angle is found."""
+    """Show once how an angle is found; a given or known one needs no line."""
+    if isinstance(value.expression, Value) or value.name is None or value.name.kind == "parameter":
+        return own_angle(value)
     name = value.name
-    assert name is not None
     if name not in book.values:
         value = by_name(book, value)
         book.items.append(Derived(value))
@@ -83,6 +89,7 @@ class _Triangle:
 
 
 _ON_LINE, _EQUILATERAL, _RIGHT, _ISOSCELES, _GENERAL = range(5)
+_WITHOUT_ANGLE = (_ON_LINE, _EQUILATERAL, _RIGHT)
 _SHAPES = ("on_line", "equilateral", "right", "isosceles", "general")
 
 
@@ -97,6 +104,9 @@ def ray_to_centre(book: Book, centre: Centre, point: str, with_direction: bool) 
         centre.at = centre.at or point
         return None
     triangle = _simplest(book, centre, point)
+    if triangle is not None and triangle.shape == _GENERAL and (corner := _corner_between(book, centre, point)):
+        ray_to_centre(book, centre, corner, False)
+        triangle = _simplest(book, centre, point)
     if triangle is None:
         at = centre.at
         found = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
@@ -112,6 +122,27 @@ def is_simple(book: Book, centre: Centre, point: str) -> bool:
         return True
     triangle = _simplest(book, centre, point)
     return triangle is None or triangle.shape < _GENERAL
+
+
+def _corner_between(book: Book, centre: Centre, point: str) -> str:
+    """Another corner of the body on the way: two simple triangles take the place of a law of cosines; empty for none.
+
+    Its own distance follows without an angle, and that of the point from a triangle that is right-angled there.
+    """
+    if not book.style.shortcuts:
+        return ""
+    place = centre.place(book.task)
+    for corner in book.task.scene.bodies[centre.body]:
+        if corner in (point, *centre.rays) or corner in book.task.form.figure.hidden:
+            continue
+        first, way = _simplest(book, centre, corner), place - book.task.now.z[corner]
+        if first is None or first.shape not in _WITHOUT_ANGLE or is_near(book, book.task.now.z[corner], place):
+            continue
+        ray = CentreRay(Value(None, "length", abs(way)), Value(None, "angle", math.degrees(cmath.phase(way))))
+        second = _simplest(book, Centre(centre.body, centre.kind, rays={corner: ray}), point)
+        if second is not None and second.shape in _WITHOUT_ANGLE:
+            return corner
+    return ""
 
 
 def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:

@@ -57,7 +57,7 @@ def is_near_centre(book: Book, body: str, point: str) -> bool:
     if any(p in book.velocity and not book.velocity[p] for p in book.task.scene.bodies[body]):
         return True
     explained = any(book.has_said(key, body=Body(body)) for key in _TELLING)
-    for axle, place in _resting(book.task, body, explained):
+    for axle, place in resting_contacts(book.task, body, explained):
         if book.velocity.get(axle):
             arm, angle = abs(place - book.task.now.z[axle]), cmath.phase(place - book.task.now.z[axle])
             ray = CentreRay(Value(None, "length", arm), Value(None, "angle", math.degrees(angle)))
@@ -91,7 +91,7 @@ def _contact(book: Book, body: str) -> Centre | None:
     """The contact of a wheel of known motion with something at rest; None where there is none."""
     task = book.task
     explained = any(book.has_said(key, body=Body(body)) for key in _TELLING)
-    for axle, place in _resting(task, body, explained):
+    for axle, place in resting_contacts(task, body, explained):
         if not book.velocity.get(axle):
             continue
         name = named_place(book, place)
@@ -111,12 +111,12 @@ def _contact(book: Book, body: str) -> Centre | None:
 
 def contact_fact(book: Book, body: str) -> Fact:
     """The contact of a wheel with something at rest in a sentence: a point of the figure, or the velocity centre."""
-    place = next((place for _, place in _resting(book.task, body, False)), None)
+    place = next((place for _, place in resting_contacts(book.task, body, False)), None)
     name = "" if place is None else named_place(book, place)
     return Point(name) if name else Centre(body).fact
 
 
-def _resting(task: Task, body: str, explained: bool) -> Iterator[tuple[str, complex]]:
+def resting_contacts(task: Task, body: str, explained: bool) -> Iterator[tuple[str, complex]]:
     """Centres and places of the contacts of a body with something at rest; tied threads only if ``explained``."""
     metre = task.length_unit
     at = Placement({name: place * metre for name, place in task.now.z.items()}, task.scene.frame)

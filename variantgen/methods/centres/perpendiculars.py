@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
+from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle
+from variantgen.methods.centres import guide_triangle, pivot_triangle
+from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle, own_angle
+from variantgen.methods.centres.triangle_shapes import say_shape, shapes
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
@@ -44,9 +45,9 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
         for point in {a, b} - {at}:
             centre.rays[point] = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
         return centre
-    book.say("perpendiculars.meet", False, **facts)
-    rays = [perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True)]
-    _solve_triangle(book, centre, (a, b), (rays[0], rays[1]))
+    book.say("perpendiculars.meet" if first.size is not None else "perpendiculars.meet_two", False, **facts)
+    to_a, to_b = (perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True))
+    _solve_triangle(book, centre, (first, second), (to_a, to_b), place)
     return centre
 
 
@@ -81,6 +82,7 @@ def facts_of_two(body: str, first: Term, second: Term) -> dict[str, Fact]:
     a, b = first.point, second.point
     centre = Centre(body)
     facts: dict[str, Fact] = {"body": Body(body), "centre": centre.fact, "segment": Segment(a, b)}
+    facts["omega"] = Name("omega", body)
     facts |= {"point": Point(a), "vector": VectorOf(Name("v", a)), "way": first.way, "ray": centre.segment(a)}
     other: dict[str, Fact] = {"other": Point(b), "other_vector": VectorOf(Name("v", b))}
     return facts | other | {"other_way": second.way, "other_ray": centre.segment(b)}
@@ -108,44 +110,28 @@ def perpendicular(book: Book, term: Term, towards: complex) -> Value:
 # The triangle A B P of way (b).
 
 
-def _solve_triangle(book: Book, centre: Centre, ends: tuple[str, str], rays: tuple[Value, Value]) -> None:
-    """The sides AP and BP from AB and the angles at A and B."""
-    a, b = ends
+def _solve_triangle(
+    book: Book, centre: Centre, terms: tuple[Term, Term], rays: tuple[Value, Value], place: complex
+) -> None:
+    """The sides AP and BP from AB and the angles at A and B, or by the fixed pivots of links where that is shorter."""
+    a, b = ends = terms[0].point, terms[1].point
     geometry = book.geometry
     side = geometry.length(a, b)
     ways = geometry.direction(a, b), geometry.direction(b, a)
-    at_a = difference(centre.corner(a, b), rays[0], ways[0])
-    at_b = difference(centre.corner(b, a), rays[1], ways[1])
-    at_p = difference(centre.vertex(a, b), *rays)
+    at_a = own_angle(difference(centre.corner(a, b), rays[0], ways[0]))
+    at_b = own_angle(difference(centre.corner(b, a), rays[1], ways[1]))
+    at_p = own_angle(difference(centre.vertex(a, b), *rays))
     if not is_short(angle_sum(at_p)):
         rest = Constant(180.0, "angle") - at_a - at_b
         at_p = Value(at_p.name, "angle", rest.number(True), rest)
     angles = (at_a, at_b, at_p)
-    shape, needed, arms = next(case for case in _shapes(side, *angles) if case[0])
-    facts: dict[str, Fact] = {"centre": centre.fact, "segment": Segment(a, b), "point": Point(a), "other": Point(b)}
-    book.say(f"perpendiculars.{shape}", True, **facts)
+    shape, needed, arms = next(case for case in shapes(side, *angles) if case[0])
+    if shape == "by_sines" and pivot_triangle.solve(book, centre, terms, rays, place):
+        return
+    if shape == "by_sines" and guide_triangle.solve(book, centre, terms, rays):
+        return
+    say_shape(book, centre, shape, ends)
     for angle in needed:
         note_angle(book, angle)
     for point, arm, ray in zip(ends, arms, rays, strict=True):
         centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", arm), ray)
-
-
-_Shape = tuple[str, tuple[Value, ...], tuple[Expression, Expression]]
-
-
-def _shapes(side: Value, at_a: Value, at_b: Value, at_p: Value) -> Iterator[_Shape]:
-    """Shapes of the triangle, the simplest first: its name ("" where it is not that), the angles to show, AP and BP."""
-    equal = is_angle(at_a.exact, at_b.exact)
-    two = Constant(2.0)
-
-    def case(holds: bool, name: str, angles: tuple[Value, ...], ap: Expression, bp: Expression) -> _Shape:
-        return (name if holds else "", angles, (ap, bp))
-
-    yield case(equal and is_angle(at_a.exact, 60.0), "equilateral", (at_a, at_b), side, side)
-    yield case(is_angle(at_p.exact, 90.0), "right_at_centre", (at_a,), side * cos(at_a), side * sin(at_a))
-    yield case(is_angle(at_a.exact, 90.0), "right_at_point", (at_b,), side * Applied("tan", at_b), side / cos(at_b))
-    yield case(is_angle(at_b.exact, 90.0), "right_at_other", (at_a,), side / cos(at_a), side * Applied("tan", at_a))
-    leg = side / (two * cos(at_a))
-    yield case(equal, "isosceles", (at_a, at_b), leg, leg)
-    by_sines = (side * sin(at_b) / sin(at_p), side * sin(at_a) / sin(at_p))
-    yield case(True, "by_sines", (at_a, at_b, at_p), *by_sines)

@@ -16,8 +16,10 @@ _SHORT = 2  # parts of a sum that is written out where it stands
 
 
 def angle_sum(angle: Value) -> AngleForm:
-    """A direction or angle taken apart; one that is no sum is its own part."""
+    """A direction or angle taken apart; one that is no sum is its own part, but a given right angle is a number."""
     kind = "" if angle.name is None else angle.name.kind
+    if kind == "parameter" and angle.exact % 90.0 == 0:
+        return AngleForm((), angle.exact)
     if angle.expression is None and kind in ("", "direction", "angle"):
         return AngleForm((), tidy(angle.exact))
     found = None if angle.expression is None or kind == "parameter" else _sum(angle.expression)

@@ -126,6 +126,12 @@ class Angles:
         return placed.turned(self._turn)
 
 
+def corner_name(vertex: str, first: str, second: str) -> Name:
+    """The name of the angle at a vertex with its sides in the order of their letters, O before others: ``OCB``."""
+    ends = sorted((first, second), key=lambda point: (point[0] != "O", point))
+    return Name("angle", vertex, " ".join(ends))
+
+
 def tidy(number: float) -> float:
     """A number of degrees without the rounding of radians: one that near to a short decimal is that."""
     short = round(number, 6)

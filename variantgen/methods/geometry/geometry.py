@@ -102,7 +102,7 @@ class Geometry(PositionLines):
         low, high = self.ordered(start, end)
         place = self.places[high]
         own = place.length(low) if low in place.neighbours() else None
-        return own if own is not None else trigonometry.length_of(self, self._triangle(low, high))
+        return own if own is not None else trigonometry.length_of(self, self._triangle(low, high), (low, high))
 
     def defined(self, start: str, end: str, expression: Expression) -> Value:
         """A distance that is made of others, as that of two points of contact on a diameter."""
@@ -240,6 +240,8 @@ class Geometry(PositionLines):
         legs = self.way(start, end)
         oblique = sum(1 for leg in legs if leg.form.parts)
         known = self.has_coordinates(start, end)
+        if len(legs) > _INLINE and oblique >= _INLINE and not known:
+            legs = trigonometry.right_triangle(self, legs, (start, end)) or legs
         if (len(legs) > _INLINE and (oblique >= _INLINE or known)) or (len(legs) == _INLINE and known):
             right, up = self.differences(self.coordinates(end), self.coordinates(start))
             legs = collected((Leg(right, _X), Leg(up, _Y)), self.nothing)

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+from itertools import combinations
+
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
 from variantgen.methods.geometry.angles import AngleForm, between
 from variantgen.methods.geometry.layout import Layout
+from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import Pair
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.steps.step import Derived, Fact, Item, Point, Segment, Sentence
+from variantgen.methods.steps.step import Derived, Fact, Item, Point, Segment, Sentence, triangle
+
+_FEET = ("H", "K", "L", "N", "S", "T", "U", "W")  # letters of feet of perpendiculars
 
 
 class PositionLines(Layout):
@@ -19,6 +26,7 @@ class PositionLines(Layout):
         super().__init__(task)
         self.items: list[Item] = []
         self._corners: dict[tuple[str, frozenset[str]], Value] = {}
+        self._feet: dict[tuple[str, str, str], Pair] = {}
         self._letters = 0  # given to angles
 
     def located(self, name: Name, expression: Expression) -> Value:
@@ -68,6 +76,58 @@ class PositionLines(Layout):
         if key not in self._corners:
             self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
         return self._corners[key]
+
+    def known_corner(self, vertex: str, first: str, second: str) -> Value | None:
+        """A corner of a triangle that has a line already."""
+        return self._corners.get((vertex, frozenset((first, second))))
+
+    def foot(self, start: str, on_line: str, end: str, along: Expression, across: Expression) -> Pair | None:
+        """The legs SH along a line and EH of the right triangle that a perpendicular from the end E makes, with lines.
+
+        None where a point has no letter in the figure, or no letter is left.
+        """
+        if {start, on_line, end} & set(self.task.form.figure.hidden):
+            return None
+        key = (start, on_line, end)
+        if key not in self._feet:
+            letter = next((letter for letter in _FEET if letter not in self._taken_letters()), "")
+            if not letter:
+                return None
+            self.say("perpendicular", False, line=Segment(end, letter), to=Segment(*self.ordered(start, on_line)))
+            down = self._entered(Name("length", end, letter), "length", across)
+            self._feet[key] = self._entered(Name("length", start, letter), "length", along), down
+        return self._feet[key]
+
+    def projections(self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression) -> Pair | None:
+        """The legs AH and BH of a right triangle on AB along and across a line of the figure, with their lines.
+
+        None where the line or a point has no letters, or no letter is left.
+        """
+        start, end = ends
+        if (start, "", end) not in self._feet:
+            letter = next((letter for letter in _FEET if letter not in self._taken_letters()), "")
+            shown = [name for name in self.places if name not in self.task.form.figure.hidden]
+            lines = ((a, b) for a, b in combinations(shown, 2) if (form := self.data(a, b)) and form.is_along(axis))
+            line = next(lines, None)
+            if line is None or not letter or not set(ends) <= set(shown):
+                return None
+            corners = triangle(start, end, letter)
+            self.say("projections", False, triangle=corners, leg=Segment(start, letter), line=Segment(*line))
+            first = self._entered(Name("length", start, letter), "length", along)
+            self._feet[start, "", end] = first, self._entered(Name("length", end, letter), "length", across)
+        return self._feet[start, "", end]
+
+    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
+        place = self.task.now.z[ends[0]] + cmath.rect(first.length.number(True), math.radians(self.number(first.form)))
+        shown = [name for name in self.places if name not in self.task.form.figure.hidden]
+        apex = next((name for name in shown if abs(self.task.now.z[name] - place) <= self.nothing), "")
+        if apex and set(ends) <= set(shown):
+            self.say("triangle_isosceles", False, triangle=triangle(*sorted((*ends, apex))))
+
+    def _taken_letters(self) -> set[str]:
+        """Letters of points, with the feet of perpendiculars."""
+        return {*self.places, *(pair[0].name.about for pair in self._feet.values() if pair[0].name is not None)}
 
     def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
         """The acute angle between a segment and a line that has no second point, under a letter of its own.

@@ -6,12 +6,25 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Value,
+    cos,
+    sin,
+)
 from variantgen.algebra.normal_form import Signed, positive, squared, summed
 from variantgen.methods.geometry.angles import AngleForm, Atom, normal_angle, tidy
 from variantgen.methods.geometry.legs import Leg
 
 _NOTHING = 1e-11  # a cosine or sine below it is zero but for rounding
+_EQUAL = 1e-9  # relative difference of two lengths that are one
+_SHARP = 0.5  # cosine of an angle that its sine still gives sharply
 _QUARTERS = {
     "cos": (("cos", 1), ("sin", -1), ("cos", -1), ("sin", 1)),
     "sin": (("sin", 1), ("cos", 1), ("sin", -1), ("cos", -1)),
@@ -40,6 +53,19 @@ class Angular(Protocol):
 
     def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
         """The acute angle between a segment and a line."""
+
+    def foot(
+        self, start: str, on_line: str, end: str, along: Expression, across: Expression
+    ) -> tuple[Value, Value] | None:
+        """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters."""
+
+    def projections(
+        self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression
+    ) -> tuple[Value, Value] | None:
+        """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
+
+    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point that lies in a direction from another one, or nothing."""
@@ -117,7 +143,7 @@ def projected(geometry: Angular, function: str, legs: Iterable[Leg], axis: Angle
 
 def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> Expression:
     """The direction of the sum of legs: that of a leg, turned by an angle of the triangle (arc tangent)."""
-    axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
+    axis = _axis_of(legs)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     left, across = positive(summed(projected(geometry, "sin", legs, axis)))
     if geometry.is_nothing(across):
@@ -126,10 +152,13 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
         return angle_of(geometry, axis.turned(90.0 * left))
     if along == across:
         return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
-    corner = Applied("arctan", Ratio(across, along))
+    if len(legs) == 2 and _are_equal(*legs):
+        return angle_of(geometry, legs[0].form.plus(_turn(geometry, legs), 0.5))
     axis, left = (axis, left) if ahead > 0 else (axis.turned(180.0), -left)
     start, end = ends
     on_side = geometry.ahead_on(start, axis)
+    foot = _foot(geometry, legs, ends)
+    corner = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
     named: Expression = corner
     if on_side:
         named = geometry.corner(start, on_side, end, corner)
@@ -139,14 +168,61 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
     return angle_of(geometry, axis, ((left, named),))
 
 
-def length_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
-    """The length of the sum of legs: law of cosines or of Pythagoras."""
+def _axis_of(legs: Sequence[Leg]) -> AngleForm:
+    """The leg from which an angle of the triangle is counted: one along an axis of the paper, else the first."""
+    return next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
+
+
+def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tuple[Value, Value] | None:
+    """In a triangle of two sides and the angle between them the legs of the right triangle whose hypotenuse is the
+    third side, by the perpendicular from the end to the line of the first; None in other triangles.
+    """
+    if len(legs) != 2 or not legs[1].form.parts:
+        return None
+    axis = _axis_of(legs)
+    ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
+    _, across = positive(summed(projected(geometry, "sin", legs, axis)))
+    oblique = isinstance(along, Total) and isinstance(across, Times)
+    on_side = geometry.ahead_on(ends[0], axis) if oblique and ahead > 0 else ""
+    return geometry.foot(ends[0], on_side, ends[1], along, across) if on_side else None
+
+
+def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
+    """The legs of the right triangle on a way of several segments: along one of them and across it, or one where the
+    other is zero; nothing where the figure has no letters for them.
+    """
+    axis = _axis_of(legs)
+    ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
+    left, across = positive(summed(projected(geometry, "sin", legs, axis)))
+    ways = (axis if ahead > 0 else axis.turned(180.0)), axis.turned(90.0 * left)
+    if geometry.is_nothing(across):
+        return [Leg(along, ways[0])]
+    if geometry.is_nothing(along):
+        return [Leg(across, ways[1])]
+    found = geometry.projections(ends, axis, along, across)
+    return [] if found is None else [Leg(leg, way) for leg, way in zip(found, ways, strict=True)]
+
+
+def _are_equal(first: Leg, second: Leg) -> bool:
+    """Whether two legs are the equal sides of an isosceles triangle."""
+    one, other = first.length.number(True), second.length.number(True)
+    return abs(one - other) <= _EQUAL * one
+
+
+def _turn(geometry: Angular, legs: Sequence[Leg]) -> AngleForm:
+    """The angle from the first of two legs to the second, between -180 and 180 degrees."""
+    turn = legs[1].form.minus(legs[0].form)
+    return turn.turned(geometry.number(turn) - geometry.total(turn))
+
+
+def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> Expression:
+    """The length of the sum of legs: law of Pythagoras, by a perpendicular where it takes one, or law of cosines."""
     if not legs:
         return Constant(0.0)
     if len(legs) == 1:
         return legs[0].length
     if len(legs) > 2:
-        axis = next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
+        axis = _axis_of(legs)
         sides = [summed(projected(geometry, function, legs, axis)) for function in ("cos", "sin")]
         kept = [side for side in sides if not geometry.is_nothing(side)]
         return SquareRoot(squared(kept)) if len(kept) > 1 else positive(kept[0])[1]
@@ -155,13 +231,31 @@ def length_of(geometry: Angular, legs: Sequence[Leg]) -> Expression:
     sign, cosine = reduced(geometry, "cos", turn)
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
-    if cosine is not None and first == second:
-        wrapped = turn.turned(geometry.number(turn) - geometry.total(turn))
-        half = reduced(geometry, "cos", wrapped.times(0.5))[1]
+    if _are_equal(*legs):
+        geometry.isosceles(ends, legs[0])
+        if cosine is None:
+            return SquareRoot(Constant(2.0)) * first
+        half = reduced(geometry, "cos", _turn(geometry, legs).times(0.5))[1]
         return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
-    if first == second:
-        return SquareRoot(Constant(2.0)) * first
     squares = squared((first, second))
     if cosine is None:
         return SquareRoot(squares)
+    foot = _foot(geometry, legs, ends)
+    if foot is not None:
+        return SquareRoot(squared(foot))
     return SquareRoot(summed(((1, squares), (sign, Constant(2.0) * first * second * cosine))))
+
+
+def by_height(base: Value, own: Value, opposite: Value, known: Value) -> Expression:
+    """The angle at one end of the base of a triangle by the ``known`` one at its other end.
+
+    The height on the base is a leg of two right triangles, with the side ``opposite`` the wanted angle and with its
+    ``own`` one.
+    """
+    height, beyond = opposite * sin(known), opposite * cos(known)
+    ahead = base.exact - beyond.number(True)
+    if ahead > _SHARP * own.exact:
+        return Applied("arcsin", Ratio(height, own))
+    if ahead > 0:
+        return Applied("arctan", Ratio(height, base - beyond))
+    return Constant(180.0, "angle") - Applied("arctan", Ratio(height, beyond - base))

@@ -11,11 +11,13 @@ from dataclasses import dataclass
 from string import ascii_uppercase
 
 from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.mechanism.rows import Placement
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import CentreOf, Fact, Point
 from variantgen.variants.printed_data import shown_points
 
 _NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
@@ -115,3 +117,15 @@ def resting_letter(task: Task, body: str, letter: str) -> str:
 def place_of(task: Task, side: ContactSide) -> complex:
     """The position of the material point of a side (printed unit of length)."""
     return task.now.z[side.centre] - 1j * side.line * side.radius * side.lever
+
+
+def letter_of(book: Book, side: ContactSide, rests: bool) -> Fact:
+    """A contact in a sentence: one at rest that has no letter in the figure is the velocity centre of its body."""
+    if rests and side.lever and side.name not in book.task.scene.points:
+        return CentreOf(side.body)
+    return Point(side.name)
+
+
+def contact_name(book: Book, side: ContactSide) -> Name:
+    """The name of the vector of a side: tangential for an acceleration of a point of a turning body."""
+    return Name(book.letter, side.name, part="tau" if book.order == 2 and side.lever else "")

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
-from variantgen.algebra.expression import Value
-from variantgen.algebra.name import Name
+from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
-from variantgen.methods.geometry.angles import AngleForm, between, form_of
+from variantgen.methods.geometry.angles import AngleForm, between, corner_name, form_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Share
 from variantgen.variants.printed_data import shown_points
@@ -28,9 +27,9 @@ def by_name(book: Book, angle: Value) -> Value:
     return angle if found is None else Value(angle.name, "angle", angle.exact, found)
 
 
-def note_sum(book: Book, angle: Value) -> None:
-    """Note that a sum of angles has a name and a line."""
-    book.named_angles.setdefault(_key(angle_sum(angle)), angle)
+def note_sum(book: Book, angle: Value, same: Value | None = None) -> None:
+    """Note that a sum of angles has a name and a line; ``same`` is that sum, where the line finds it another way."""
+    book.named_angles.setdefault(_key(angle_sum(angle if same is None else same)), angle)
 
 
 def named(book: Book, share: Share) -> Share:
@@ -38,6 +37,11 @@ def named(book: Book, share: Share) -> Share:
     found = renamed(book, share)
     if found is not share or share.angle is None or is_short(form := angle_sum(share.angle)):
         return found
+    if abs(form.constant) > 2 * _RIGHT:  # 270 degrees in a sum: the angle to 90 degrees is the natural one
+        form = form.times(-1.0).turned(_RIGHT)
+        share = replace(share, angle=valued(None, form), function=_OTHER[share.function])
+        if (again := renamed(book, share)) is not share:
+            return again
     for other, side in ((form, 1), (form.times(-1.0).turned(180.0), -1)):
         corner = _corner(book, other)
         if corner is not None and (side > 0 or share.term.size is not None or share.function == "sin"):
@@ -60,7 +64,7 @@ def _corner(book: Book, form: AngleForm) -> Value | None:
                 continue
             if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
                 continue
-            name = Name("angle", vertex, f"{first} {second}")
+            name = corner_name(vertex, first, second)
             corner = difference(name, geometry.direction(vertex, first), geometry.direction(vertex, second))
             if _key(angle_sum(corner)) == _key(form):
                 book.items.append(Derived(corner))
@@ -78,12 +82,14 @@ def renamed(book: Book, share: Share) -> Share:
         if found is not None:
             return replace(share, angle=found, function=function)
     found = book.named_angles.get(_key(form.times(-1.0).turned(180.0)))
-    if found is not None and ((share.function == "sin" and found.exact < _RIGHT) or not is_short(form)):
-        if share.function == "sin":
-            return replace(share, angle=found)
-        if share.term.size is not None:
-            return replace(share, sign=-share.sign, angle=found)
-    return share
+    if found is None or (found.exact > _RIGHT and is_short(form)):
+        return share
+    if share.function == "sin":
+        return replace(share, angle=found)
+    if share.term.size is not None:
+        return replace(share, sign=-share.sign, angle=found)
+    rest = Constant(180.0, "angle") - found
+    return share if is_short(form) else replace(share, angle=Value(None, "angle", rest.number(True), rest))
 
 
 _OTHER = {"cos": "sin", "sin": "cos"}

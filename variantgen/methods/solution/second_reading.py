@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
-from variantgen.algebra.expression import Value
+from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order
+from variantgen.algebra.values import in_order, parts
 from variantgen.methods.solution.used import read
-from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, Term, TermTable, VectorOf
+from variantgen.methods.steps.step import (
+    Body,
+    Derived,
+    Fact,
+    Item,
+    Projection,
+    Sentence,
+    Step,
+    Term,
+    TermTable,
+    VectorOf,
+)
 
 _SAYING = ("points.about_pivot", "velocity_centre.direction", "relative.zhukovsky")  # sentences that say directions
 _PREPARING = ("points.turning", "rolling.", "turning.", "rested.")  # steps that often only prepare another one
@@ -24,7 +35,7 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     becomes its beginning.
     """
     asked = {value.name for value in results if value.name is not None}
-    once = _without_repeated_lines(steps)
+    once = _with_letters(_without_repeated_lines(steps))
     return _joined(_without_known_directions(once), asked)
 
 
@@ -47,12 +58,39 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
     return kept
 
 
+def _with_letters(steps: Sequence[Step]) -> list[Step]:
+    """The steps with a sentence before each line whose law has the first mention of an angular rate."""
+    met: set[Name] = set()
+    kept: list[Step] = []
+    for step in steps:
+        items: list[Item] = []
+        for item in step.items:
+            if isinstance(item, Derived) and item.law is not None:
+                for name in _rates_in(item.law) - met:
+                    facts: dict[str, Fact] = {"rate": name, "body": Body(name.of)}
+                    items.append(Sentence(f"rates.called_{name.kind}", facts, detail=False))
+                    met.add(name)
+            if isinstance(item, Derived) and item.value.name is not None:
+                met.add(item.value.name)
+            items.append(item)
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _rates_in(expression: Expression) -> set[Name]:
+    """The names of angular velocities and accelerations that are not given."""
+    names = {value.name for value in parts(expression) if value.name is not None}
+    return {name for name in names if name.kind in ("omega", "epsilon")}
+
+
 def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
     """The steps with tables of those vectors only whose directions are new.
 
-    Of a vector of which a later sentence says to which side it points, and why, the line is enough.
+    Of a vector of which a later sentence says to which side it points, and why, the line is enough, and of a rotation
+    about a pole it is said once how its vectors lie.
     """
     known: set[Name] = set()
+    usual: set[tuple[str, str]] = set()
     kept: list[Step] = []
     for step in steps:
         reasons = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
@@ -62,8 +100,10 @@ def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
                 known |= _vectors(item)
             if isinstance(item, TermTable):
                 terms = [_line(term) if term.name in reasons else term for term in item.terms]
-                items.append(TermTable(tuple(term for term in terms if not _is_known(term, known))))
+                new = [term for term in terms if not _is_known(term, known) and _usual(term) not in usual]
+                items += [TermTable(tuple(new))] if new else []
                 known |= {term.name for term in terms}
+                usual |= {line for term in new if (line := _usual(term)) is not None}
             else:
                 items.append(item)
         kept.append(replace(step, items=items))
@@ -88,9 +128,19 @@ def _line(term: Term) -> Term:
     return replace(term, way=way) if isinstance(way, Sentence) else term
 
 
+def _usual(term: Term) -> tuple[str, str] | None:
+    """How a vector of a rotation about a moving pole lies, as all such vectors do; None for others.
+
+    The normal acceleration leads to the pole, velocity and tangential acceleration are across the radius: that is said
+    of the first of them.
+    """
+    usual = term.name.about and term.way.key in ("ways.towards", "ways.across")
+    return (term.name.kind, term.way.key) if usual else None
+
+
 def _is_known(term: Term, known: Collection[Name]) -> bool:
     """Whether the direction of a vector, or of the whole of which it is a component, has been said."""
-    return term.name in known or (not term.name.about and term.name._replace(part="") in known)
+    return term.is_laid or term.name in known or (not term.name.about and term.name.whole in known)
 
 
 def _joined(steps: Sequence[Step], asked: Collection[Name]) -> list[Step]:

@@ -9,9 +9,11 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.printed_digits import facts_values, items_values
-from variantgen.methods.steps.step import Derived, Item, Projection, Step, TermTable
+from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, TermTable, VectorLine, VectorOf
 
-_QUIET = ("length", "angle", "direction", "parameter")  # kinds that nothing but formulas needs
+_QUIET = ("length", "angle", "direction", "parameter", "v", "a", "epsilon")  # kinds that nothing but formulas needs
+_RATES = [f"rates.epsilon_{sense}{end}" for sense in ("clockwise", "counter_clockwise") for end in ("", "_sum")]
+_BOTH = "points.about_pivot_a"  # the sentence about both components of an acceleration
 
 
 def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
@@ -40,27 +42,49 @@ def used_steps(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
 
 
 def used_lines(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
-    """The steps without the lines of which no later line and no result needs the value.
+    """The steps without the lines of which no later line and no result needs the value, nor sentences about these.
 
-    Lengths, angles and what follows from data only: of vectors and rates there are sentences.
+    A vector is needed where it is projected or something is computed from it; that an equation names it is no reason to
+    work out its magnitude.
     """
     names = _names(in_order(results))
+    drawn: set[Name] = set()
     kept: list[Step] = []
     for step in reversed(steps):
         items: list[Item] = []
         for item in reversed(step.items):
-            if isinstance(item, Derived) and _is_idle(item, names):
+            if _is_idle(item, names):
                 continue
-            items.append(item)
+            if isinstance(item, VectorLine):
+                drawn |= {term.name for term in (*item.left, *item.right)}
+            items.append(_without_normal(item, names | drawn) if isinstance(item, Sentence) else item)
             names |= _names(in_order(read(item)))
         kept.append(replace(step, items=items[::-1]))
     return kept[::-1]
 
 
-def _is_idle(item: Derived, needed: Collection[Name]) -> bool:
-    """Whether a line finds only what is not needed."""
+def _is_idle(item: Item, needed: Collection[Name]) -> bool:
+    """Whether a line finds only what is not needed, or a sentence tells the sense of such an angular acceleration."""
+    if isinstance(item, Sentence):
+        rate = item.facts.get("rate")
+        if item.key not in _RATES or not isinstance(rate, Name):
+            return False
+        kind, body = rate.kind, rate.of
+        return not any(name.kind == kind and name.of == body for name in needed)
+    if not isinstance(item, Derived):
+        return False
     name, found = item.value.name, item.symbolic and item.value.exact != 0
     return found and name is not None and name.kind in _QUIET and name not in needed
+
+
+def _without_normal(sentence: Sentence, met: Collection[Name]) -> Sentence:
+    """The sentence about the components of an acceleration, of the tangential one alone if the other is never met."""
+    whole = sentence.facts.get("vector")
+    if sentence.key != _BOTH or not isinstance(whole, VectorOf) or whole.name.component("n") in met:
+        return sentence
+    return replace(
+        sentence, key="points.about_pivot_v", facts={**sentence.facts, "vector": VectorOf(whole.name.component("tau"))}
+    )
 
 
 def _names(values: Iterable[Value]) -> set[Name]:
@@ -68,15 +92,14 @@ def _names(values: Iterable[Value]) -> set[Name]:
 
 
 def read(item: Item) -> list[Value]:
-    """The values that a reader meets in an item: a table says directions in words, not by their angles.
+    """The values that a reader meets in an item: a table says directions in words, of magnitudes what is known before.
 
     Of a law only the lengths: they show why it comes down to what follows.
     """
     if isinstance(item, Derived) and item.law is not None:
         return [item.value, *(value for value in parts(item.law) if value.measure == "length")]
     if isinstance(item, TermTable):
-        sizes = [term.size for term in item.terms if term.size is not None]
-        return [*sizes, *(value for term in item.terms for value in facts_values(term.way))]
+        return [value for term in item.terms for value in facts_values(term.way)]
     if isinstance(item, Projection):
         sizes = [share.term.size for share in (*item.left, *item.right) if share.term.size is not None]
         return [*sizes, *items_values([item])]

@@ -10,7 +10,6 @@ from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
     Balance,
-    ChainGraph,
     Derived,
     EquationLine,
     Fact,
@@ -23,6 +22,7 @@ from variantgen.methods.steps.step import (
     TermTable,
     VectorLine,
 )
+from variantgen.methods.steps.step_geometry import ChainGraph
 
 
 def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> None:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from variantgen.algebra.expression import Applied, Expression, Value
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import OWN_AXES, Name
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import ChainGraph, StepGeometry
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +36,11 @@ class Segment:
     start: str
     end: str
     centre_of: str = ""
+
+
+def triangle(first: str, second: str, third: str, centre_of: str = "") -> Segment:
+    """A triangle in a sentence by its corners, ``ABC``; ``centre_of`` makes the third the velocity centre of a body."""
+    return Segment(first + second, third, centre_of)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +126,11 @@ class Term:
     size: Value | None
     angle: Value
     way: Sentence
+
+    @property
+    def is_laid(self) -> bool:
+        """Whether it is a component along an axis that the solution has laid."""
+        return self.name.part.rpartition(" ")[2] in OWN_AXES
 
     @property
     def point(self) -> str:
@@ -223,23 +234,6 @@ class ProgramListing:
     results: tuple[Value, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ChainLink:
-    """A link of a chain: its number, the direction from the last point to the next one, that point."""
-
-    number: int
-    angle: Value
-    end: str
-
-
-@dataclass(frozen=True, slots=True)
-class ChainGraph:
-    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
-
-    start: str
-    legs: tuple[ChainLink, ...]
-
-
 Item: TypeAlias = (
     Sentence
     | Derived
@@ -256,7 +250,10 @@ Item: TypeAlias = (
 
 @dataclass(slots=True)
 class Step:
-    """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it."""
+    """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it.
+
+    Of a finished solution they are the names of figures: with the body or the number of the equation that each shows.
+    """
 
     heading: Sentence
     items: list[Item] = field(default_factory=list)
@@ -269,7 +266,8 @@ class Solution:
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;
     ``centres`` are the rays to acceleration centres that it speaks of. Its figures draw ``vectors``: first those of
-    the velocities, then, where accelerations are asked, those of the accelerations.
+    the velocities, then, where accelerations are asked, those of the accelerations; each marks the ``geometry`` under
+    its name.
     """
 
     steps: tuple[Step, ...]
@@ -278,3 +276,4 @@ class Solution:
     approximate: int = 0
     centres: tuple[Quantity, ...] = ()
     vectors: tuple[PointVectors, ...] = ()
+    geometry: Mapping[str, StepGeometry] = field(default_factory=dict)

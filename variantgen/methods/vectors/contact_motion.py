@@ -7,7 +7,7 @@ tangential components stand in the same relation, because the radii do not chang
 from __future__ import annotations
 
 from variantgen.algebra.expression import Value
-from variantgen.methods.groups.contact import ContactSide
+from variantgen.methods.groups.contact import ContactSide, contact_name
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Point, VectorOf
@@ -15,7 +15,6 @@ from variantgen.methods.vectors.contact_parts import (
     Parts,
     centre_parts,
     combined,
-    contact_name,
     enter_centre,
     enter_rate,
     enter_with_way,
@@ -57,7 +56,7 @@ def _solve_rate(book: Book, group: ContactGroup, known: ContactSide, sought: Con
         parts: Parts = [(found.sign, found.size)] if found.size else []
         carried = centre_parts(book, sought)
         if carried and not known.is_rest:
-            say_sum(book, sought)
+            say_sum(book, sought, "sum" if found.size else "balance")
         name = contact_name(book, sought)._replace(about=sought.centre if carried else "")
         if known.is_rest and len(carried) == 1 and isinstance(carried[0][1], Value):
             parts = [(-carried[0][0], carried[0][1])]  # v_KC is v_C turned back: no line of its own

@@ -8,14 +8,15 @@ from typing import NamedTuple
 from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.groups.contact import ContactSide, NoSlipContact
+from variantgen.methods.groups.contact import ContactSide, NoSlipContact, contact_name, letter_of
 from variantgen.methods.groups.contacts_of_scene import contact_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
-from variantgen.methods.steps.step import Body, CentreOf, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.vectors.diameter import beyond_centre, other_end
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
-from variantgen.methods.vectors.turning_speed import turning_speed
+from variantgen.methods.vectors.turning_speed import related, turning_speed
 from variantgen.methods.vectors.vector_equation import named_shares, share_of
 
 _NOTHING = 1e-10  # of the natural scale
@@ -33,8 +34,8 @@ ZERO = Component(None, 0)
 
 
 def views_of(book: Book) -> tuple[str, ...]:
-    """The figure that shows the points at the contacts: that of the velocities."""
-    return ("velocities",) if book.order == 1 else ()
+    """The figure that shows the points at the contacts of a body: that of their velocities."""
+    return ("contact_velocities",) if book.order == 1 else ()
 
 
 def sides_of(book: Book, number: int, group: ContactGroup) -> tuple[ContactSide, ContactSide]:
@@ -61,6 +62,8 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     if known.body and sought.body:
         facts["other"] = Body(known.body)
     word = "rest" if known.is_rest else "same"
+    if book.order == 2 and known.is_rest and sought.body:
+        facts |= related(book, sought.body, sought.centre, "tau")
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
     key = f"{touch.kind}.{word}_{book.letter}"
@@ -70,7 +73,7 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     turning = [side for side in (known, sought) if side.lever]
     if touch.place and book.order == 1:
         for side in turning:
-            book.say(touch.place, contact=Point(side.name), body=Body(side.body))
+            book.say(touch.place, False, contact=Point(side.name), body=Body(side.body))
 
 
 def _is_said(book: Book, key: str) -> bool:
@@ -78,24 +81,15 @@ def _is_said(book: Book, key: str) -> bool:
     return any(isinstance(item, Sentence) and item.key == key for item in book.items)
 
 
-def letter_of(book: Book, side: ContactSide, rests: bool) -> Fact:
-    """A contact in a sentence: one at rest that has no letter in the figure is the velocity centre of its body."""
-    if rests and side.lever and side.name not in book.task.scene.points:
-        return CentreOf(side.body)
-    return Point(side.name)
-
-
-def contact_name(book: Book, side: ContactSide) -> Name:
-    """The name of the vector of a side: tangential for an acceleration of a point of a turning body."""
-    return Name(book.letter, side.name, part="tau" if book.order == 2 and side.lever else "")
-
-
 def component(book: Book, side: ContactSide) -> Component:
     """The component of a known side along its line, with the lines that derive it."""
     if side.is_rest:
         return ZERO
     parts = centre_parts(book, side)
-    if side.lever and (rate := book.rates[side.body]).sense:
+    end = other_end(book, side) if side.lever and len(parts) == 1 and isinstance(parts[0][1], Value) else None
+    if end is not None:
+        parts = beyond_centre(book, side, end, parts[0])
+    elif side.lever and (rate := book.rates[side.body]).sense:
         about = "" if side.centre in book.task.fixed else side.centre
         name = contact_name(book, side)._replace(about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
@@ -122,12 +116,12 @@ def _is_uniform(book: Book, side: ContactSide) -> bool:
     return rate is not None and bool(rate.sense)
 
 
-def say_sum(book: Book, side: ContactSide) -> None:
-    """The pole formula for the point at the contact, on the tangent."""
+def say_sum(book: Book, side: ContactSide, key: str = "sum") -> None:
+    """The pole formula for the point at the contact, on the tangent; a ``balance`` where the sum is zero."""
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
     facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
-    book.say(f"contact.sum_{book.letter}", **facts)
+    book.say(f"contact.{key}_{book.letter}", **facts)
 
 
 def centre_parts(book: Book, side: ContactSide) -> Parts:

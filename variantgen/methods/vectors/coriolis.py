@@ -32,9 +32,8 @@ def coriolis_of(book: Book, point: str, carrier: str) -> Known:
     return (book.term(name, size, angle, "zhukovsky", relative=VectorOf(relative[0].name)),)
 
 
-def say_unneeded(book: Book, point: str, carrier: str) -> None:
+def say_unneeded(book: Book, terms: Known) -> None:
     """Say that the Coriolis acceleration was not needed, where it is in none of the projections and not asked."""
-    terms = book.coriolis.get((point, carrier), ()) if book.order == 2 else ()
     if book.graphics is not None or any(q.kind == "a_cor" for q in book.task.asked):
         return
     met = {

@@ -15,6 +15,7 @@ from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.group import ExtendingLink
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
+from variantgen.methods.vectors.coriolis import say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed
 from variantgen.methods.vectors.points import across, vector
@@ -31,7 +32,7 @@ def solve_extending_link(book: Book, group: ExtendingLink) -> None:
     with book.step(f"cylinder.{book.measure}", view, body=Body(group.body), **facts):
         if not book.has_said("cylinder.compound", **facts):
             book.say("cylinder.compound", **facts)
-        book.say(f"relative.sum_{book.letter}")
+        book.say(f"cylinder.sum_{book.letter}")
         start = len(book.items)
         known, turn = about_pole(book, point, group.pivot, group.body)
         sliding = _along(book, group)
@@ -41,6 +42,7 @@ def solve_extending_link(book: Book, group: ExtendingLink) -> None:
         left, right = (*known, turn), (*carried, *sliding, *own, swing)
         write(book, left, right, start)
         sizes = solved(book, left, right, [turn, swing] if book.order < book.task.order else [turn])
+        say_unneeded(book, tuple(term for term in own if term.name.part == "cor"))
         if book.order == 1:
             book.relative[point, _link(group)] = sliding
             book.relative[base, _link(group)] = directed(swing, sizes[-1]) if len(sizes) > 1 else ()

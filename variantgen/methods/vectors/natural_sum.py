@@ -106,9 +106,14 @@ def _kept(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> list[_Axi
     return kept
 
 
+def first_along(terms: Sequence[Term]) -> Term:
+    """The vector along the first axis: the one that leaves the fewest oblique vectors."""
+    return min(terms, key=lambda term: (_oblique(terms, term.angle), not term.name.part.endswith("n")))
+
+
 def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
     """The axes that leave the fewest oblique vectors."""
-    best = min(terms, key=lambda term: (_oblique(terms, term.angle), not term.name.part.endswith("n")))
+    best = first_along(terms)
     first = _Axis(best.angle, best, shares(terms, best.angle))
     square = (term for term in terms if _is_square(term.angle, best.angle))
     beside = next(square, None)

@@ -14,6 +14,7 @@ from variantgen.algebra.name import Name
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.point_vectors import Arrow, Axis, PointEquation, PointVectors
 from variantgen.methods.steps.step import Body, Derived, Projection, Segment, Step, Term, VectorLine
+from variantgen.methods.steps.whole_vectors import written_sides
 from variantgen.methods.vectors.given_motion import as_stated
 
 _RODS = ("crank", "rod")  # facts of headings
@@ -69,22 +70,26 @@ def _axes(step: Step, line: VectorLine) -> tuple[Axis, ...]:
 
 def _equation(book: Book, own: dict[str, Arrow], line: VectorLine) -> PointEquation:
     """A vector equation with its vectors; those of another point than that which it is about are one."""
-    point = line.left[0].point if len(line.left) == 1 else line.right[-1].point
+    left, right = written_sides(line)
+    point = left[0].point if len(left) == 1 else right[-1].point
     vectors = _vectors(book, own, line)
 
-    terms = tuple(
-        Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in (*line.left, *line.right)
-    )
+    def arrow(term: Term) -> Arrow:
+        """A term as an arrow."""
+        if term.name not in vectors:
+            return own[term.point]
+        return Arrow(term.name, vectors[term.name], term.size is None, _way(term))
 
     def arrows(side: Sequence[Term]) -> Iterable[Arrow]:
-        """The terms of a side as arrows."""
+        """The terms of a side as arrows, those of another point as one."""
         for other, group in groupby(side, lambda term: term.point):
             if other != point:
                 yield own[other]
             else:
-                yield from (Arrow(term.name, vectors[term.name], term.size is None, _way(term)) for term in group)
+                yield from map(arrow, group)
 
-    return PointEquation(point, tuple(arrows(line.left)), tuple(arrows(line.right)), terms=terms)
+    terms = tuple(map(arrow, (*left, *right)))
+    return PointEquation(point, tuple(arrows(left)), tuple(arrows(right)), terms=terms)
 
 
 def _way(term: Term) -> complex:

@@ -18,6 +18,7 @@ from variantgen.methods.vectors.turning_speed import is_same, turning_speed
 from variantgen.methods.vectors.vector_equation import named_shares, write
 
 VIEWS = {1: "velocities", 2: "accelerations"}  # kinds of figures that show the vectors of an order
+BODY_VIEWS = {1: "body_velocities", 2: "body_accelerations"}  # the same, of the points of one body
 RIGHT = Value(None, "angle", 0.0)
 UP = Value(None, "angle", 90.0)
 
@@ -98,7 +99,9 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the vector of a point of a body by that of its pole."""
     name = Name(book.letter, point)
     if is_translating(book, body):
-        with book.step(f"points.translation_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point)):
+        with book.step(
+            f"points.translation_{book.letter}", BODY_VIEWS[book.order], body=Body(body), point=Point(point)
+        ):
             book.say("points.same", first=VectorOf(name), second=VectorOf(Name(book.letter, pole)), body=Body(body))
             book.vectors[point] = renamed(book, book.vectors[pole], point)
             sum_up(book, point)
@@ -116,7 +119,7 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
 def carry_by_sum(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the vector of a further point: half the sum of the vectors of two points, or the pole formula."""
     with book.step(
-        f"points.by_pole_{book.letter}", VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
+        f"points.by_pole_{book.letter}", BODY_VIEWS[book.order], body=Body(body), point=Point(point), pole=Point(pole)
     ):
         ends = midpoint_ends(book, point, body)
         if ends is not None:
@@ -132,6 +135,7 @@ def _say_ways(book: Book, point: str, pivot: str, name: Name) -> None:
         return
     side = Word(on_paper(terms[-1].angle.exact))
     facts: dict[str, Fact] = {"vector": VectorOf(name), "pivot": Point(pivot), "side": side, **along(point, pivot)}
+    facts |= {"normal": VectorOf(name.component("n")), "tangential": VectorOf(name.component("tau"))}
     key = book.letter if len(terms) > 1 or book.order == 1 else terms[0].name.part
     book.say(f"points.about_pivot_{key}", **facts)
 

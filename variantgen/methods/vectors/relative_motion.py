@@ -166,6 +166,9 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
     if group.turning:
         known, sides.turn = about_pole(book, point, pole, carrier)
         if fixed:
+            if book.order == 2 and not known:
+                normal = Name(book.letter, point, part="tr").component("n")
+                book.say("rates.no_normal", omega=Name("omega", carrier), vector=normal)
             known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
         sides.right += [*known, sides.turn]
     else:
@@ -241,7 +244,7 @@ def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
         return
     wanted = [term for term in _wanted(book, group, sides) if term is not None]
     sizes = dict(zip((t.name for t in wanted), solved(book, sides.left, sides.right, wanted), strict=True))
-    say_unneeded(book, point, carrier)
+    say_unneeded(book, book.coriolis.get((point, carrier), ()) if book.order == 2 else ())
     _enter(book, group, sides, sizes)
 
 

@@ -52,7 +52,7 @@ def solve_third_class_group(book: Book, group: ThirdClassGroup) -> None:
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"body": Body(body), "pole": Point(pole)}
     with book.step(f"coupled.{book.measure}", view, **facts):
-        book.say(f"coupled.choose_{book.letter}", **facts)
+        book.say("coupled.choose_again" if book.has_said("coupled.choose", **facts) else "coupled.choose", **facts)
         known, path = on_path(book, group.point_path)
         path = _ahead(path, (book.exact(pole) - resultant(known)) * cmath.rect(1.0, -math.radians(path.angle.exact)))
         rows = [_row(book, group, support, known, path) for support in group.supports]

@@ -9,17 +9,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Total, Value
-from variantgen.methods.groups.contact import ContactSide
+from variantgen.methods.groups.contact import ContactSide, contact_name, letter_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Fact, Point, VectorOf
 from variantgen.methods.vectors.contact_parts import (
     Parts,
-    contact_name,
     enter_rate,
     enter_with_way,
     found_component,
-    letter_of,
     renamed,
     say_same,
     sides_of,

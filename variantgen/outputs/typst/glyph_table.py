@@ -55,7 +55,11 @@ def wanted(level: int) -> list[tuple[str, str]]:
     """Name and Typst markup of every letter of formulas that occurs at a level."""
     letters = {letter: letter for letter in _LETTERS} | {sign: name for name, sign in GREEK.items()}
     digits = {digit: digit for digit in _DIGITS}
-    found = {0: letters | digits | _SIGNS, 1: letters | digits | {".": "."}, 2: digits}[level]
+    found = {
+        0: letters | digits | _SIGNS,
+        1: letters | digits | {".": ".", "/": r"\/"},
+        2: digits | {"′": "prime"},
+    }[level]
     return [(f"{level}i{letter}", _SIZES[level].format(markup)) for letter, markup in found.items()]
 
 

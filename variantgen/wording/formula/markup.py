@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import ClassVar
@@ -20,6 +20,7 @@ from variantgen.wording.formula.tree import (
     Fraction,
     Function,
     Graph,
+    Index,
     Measured,
     Number,
     Parenthesised,
@@ -226,9 +227,20 @@ class Markup(ABC):
         """``A(3; 4)``."""
         return point + coordinates
 
-    @abstractmethod
     def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
-        """A letter with what is above it, its indices and its exponent."""
+        """A letter with what is above it, its indices and its exponent; a component in parentheses: ``(a_B/A)_t``."""
+        if not symbol.part:
+            return self.letter(symbol, exponent, mark)
+        whole = self.indexed(self.letter(symbol._replace(part=()), None, mark), symbol.part)
+        return whole if exponent is None else self.power(whole, exponent)
+
+    @abstractmethod
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
+        """A letter without parentheses, with what is above it, its indices and its exponent."""
+
+    @abstractmethod
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        """Parentheses around markup, with an index below them."""
 
     @abstractmethod
     def number(self, text: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 from variantgen.wording.formula.markup import MARKS_ABOVE, Mark, Markup, Signs
@@ -35,13 +36,16 @@ class _Plain(Markup):
         before_unit=_SPACE,
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         scripts = (("^", symbol.upper), ("_", symbol.index))
         base = "".join(
             letter + MARKS_ABOVE[mark] if letter.isalpha() else letter for letter in GREEK.get(symbol.base, symbol.base)
         )
         whole = base + "".join(sign + " ".join(map(_index, parts)) for sign, parts in scripts if parts)
         return whole if exponent is None else self.power(whole, exponent)
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return f"({whole})_" + " ".join(map(_index, index))
 
     def number(self, text: str) -> str:
         return text

@@ -19,7 +19,7 @@ GREEK = {
 ANGLE = "\N{ANGLE}"  # before the letters of the three points of an angle, in the base of a symbol
 # Letters, numbers and units are named tuples: they are looked up and compared far more often than they are made. No two
 # of them may have fields of the same kinds, because then they would be equal.
-_LETTERS = re.compile(r"([A-Za-z])(\d*)")
+_LETTERS = re.compile(r"([A-Za-z/′])(\d*)")
 
 
 class Index(NamedTuple):
@@ -32,12 +32,14 @@ class Index(NamedTuple):
 class Symbol(NamedTuple):
     """A letter with an index: ``omega`` with ``OA``, ``v`` with ``B`` and ``x``; the base may be a name like OA.
 
-    ``upper`` is what stands above the index: the ``n`` or ``tau`` of a component of an acceleration.
+    ``upper`` is what stands above the index, ``part`` what stands below parentheses around all else: the letter of a
+    component of an acceleration, normal or tangential, has its place here or there.
     """
 
     base: str
     index: tuple[Index, ...] = ()  # type: ignore[assignment]  # hides what tuples call so
     upper: tuple[Index, ...] = ()
+    part: tuple[Index, ...] = ()
 
     @property
     def is_name(self) -> bool:
@@ -240,5 +242,5 @@ Formula: TypeAlias = (
 
 
 def letters(text: str) -> list[tuple[str, str]]:
-    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``."""
+    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``; the signs of ``C′/A`` count as letters."""
     return [(match[1], match[2]) for match in _LETTERS.finditer(text)]

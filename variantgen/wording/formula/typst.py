@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 from variantgen.wording.formula.markup import Mark, Markup, Signs
@@ -10,6 +11,8 @@ from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Number
 
 _ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: "arrow({})", Mark.DOT: "dot({})", Mark.DOTS: "dot.double({})"}
+
+_SIGNS = {"/": "\\/", "′": "zws'"}  # a bare stroke would make a fraction
 
 
 @lru_cache(maxsize=10_000)
@@ -41,13 +44,16 @@ class _Typst(Markup):
         before_unit=" thin ",
     )
 
-    def symbol(self, symbol: Symbol, exponent: int | None = None, mark: Mark = Mark.NONE) -> str:
+    def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         scripts = (("_", symbol.index), ("^", symbol.upper))
         return (
             _MARKS[mark].format(_base(symbol.base))
             + "".join(f"{sign}({' '.join(map(_index, parts))})" for sign, parts in scripts if parts)
             + _exponent(exponent)
         )
+
+    def indexed(self, whole: str, index: Sequence[Index]) -> str:
+        return f"\\({whole}\\)_({' '.join(map(_index, index))})"  # of the size of the letter
 
     def number(self, text: str) -> str:
         return _quoted(text)
@@ -101,7 +107,7 @@ def _base(base: str) -> str:
         return f"angle {_base(base.removeprefix(ANGLE))}"
     if base in GREEK or base.isdecimal():
         return base
-    return " ".join(letter + (f"_({number})" if number else "") for letter, number in letters(base))
+    return " ".join(_SIGNS.get(letter, letter) + (f"_({number})" if number else "") for letter, number in letters(base))
 
 
 def _index(index: Index) -> str:

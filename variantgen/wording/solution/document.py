@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import StepGeometry
 from variantgen.wording.formula import Formula
 from variantgen.wording.text import Text
 
@@ -61,8 +63,10 @@ Block: TypeAlias = Paragraph | FormulaLines | VectorTable | Program
 
 
 def append_block(blocks: list[Block], block: Block) -> None:
-    """Add a block; formulas join formulas, and sentences sentences."""
+    """Add a block, if it says anything; formulas join formulas, and sentences sentences."""
     last = blocks[-1] if blocks else None
+    if isinstance(block, Paragraph) and not block.text:
+        return
     if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
         blocks[-1] = FormulaLines(last.lines + block.lines)
     elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
@@ -84,7 +88,8 @@ class Section:
 class SolutionText:
     """A whole solution in a language.
 
-    Figures show its ``centres`` (rays to acceleration centres) as if asked, and draw its ``vectors``.
+    Figures show its ``centres`` (rays to acceleration centres) as if asked, draw its ``vectors`` and mark its
+    ``geometry``, which is told by the names of the figures; with ``true_scale`` all vectors are to scale.
     """
 
     plan: Text
@@ -93,3 +98,5 @@ class SolutionText:
     check: tuple[Block, ...] = ()
     centres: tuple[Quantity, ...] = ()
     vectors: tuple[PointVectors, ...] = ()
+    geometry: Mapping[str, StepGeometry] = field(default_factory=dict)
+    true_scale: bool = False

@@ -12,8 +12,7 @@ from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.methods.steps.point_vectors import PointEquation
-from variantgen.methods.steps.step import Body, Sentence, Solution
+from variantgen.methods.steps.step import Sentence, Solution
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
@@ -27,11 +26,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
-_LONG = 6  # steps of a solution that begins with a plan
-
-_OF_EQUATIONS = {"velocities": 1, "accelerations": 2}  # views of steps that may have vector equations, their orders
-_EQUATION = ("velocity_equation", "acceleration_equation")
-_OF_BODIES = ("velocity_centre", "velocity_projections")
+_LONG = 8  # steps of a solution that begins with a plan
 
 
 class UnexplainedError(VariantgenError):
@@ -60,7 +55,8 @@ def explain(
         raise UnexplainedError(
             f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
         ) from error
-    return written(task, found, language, options.depth == "short")
+    text = written(task, found, language, options.depth == "short")
+    return replace(text, true_scale=options.true_scale)
 
 
 def answers_only(
@@ -82,9 +78,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         (q, value.shown if found.approximate else value.exact)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)
     ]
-    sections = tuple(
-        replace(writer.section(step), views=_views(found, number)) for number, step in enumerate(found.steps)
-    )
+    sections = tuple(writer.section(step) for step in found.steps)
     return SolutionText(
         _plan([writer.text(step.heading) for step in found.steps]),
         sections,
@@ -92,47 +86,8 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         writer.blocks(found.check),
         found.centres,
         found.vectors,
+        found.geometry,
     )
-
-
-def _views(found: Solution, number: int) -> tuple[str, ...]:
-    """The figures of a step: of each of its vector equations one; of a body, or of the mechanism, where it has none."""
-    step = found.steps[number]
-    names: list[str] = []
-    for view in step.views:
-        order = _OF_EQUATIONS.get(view, 0)
-        equations = found.vectors[order - 1].equations if 0 < order <= len(found.vectors) else ()
-        own = dict.fromkeys(_first(equations, e) for e in equations if e.step == number)
-        body = step.heading.facts.get("body")
-        if own:
-            names += [f"{_EQUATION[order - 1]}:{i}" for i in own]
-        elif view in _OF_BODIES and isinstance(body, Body):
-            names.append(f"{view}:{body.name}")
-        elif view == "velocities" and step.heading.key.startswith("points.") and (shown := _of_body(found, body)):
-            names.append(shown)
-        elif not (step.heading.key.startswith("points.translation") and any(e.step >= 0 for e in equations)):
-            # Equal vectors of a translating body need no figure where the equations have theirs.
-            names.append(view)
-    return tuple(names)
-
-
-def _of_body(found: Solution, body: object) -> str:
-    """The figure of the velocities of a body that another step has; empty where none has."""
-    if not isinstance(body, Body):
-        return ""
-    views = (view for step in found.steps if step.heading.facts.get("body") == body for view in step.views)
-    return next((f"{view}:{body.name}" for view in views if view in _OF_BODIES), "")
-
-
-def _first(equations: Sequence[PointEquation], equation: PointEquation) -> int:
-    """The number, from 1 on, of the first equation in a step about the same point with the same vectors."""
-    seen = [
-        other.step >= 0
-        and other.point == equation.point
-        and {arrow.name for arrow in other.terms} == {arrow.name for arrow in equation.terms}
-        for other in equations
-    ]
-    return seen.index(True) + 1
 
 
 def _centres(task: Task) -> dict[str, Symbol]:

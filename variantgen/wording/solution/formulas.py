@@ -19,6 +19,7 @@ from variantgen.algebra.expression import (
     Value,
 )
 from variantgen.algebra.substitution import vanishes
+from variantgen.algebra.triples import ratio
 from variantgen.families.units import unit
 from variantgen.wording.formula import (
     Absolute,
@@ -31,6 +32,7 @@ from variantgen.wording.formula import (
     Product,
     Root,
     Sum,
+    Surd,
     Symbol,
     UnitText,
 )
@@ -119,6 +121,8 @@ class Formulas:
                 return Root(self._written(inner, numbers))
             case Magnitude(inner):
                 return Absolute(self._written(inner, numbers))
+            case Applied(function, argument) if numbers and (found := ratio(function, argument.number(True))):
+                return Surd(*found, 1)
             case Applied(function, argument):
                 return Function(self.symbols.phrases.functions[function], self._written(argument, numbers))
         raise TypeError(f"no formula for {item!r}")

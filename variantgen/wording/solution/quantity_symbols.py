@@ -85,7 +85,7 @@ class Symbols:
         if name.body == "l":
             return Symbol("l", (Index(name.of + name.about),))
         vector = self._vector(name)
-        return Symbol("l", vector.index, vector.upper)
+        return vector._replace(base="l")
 
     def _of_points(self, name: Name) -> Symbol:
         """A segment ``AB``, ``AP``; the direction of a ray, ``phi_AB``."""
@@ -117,10 +117,17 @@ class Symbols:
     def _vector(self, name: Name) -> Symbol:
         """A vector or its component: ``v_BA``, ``a^n_BA``, ``v_rel D``, ``v_Bx``."""
         words = name.part.split()
-        axes = (Index(_AXES[w]) for w in words if w in _AXES)
-        upper = tuple(self.language.component(w) for w in words if w in _COMPONENTS)
-        index = (*self._words(name), Index(name.of + name.about), *axes)
-        return Symbol(self.language.letter(name.kind), index, upper)
+        axes = (Index(self.language.axis(_AXES[w])) for w in words if w in _AXES)
+        carried = self.language.carrying(name.of) if "tr" in words else (Index(name.of),)
+        before, point = carried[:-1], carried[-1]
+        if name.about:
+            point = self.language.relative_to(point.text, name.about)
+        spoken = self._words(name._replace(part=" ".join(word for word in words if word != "tr")))
+        symbol = Symbol(self.language.letter(name.kind), (*before, *spoken, point, *axes))
+        for word in words:
+            if word in _COMPONENTS:
+                symbol = self.language.with_component(symbol, word)
+        return symbol
 
     def _words(self, name: Name) -> tuple[Index, ...]:
         """What an index says of a compound motion: relative, transport, Coriolis."""

@@ -12,7 +12,6 @@ from variantgen.methods.steps.step import (
     Balance,
     Body,
     CentreOf,
-    ChainGraph,
     Derived,
     EquationLine,
     Fact,
@@ -32,6 +31,8 @@ from variantgen.methods.steps.step import (
     VectorOf,
     Word,
 )
+from variantgen.methods.steps.step_geometry import ChainGraph
+from variantgen.methods.steps.whole_vectors import written_sides
 from variantgen.wording.formula import (
     Formula,
     Graph,
@@ -103,8 +104,8 @@ class Writer:
                 return Paragraph(self.text(item, capital=True))
             case Derived():
                 return FormulaLines((self._derived(item),))
-            case VectorLine(left, right):
-                sides = [self._sum([(1, self.vector(term.name)) for term in side]) for side in (left, right)]
+            case VectorLine():
+                sides = [self._sum([(1, self.vector(term.name)) for term in side]) for side in written_sides(item)]
                 return FormulaLines((FormulaLine((("", sides[0]), (_EQUALS, sides[1]))),))
             case TermTable(terms):
                 return self._table(terms)
@@ -140,7 +141,7 @@ class Writer:
             if isinstance(part, SentenceField):
                 parts += self._fact(sentence.facts[part.name], part.form)
             elif isinstance(part, Letter):
-                parts.append(Symbol(part.name))
+                parts.append(Symbol(self.formulas.language.axis(part.name)))
             else:
                 parts.append(part)
         if capital and parts and isinstance(parts[0], str):
@@ -163,7 +164,7 @@ class Writer:
             case CentreOf(body, kind):
                 return (self.symbols.centre(kind, body),)
             case AxisOf(letter):
-                return (Symbol(letter),)
+                return (Symbol(self.formulas.language.axis(letter)),)
             case NumberOf(value):
                 return (self.formulas.measured(value),)
             case Value():

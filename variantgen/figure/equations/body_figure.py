@@ -1,0 +1,280 @@
+"""Figures of the motion of one body: its vectors with its velocity or acceleration centre, by equal projections, alone.
+
+The kinds: ``centre`` (velocities and P, or accelerations and Q with the angle mu to each ray), ``projections``
+(velocities with their components on the line of two points), ``contacts`` (velocities of the centre of a wheel and of
+the points at which it touches others), ``points`` (no more than the vectors).
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+
+from variantgen.algebra.name import Name
+from variantgen.errors import InputError, Problem
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer
+from variantgen.figure.equations.body_board import BodyBoard, FigureSubject, draw_point, draw_vectors, sizes
+from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
+from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
+from variantgen.figure.motion.contact_letters import ContactPoint, contact_points, draw_dot
+from variantgen.figure.motion.motion_board import MotionBoard
+from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.vectors import Vectors, vectors_of
+from variantgen.figure.placement.label_requests import along_arc
+from variantgen.figure.placement.least_crowded import first_roomy
+from variantgen.figure.symbols.rotation import draw_arcs
+from variantgen.methods.linkage.instant import Instant
+from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.variants.printed_data import shown_points
+from variantgen.wording.formula import Formula, Symbol
+from variantgen.wording.solution.quantity_symbols import centre_letters
+
+_LONGEST = 21.0  # length of the longest vector, u
+_SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
+_NOTHING = 1e-9  # of the largest vector or rate
+_SQUARE = 2.4  # side of a right-angle mark, u
+_LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_MU_ARC = 6.5  # radius of the arc between an acceleration and the ray to Q, u
+_MANY_RAYS = 4
+
+
+def draw_body_figure(
+    subject: FigureSubject, vectors: Sequence[PointVectors], body: str, kind: str, order: int = 1
+) -> Drawing:
+    """The figure of the velocities (``order`` 1) or accelerations (2) of a body, of a ``kind``.
+
+    Raises InputError where there is no such body, or no point of it has a vector.
+    """
+    found = motion_data(subject.variant, subject.motion, subject.index, subject.asked, order)
+    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
+    now = found.now
+    if body not in now.scene.bodies:
+        raise InputError(Problem("the mechanism has no such body", key="view", value=body))
+    own = now.v if order == 1 else now.a
+    largest = max(abs(vector) for vector in own.values())
+    telling = [name for name in now.scene.bodies[body] if name in named.telling(found.chain.points)]
+    moving = {name: own[name] for name in telling if abs(own[name]) > _NOTHING * largest}
+    touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
+    if kind == "contacts":
+        moving = {name: vector for name, vector in moving.items() if name in {c.centre for c in touching.values()}}
+    if not moving and not touching:
+        raise InputError(Problem("no point of the body moves", key="view", value=body))
+    make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
+    # Marks of angles go where there is room for them.
+    tries = ((_SIZES[0], MOST_ANGLES), (_SIZES[0], 2), *((stretch, 0) for stretch in _SIZES))
+    return first_roomy(partial(_drawn, make, stretch, most, kind) for stretch, most in tries)
+
+
+def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, kind: str) -> dict[str, ContactPoint]:
+    """The points at which a body touches others; beside its velocity centre those that move."""
+    if kind not in ("centre", "contacts"):
+        return {}
+    shown = shown_points(subject.variant, subject.asked)
+    found = contact_points(named.task, now, shown, body)
+    fastest = max(abs(vector) for vector in now.v.values())
+    still = {name for name, contact in found.items() if abs(contact.velocity) < _NOTHING * fastest}
+    return {
+        name: replace(contact, velocity=0j) if name in still else contact
+        for name, contact in found.items()
+        if name not in still or kind == "contacts"
+    }
+
+
+def _drawn(make: Callable[[float, int], BodyFigure], stretch: float, most: int, kind: str) -> Drawing:
+    """The figure with vectors of a size and at most so many angles."""
+    figure = make(stretch, most)
+    kinds = {
+        "centre": figure.by_centre,
+        "projections": figure.by_projections,
+        "contacts": figure.by_contacts,
+        "points": figure.by_points,
+    }
+    return kinds[kind]()
+
+
+class BodyFigure:
+    """The vectors of the ``moving`` points of a body and of the points at which it is ``touching`` others."""
+
+    def __init__(
+        self,
+        subject: FigureSubject,
+        named: Vectors,
+        now: Instant,
+        body: str,
+        order: int,
+        moving: dict[str, complex],
+        touching: dict[str, ContactPoint],
+        stretch: float,
+        most_angles: int,
+    ) -> None:
+        self.subject, self.named, self.now, self.body, self.order = subject, named, now, body, order
+        self.moving = list(moving)
+        self._most_angles = most_angles
+        self._touching = touching
+        shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
+        self._places = {**{name: now.z[name] for name in moving}, **{n: c.place for n, c in touching.items()}}
+        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST, subject.least)
+        self._vectors = {
+            name: length * vector / abs(vector) for (name, vector), length in zip(shown.items(), lengths, strict=True)
+        }
+        further = [contact.place for contact in touching.values()]
+        # The wheel itself, where only points of its rim are at rest or move.
+        points = self.moving or list(now.scene.bodies[body][:1])
+        self._bodies = BodyBoard(subject, (body, *self._cranks()), points, further)
+        self._alone = BodyBoard(subject, (body,), points, further)
+
+    def _cranks(self) -> list[str]:
+        """The bodies on fixed axes that lead points of the body: they say where its velocities are directed."""
+        bodies, fixed = self.now.scene.bodies, self.named.task.fixed
+        return [
+            other
+            for other, members in bodies.items()
+            if other != self.body and set(members) & set(self.moving) and fixed & set(members)
+        ]
+
+    def by_centre(self) -> Drawing:
+        """With the centre, the rays to it and the sense of the rate about it."""
+        centre = self._centre()
+        if centre is None:
+            return self._finished(self._board(self._bodies, self._bodies.scale(self._tips)))
+        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
+        size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
+        small = size > 0 and size * with_cranks < _LEAST_BODY
+        bodies = self._alone if small or self.order == 2 else self._bodies
+        scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
+        board = self._board(bodies, scale)
+        board.sketch.at["centre"] = scale * centre
+        rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]
+        for start, end in rays:
+            if abs(end - start) > 2 * _SQUARE:
+                # Above the shade of a plate.
+                board.sketch.path((start, end), Layer.SLIDER, THIN, dash="dashed")
+        for name in self.moving:
+            if abs(self.now.z[name] - centre) * board.sketch.scale > 2 * _SQUARE:
+                if self.order == 1:
+                    self._mark_right_angle(board, name, centre)
+                else:
+                    self._mark_mu(board, name, centre)
+            board.sketch.occupy(name, centre - self.now.z[name])
+            if abs(centre - self.now.z[name]) > 0:
+                board.sketch.occupy("centre", self.now.z[name] - centre)
+        draw_centre(board, board.sketch.at["centre"], self._letter(centre))
+        self._mark(board)
+        draw_arcs(board, self.body, [(self.named.rate(self.body), self._rate())], "centre")
+        return self._finished(board)
+
+    def by_projections(self) -> Drawing:
+        """With the projections of two velocities on the line through their points."""
+        board = self._board(self._alone, self._alone.scale(self._tips))
+        if len(self.moving) > 1 and not self._lengthened:
+            first, second = self.moving[:2]
+            way = self.now.z[second] - self.now.z[first]
+            way /= abs(way)
+            for name in (first, second):
+                at, vector = board.sketch.at[name], self._vectors[name]
+                part = (vector * way.conjugate()).real * way
+                if abs(part) > 3.0 and abs(vector - part) > 1.0:
+                    board.sketch.arrow(at, at + part, Layer.SLIDER, MEDIUM, 2.6)
+                    board.sketch.path((at + vector, at + part), Layer.GROUND, THIN, dash="dashed")
+        self._mark(board)
+        return self._finished(board)
+
+    def by_contacts(self) -> Drawing:
+        """With the points of contact and the sense of the rate."""
+        board = self._board(self._alone, self._alone.scale(self._tips))
+        self._mark(board)
+        if self._rate():
+            draw_arcs(board, self.body, [(self.named.rate(self.body), self._rate())])
+        return self._finished(board)
+
+    def by_points(self) -> Drawing:
+        """With the vectors alone."""
+        bodies = self._bodies if self.order == 1 else self._alone
+        board = self._board(bodies, bodies.scale(self._tips))
+        self._mark(board)
+        return self._finished(board)
+
+    def _rate(self) -> float:
+        rates = self.now.omega if self.order == 1 else self.now.epsilon
+        return rates[self.body]
+
+    def _centre(self) -> complex | None:
+        """The velocity or acceleration centre (m); None where the body does not turn."""
+        omega, first = self.now.omega[self.body], self.moving[0]
+        if self.order == 2:
+            below = omega**2 - 1j * self.now.epsilon[self.body]
+            return self.now.z[first] + self.now.a[first] / below if below else None
+        if abs(omega) <= _NOTHING * max(abs(rate) for rate in self.now.omega.values()):
+            return None
+        return self.now.z[first] + 1j * self.now.v[first] / omega
+
+    def _tips(self, scale: float) -> list[complex]:
+        return [scale * self._places[name] + 1.1 * vector for name, vector in self._vectors.items()]
+
+    def _board(self, bodies: BodyBoard, scale: float) -> MotionBoard:
+        """The bodies with the vectors."""
+        board = bodies.drawn(scale)
+        for name, contact in self._touching.items():
+            if name not in board.shown:
+                board.sketch.at[name] = scale * contact.place
+                draw_dot(board, board.sketch.at[name], name)
+        for name, vector in self._vectors.items():
+            if name not in self._touching:
+                draw_point(board, name)
+            draw_vectors(board, board.sketch.at[name], [(self._symbol(name), vector, BOLD)], [])
+            board.sketch.occupy(name, vector)
+        board.sketch.lengthened = self._lengthened
+        return board
+
+    def _symbol(self, name: str) -> Formula:
+        if name in self._touching:
+            return self.named.symbols.letter(Name("v", name))
+        return self.named.own(name)[0]
+
+    def _mark(self, board: MotionBoard) -> None:
+        """The angles and segments of the step."""
+        # The angles mu are enough beside an acceleration centre.
+        crowded = self.order == 2 and "centre" in board.sketch.at
+        draw_geometry(board, self.subject, self.named.symbols, 0 if crowded else self._most_angles, self.body)
+
+    def _mark_right_angle(self, board: MotionBoard, name: str, centre: complex) -> None:
+        start, ahead = board.sketch.at[name], self._vectors[name] / abs(self._vectors[name])
+        side = (centre - self.now.z[name]) / abs(centre - self.now.z[name])
+        corner = (start + _SQUARE * side, start + _SQUARE * (side + ahead), start + _SQUARE * ahead)
+        board.sketch.path(corner, Layer.LINK, THIN)
+
+    def _mark_mu(self, board: MotionBoard, name: str, centre: complex) -> None:
+        """The angle between an acceleration and the ray to the acceleration centre."""
+        vector = self._vectors[name]
+        sweep = cmath.phase((centre - self.now.z[name]) / vector)
+        if abs(sweep) < math.radians(3):
+            return
+        start, at = cmath.phase(vector), board.sketch.at[name]
+        board.sketch.arc(Arc(at, _MU_ARC, Layer.MARK, THIN, start, sweep))
+        letter = self.named.symbols.letter(Name("mu", self.body))
+        board.sketch.label(along_arc(letter, at, _MU_ARC, start, sweep, inner=True))
+
+    def _letter(self, centre: complex) -> Symbol:
+        """The letter of the centre as the solution has it."""
+        form, size = self.named.task.form, self.named.task.size * self.named.task.length_unit
+        names = {body: form.symbols.get(body, body) for body in plane_bodies(self.now)}
+        if self.order == 2:
+            return Symbol("Q", centre_letters(names, ()).get(self.body, Symbol("P")).index)
+        others = [p for p in self._bodies.named if all(abs(self.now.z[p] - q) > 1e-6 * size for q in self._all(names))]
+        return centre_letters(names, others).get(self.body, Symbol("P"))
+
+    def _all(self, bodies: dict[str, str]) -> Iterator[complex]:
+        """The velocity centres of bodies."""
+        for body in bodies:
+            first, omega = self.now.scene.bodies[body][0], self.now.omega[body]
+            if omega:
+                yield self.now.z[first] + 1j * self.now.v[first] / omega
+
+    @staticmethod
+    def _finished(board: MotionBoard) -> Drawing:
+        return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})

@@ -1,0 +1,93 @@
+"""The angles and segments of which a step speaks, marked in its figure: arcs with a letter or value, dashed lines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+
+from variantgen.figure.drawing import THIN, Arc, Layer
+from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.motion.motion_board import MotionBoard
+from variantgen.figure.placement.label_requests import along_arc
+from variantgen.methods.steps.step_geometry import Corner
+from variantgen.wording.formula import Formula
+from variantgen.wording.solution.formulas import Formulas
+from variantgen.wording.solution.quantity_symbols import Symbols
+
+_ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
+_REFERENCE = 14.0  # length of a side that no line carries, u
+_SQUARE = 3.2  # side of the mark of a right angle, u
+_NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
+_LEAST = math.radians(4)  # a smaller one not at all
+_SAME = math.radians(1)
+_RIGHT = math.radians(0.01)
+MOST_ANGLES = 4  # in a figure
+
+
+def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, most: int, body: str = "") -> None:
+    """Mark what can be seen in the figure, but not more than so many angles.
+
+    ``body`` is that whose centre stands at the place ``centre``.
+    """
+    sketch = board.sketch
+    _draw_segments(board, subject.geometry.segments)
+    formulas = Formulas(symbols, subject.variant.family.length_unit)
+    seen: list[tuple[complex, float, float]] = []
+    for corner in subject.geometry.corners:
+        own = corner.centre == body and "centre" in sketch.at
+        key = "centre" if own and corner.at_centre else corner.vertex
+        seen_points = {*board.shown, *(("P", "Q") if own else ())}
+        if (corner.centre and not own) or not {corner.vertex, *corner.ends} <= seen_points:
+            continue
+        at, sweep = sketch.at[key], cmath.phase(corner.sides[1] / corner.sides[0])
+        start = cmath.phase(corner.sides[0])
+        if sweep < 0:
+            start, sweep = start + sweep, -sweep
+        same = [other for other in seen if abs(other[0] - at) < 1e-6]
+        known = any(_gap(s, start) < _SAME and abs(w - sweep) < _SAME for _, s, w in same)
+        if known or sweep < _LEAST or len(seen) >= most:
+            continue
+        seen.append((at, start, sweep))
+        _draw_sides(board, key, corner)
+        if abs(sweep - math.pi / 2) < _RIGHT:
+            first, second = (_SQUARE * side / abs(side) for side in corner.sides)
+            sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
+            continue
+        radius = (1.4 * _ARC if sweep < _NARROW else _ARC) + _WIDER * len(same)
+        sketch.arc(Arc(at, radius, Layer.MARK, THIN, start, sweep))
+        sketch.label(along_arc(_name(corner, formulas), at, radius, start, sweep, inner=True))
+        for part in (0.0, 0.25, 0.5, 0.75, 1.0):
+            sketch.busy.setdefault(key, []).append(start + part * sweep)
+
+
+def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> None:
+    """Dashed lines between points of the figure that nothing joins."""
+    sketch = board.sketch
+    for first, second in segments:
+        if first in board.shown and second in board.shown:
+            way = sketch.at[second] - sketch.at[first]
+            if abs(way) > 2 * _SQUARE and not sketch.is_taken(first, way, _SAME):
+                sketch.path((sketch.at[first], sketch.at[second]), Layer.GROUND, THIN, dash="dashed")
+                sketch.occupy(first, way)
+                sketch.occupy(second, -way)
+
+
+def _name(corner: Corner, formulas: Formulas) -> Formula:
+    """The letter of an angle; the value of one that is named by its points."""
+    name = corner.value.name
+    return formulas.measured(corner.value) if name is None or name.kind == "angle" else formulas.symbol(corner.value)
+
+
+def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
+    """Thin lines along the sides of an angle that nothing lies on."""
+    sketch = board.sketch
+    for side in corner.sides:
+        if not sketch.is_taken(key, side, math.radians(2)):
+            end = sketch.at[key] + _REFERENCE * side / abs(side)
+            sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
+
+
+def _gap(first: float, second: float) -> float:
+    """The angle between two directions (rad)."""
+    return abs((first - second + math.pi) % math.tau - math.pi)

@@ -1,0 +1,111 @@
+"""What is drawn so far as obstacles: which lines cross boxes, circles, rays and lanes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.figure.ink import Sides, boxes_crossed_by, spans_of
+
+
+@dataclass
+class Obstacles:
+    """The segments of all lines of a sketch, in the order in which they were drawn."""
+
+    _ends: list[complex] = field(default_factory=list)  # of segments in turn
+    _weights: list[float] = field(default_factory=list)  # of the lines of these segments, u
+    _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
+    _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
+
+    def add(self, segments: Sequence[tuple[complex, complex]], weight: float) -> None:
+        """Add the segments that stand for a line."""
+        self._ends += chain.from_iterable(segments)
+        self._weights += [weight] * len(segments)
+
+    def segments(self) -> NDArray[np.complex128]:
+        """All segments, shape (S, 2)."""
+        if self._known.size != len(self._ends):
+            new = np.array(self._ends[self._known.size :], dtype=complex).reshape(-1, 2)
+            self._known = np.concatenate((self._known, new))
+        return self._known
+
+    def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
+        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
+        segments = self.segments()
+        if self._spans.shape[1] != len(segments):
+            self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
+        return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
+
+    def circle_crossings(
+        self, centre: complex, radii: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
+        segments = self.segments()
+        start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
+        # |start + t step| = radius
+        a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
+        root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
+        circle, line = ((root >= 0) & (a > 0)).nonzero()
+        a, b, root = a[line], b[line], np.sqrt(root[circle, line])
+        t = np.concatenate(((-b - root) / a, (-b + root) / a))
+        on = ((t >= 0) & (t <= 1)).nonzero()[0]
+        met = on % max(1, len(line))
+        place = start[line[met]] + t[on] * step[line[met]]
+        return np.arctan2(place.imag, place.real), circle[met]
+
+    def corners_near_circles(
+        self, centre: complex, radii: NDArray[np.float64], margin: float
+    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
+
+        Near is within ``margin`` (u) of the ``radii``, shape (R,).
+        """
+        arms = self.segments()[:, 0] - centre
+        circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
+        return np.arctan2(arms.imag, arms.real)[arm], circle
+
+    def weight_on_rays(
+        self, centre: complex, angles: NDArray[np.float64], start: float, end: float
+    ) -> NDArray[np.float64]:
+        """Weights (u) of the lines that each ray from a centre crosses between two distances, shape (A,)."""
+        segments = (self.segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
+        low, high = segments[..., 0], segments[..., 1]
+        rise = high.imag - low.imag
+        over = (low.imag <= 0) != (high.imag <= 0)
+        place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
+        result: NDArray[np.float64] = np.sum(self._weights * (over & (place > start) & (place < end)), axis=1)
+        return result
+
+    def lanes_met(
+        self,
+        centre: complex,
+        way: complex,
+        lanes: NDArray[np.float64],
+        half_widths: NDArray[np.float64],
+        far: float,
+        further: Sequence[tuple[complex, complex]] = (),
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """From where to where each line (and each of ``further`` ones) runs in each lane, shape (L, S) each.
+
+        A lane is the paper within a half width (shape (L,)) of a line through ``centre`` in the direction ``way``
+        (unit), moved to the left by ``lanes`` (shape (L,)); distances are along the way, lines farther than ``far`` are
+        left out. A line that is nowhere in a lane goes from infinity to minus infinity.
+        """
+        every = np.concatenate((self.segments(), np.array(further, dtype=complex).reshape(-1, 2)))
+        local = (every - centre) * way.conjugate()
+        low, high = np.min(local.imag, axis=1), np.max(local.imag, axis=1)
+        near = (np.max(local.real, axis=1) > -far) & (np.min(local.real, axis=1) < far)
+        local = local[near & (high >= np.min(lanes - half_widths)) & (low <= np.max(lanes + half_widths))]
+        start, step = local[:, 0], local[:, 1] - local[:, 0]
+        rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
+        edges = lanes[:, None] + np.array((-1.0, 1.0))[:, None, None] * half_widths[:, None]
+        first, last = np.sort((edges - start.imag) / rise, axis=0)
+        first, last = np.maximum(first, 0.0), np.minimum(last, 1.0)
+        ends = np.sort(start.real + np.array((first, last)) * step.real, axis=0)
+        within = first <= last
+        return np.where(within, ends[0], np.inf), np.where(within, ends[1], -np.inf)

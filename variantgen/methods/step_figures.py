@@ -1,0 +1,208 @@
+"""Which figures the steps of a solution have, and which angles and segments each of them marks."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
+from variantgen.algebra.values import parts
+from variantgen.families.hints import DIRECTIONS
+from variantgen.methods.linkage.problem import Task
+from variantgen.methods.solved_motion import SolvedMotion
+from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
+from variantgen.methods.steps.printed_digits import items_values
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, StepGeometry
+
+_OF_EQUATIONS = {
+    1: ("velocities", "body_velocities", "contact_velocities"),
+    2: ("accelerations", "body_accelerations"),
+}
+_EQUATION = {1: "velocity_equation", 2: "acceleration_equation"}
+_OF_BODIES = ("velocity_centre", "velocity_projections", "acceleration_centre")
+_NOTHING = 1e-9  # of the largest rate: a body in translation has no velocity centre
+_SAME = 0.02  # degrees: the angle that is drawn is the one that is printed
+
+
+def step_figures(
+    task: Task, steps: Sequence[Step], vectors: Sequence[PointVectors]
+) -> tuple[list[Step], dict[str, StepGeometry]]:
+    """The steps with the names of their figures (``velocity_centre:AB``), and what each figure marks, by that name.
+
+    What is named in steps without a figure is marked in the next one.
+    """
+    shown = {
+        (view, fact.name)
+        for step in steps
+        for view in step.views
+        for fact in step.heading.facts.values()
+        if view in _OF_BODIES and isinstance(fact, Body)
+    }
+    found: list[Step] = []
+    marked: dict[str, StepGeometry] = {}
+    before = NOTHING_MARKED
+    for number, step in enumerate(steps):
+        names = list(dict.fromkeys(_names(task, step, number, vectors, shown)))
+        found.append(replace(step, views=tuple(names)))
+        here = before + _geometry(task, step)
+        before = NOTHING_MARKED if names else here
+        for name in names:
+            marked[name] = marked.get(name, NOTHING_MARKED) + here
+    return found, marked
+
+
+def _names(
+    task: Task, step: Step, number: int, vectors: Sequence[PointVectors], shown: set[tuple[str, str]]
+) -> Iterator[str]:
+    """The figures of a step: one of each vector equation; of its body, or of the mechanism, where it has none."""
+    for view in step.views:
+        order = next((order for order, views in _OF_EQUATIONS.items() if view in views), 0)
+        equations = vectors[order - 1].equations if 0 < order <= len(vectors) else ()
+        own = dict.fromkeys(_first(equations, equation) for equation in equations if equation.step == number)
+        bodies = _bodies(task, step)
+        if view == "coordinate_axes":
+            yield f"{view}:xy"
+        elif view == "rate_chain":
+            start, end = step.heading.facts["start"], step.heading.facts["end"]
+            assert isinstance(start, Point)
+            assert isinstance(end, Point)
+            yield f"{view}:{start.name}-{end.name}"
+        elif own:
+            yield from (f"{_EQUATION[order]}:{i}" for i in own)
+        elif view in _OF_BODIES:
+            still = view == "velocity_centre" and abs(task.now.omega[bodies[0]]) < _NOTHING * _fastest(task)
+            yield f"{'body_velocities' if still else view}:{bodies[0]}"
+        elif not view.startswith(("body_", "contact_")):
+            yield view
+        elif drawn := next((name for body in bodies if (name := _of_body(body, order, shown))), ""):
+            yield drawn
+        elif bodies and not (bodies[0] in task.translating and any(e.step >= 0 for e in equations)):
+            # Equal vectors of a body in translation need no figure where the equations have theirs.
+            yield f"{view}:{bodies[0]}"
+
+
+def _fastest(task: Task) -> float:
+    """The largest angular velocity."""
+    return max(abs(rate) for rate in task.now.omega.values())
+
+
+def _bodies(task: Task, step: Step) -> list[str]:
+    """The body that the heading of a step names, or those of its point."""
+    facts = step.heading.facts
+    body, point = facts.get("body"), facts.get("point")
+    if isinstance(body, Body):
+        return [body.name]
+    return task.linkage.owners(point.name) if isinstance(point, Point) else []
+
+
+def _of_body(body: str, order: int, shown: set[tuple[str, str]]) -> str:
+    """The figure of a body that another step has, for velocities or accelerations."""
+    kinds = _OF_BODIES[:2] if order == 1 else _OF_BODIES[2:]
+    return next((f"{kind}:{body}" for kind in kinds if (kind, body) in shown), "")
+
+
+def _first(equations: Sequence[PointEquation], equation: PointEquation) -> int:
+    """The number, from 1 on, of the first equation in a step about the same point with the same vectors."""
+    seen = [
+        other.step >= 0
+        and other.point == equation.point
+        and {arrow.name for arrow in other.terms} == {arrow.name for arrow in equation.terms}
+        for other in equations
+    ]
+    return seen.index(True) + 1
+
+
+def _geometry(task: Task, step: Step) -> StepGeometry:
+    """The angles and segments that the lines of a step name."""
+    values = list(_named(step))
+    said = dict(_inclined(step))
+    corners = [corner for value in values if (corner := _corner(task, value, said)) is not None and _is_true(corner)]
+    names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
+    segments = [(name.of, name.about) for name in names if not name.part]
+    chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
+    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain)
+
+
+def _named(step: Step) -> Iterator[Value]:
+    """The values with names in the lines of a step, each once."""
+    seen: set[Name] = set()
+    values = [*items_values(step.items), *(i.value for i in step.items if isinstance(i, Derived))]
+    for value in values:
+        inside = [] if value.expression is None else parts(value.expression)
+        for each in (value, *inside):
+            if each.name is not None and each.name not in seen:
+                seen.add(each.name)
+                yield each
+
+
+def _inclined(step: Step) -> Iterator[tuple[Name, tuple[str, str]]]:
+    """The segments whose angles with a line get a letter of their own: start, and the end at which the angle is."""
+    for item in step.items:
+        facts: Mapping[str, Fact] = item.facts if isinstance(item, Sentence) else {}
+        angle, segment = facts.get("angle"), facts.get("segment")
+        if isinstance(angle, Value) and angle.name is not None and isinstance(segment, Segment):
+            yield angle.name, (segment.start, segment.end)
+
+
+def _corner(task: Task, value: Value, said: Mapping[Name, tuple[str, str]]) -> Corner | None:
+    """Where an angle is; None for what is no angle at a point."""
+    name = value.name
+    if name is None or value.measure != "angle":
+        return None
+    if name.kind == "parameter":
+        return _given(task, value, name)
+    if name in said:
+        start, end = said[name]
+        return _with_line(task, value, start, end)
+    sides = SolvedMotion(task).arms(name)
+    if name.kind != "angle" or len(sides) != 2:
+        return None
+    return Corner(value, name.of, (sides[0], sides[1]), tuple(name.about.split()), name.body, name.part == "vertex")
+
+
+def _given(task: Task, value: Value, name: Name) -> Corner | None:
+    """A given angle, as the figure of the statement marks it."""
+    form, z = task.form, task.now.z
+    for mark in form.figure.angles:
+        if form.parameters[mark.name].symbol == name.of:
+            ends = [
+                complex(task.scene.frame.place(DIRECTIONS[way])) if way in DIRECTIONS else z[way] - z[mark.at]
+                for way in (mark.start, mark.end)
+            ]
+            return Corner(value, mark.at, (ends[0], ends[1]))
+    return None
+
+
+def _with_line(task: Task, value: Value, start: str, end: str) -> Corner | None:
+    """The acute angle at the end of a segment with a line without a second point: the one on which it is found."""
+    now = task.now
+    arm = now.z[start] - now.z[end]
+    for way in _lines(task, end):
+        if abs(way) > 0 and abs(arm) > 0:
+            ahead = way if (way * arm.conjugate()).real >= 0 else -way
+            corner = Corner(value, end, (arm, ahead / abs(ahead) * abs(arm)))
+            if _is_true(corner):
+                return corner
+    return None
+
+
+def _lines(task: Task, point: str) -> Iterable[complex]:
+    """Directions of lines through a point: its path, those on which it slides, the axes of the paper."""
+    yield task.now.v.get(point, 0j)
+    for path in task.linkage.slides:
+        members = task.scene.bodies[path.body]
+        if path.point == point and len(members) > 1:
+            yield task.now.z[members[1]] - task.now.z[members[0]]
+    yield from (1 + 0j, 1j)
+
+
+def _is_true(corner: Corner) -> bool:
+    """Whether the sides of an angle make the angle."""
+    first, second = corner.sides
+    if abs(first) == 0 or abs(second) == 0:
+        return False
+    return abs(abs(math.degrees(cmath.phase(second / first))) - abs(corner.value.exact)) < _SAME

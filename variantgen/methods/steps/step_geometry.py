@@ -1,0 +1,57 @@
+"""The angles and segments of which a step speaks: what its figure marks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from variantgen.algebra.expression import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """An angle: its ``value``, and the ways from its vertex along its sides (printed unit of length).
+
+    ``vertex`` is a point, ``ends`` are those on its sides that must be seen. ``centre`` is the body to whose velocity
+    or acceleration centre a side leads, or at whose centre the vertex is (``at_centre``).
+    """
+
+    value: Value
+    vertex: str
+    sides: tuple[complex, complex]
+    ends: tuple[str, ...] = ()
+    centre: str = ""
+    at_centre: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ChainLink:
+    """A link of a chain: its number, the direction from the last point to the next one, that point."""
+
+    number: int
+    angle: Value
+    end: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChainGraph:
+    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
+
+    start: str
+    legs: tuple[ChainLink, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StepGeometry:
+    """The ``corners``, the ends of the ``segments`` between points, in the order in which they are met, a ``chain``."""
+
+    corners: tuple[Corner, ...] = ()
+    segments: tuple[tuple[str, str], ...] = ()
+    chain: ChainGraph | None = None
+
+    def __add__(self, other: StepGeometry) -> StepGeometry:
+        return StepGeometry(
+            (*self.corners, *other.corners), (*self.segments, *other.segments), self.chain or other.chain
+        )
+
+
+NOTHING_MARKED = StepGeometry()
