@@ -188,18 +188,19 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
 
 
 def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
-    """The legs of the right triangle on a way of several segments: along one of them and across it; nothing where the
-    figure has no letters for it.
+    """The legs of the right triangle on a way of several segments: along one of them and across it, or one where the
+    other is zero; nothing where the figure has no letters for them.
     """
     axis = _axis_of(legs)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     left, across = positive(summed(projected(geometry, "sin", legs, axis)))
-    if geometry.is_nothing(along) or geometry.is_nothing(across):
-        return []
+    ways = (axis if ahead > 0 else axis.turned(180.0)), axis.turned(90.0 * left)
+    if geometry.is_nothing(across):
+        return [Leg(along, ways[0])]
+    if geometry.is_nothing(along):
+        return [Leg(across, ways[1])]
     found = geometry.projections(ends, axis, along, across)
-    if found is None:
-        return []
-    return [Leg(found[0], axis if ahead > 0 else axis.turned(180.0)), Leg(found[1], axis.turned(90.0 * left))]
+    return [] if found is None else [Leg(leg, way) for leg, way in zip(found, ways, strict=True)]
 
 
 def _are_equal(first: Leg, second: Leg) -> bool:
