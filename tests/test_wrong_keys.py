@@ -161,8 +161,8 @@ def test_names_exchanged_in_one_language(family: str, language: str, one: str, t
 
 
 def test_names_exchanged_at_one_place(tmp_path: Path) -> None:
-    """The cranks of the last sentence, which each have their own rate there; elsewhere they stand right."""
-    one, two = "кривошип {{ OA }} имеет", "кривошип {{ BC }} — угловую"
+    """The links of the last sentence, which each have their own rate there; elsewhere they stand right."""
+    one, two = "звено {{ OA }} имеет", "звено {{ BC }} — угловую"
     changes = [("{{ OA }} имеет", "{{ BC }} имеет"), ("{{ BC }} — угловую", "{{ OA }} — угловую")]
     text = (catalog_dir() / "two_cranks_and_rod" / "statement.ru.j2").read_text("utf-8")
     assert one in text
@@ -301,3 +301,30 @@ def test_words_are_told_apart(language: str, key: str, yes: str, no: str) -> Non
     pattern = vocabulary(language).senses[key]
     assert pattern.search(yes)
     assert not pattern.search(no)
+
+
+# What is called a crank and cannot go full circle, or a rocker and can: family, language, what is written, what is
+# written instead, what is told. The screens of four_bar are Grashof's conditions.
+CALLED = [
+    ("sleeve_on_crank", "en", "the driving link {{ OA }}", "the crank {{ OA }}", "the text calls OA a crank"),
+    ("sleeve_on_crank", "ru", "на ведущем звене {{ OA }}", "на кривошипе {{ OA }}", "the text calls OA a crank"),
+    ("slotted_rocker", "en", "of the arm {{ CB }}", "of the rocker {{ CB }}", "the text calls CB a rocker"),
+]
+
+
+@pytest.mark.parametrize(("family", "language", "old", "new", "told"), CALLED)
+def test_a_crank_goes_full_circle_and_a_rocker_does_not(
+    family: str, language: str, old: str, new: str, told: str, tmp_path: Path
+) -> None:
+    found = [
+        text for text in failures(damaged(tmp_path, family, (f"statement.{language}.j2", old, new))) if told in text
+    ]
+    assert len(found) == 1
+    assert f"statement.{language}.j2" in found[0]
+    assert "call it a link" in found[0]
+
+
+def test_a_crank_needs_the_lengths_for_it(tmp_path: Path) -> None:
+    condition = '"OA + OC < AB + BC", "abs(AB - BC) < abs(OC - OA)"'
+    found = failures(damaged(tmp_path, "four_bar", ("family.toml", f"[{condition}]", "[]")))
+    assert any("the text calls OA a crank, but it cannot go full circle" in text for text in found)

@@ -93,7 +93,8 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
 
     depth = arguments.depth or "full"
     try:
-        return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation)
+        true_scale = getattr(arguments, "true_scale", False)
+        return explain(variant, arguments.lang, arguments.method, depth, arguments.ask, arguments.notation, true_scale)
     except UnexplainedError as error:
         tell(str(error))
         return None

@@ -89,7 +89,7 @@ class Exam:
 
     def solution_options(self, task: ExamProblem) -> SolutionOptions:
         """The options of the solution of a problem."""
-        return SolutionOptions(task.methods, cast(Depth, self.solutions.depth))
+        return SolutionOptions(task.methods, cast(Depth, self.solutions.depth), self.solutions.true_scale)
 
     @property
     def spoken(self) -> Language:

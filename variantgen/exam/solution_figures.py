@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
-from variantgen.figure.drawing import Drawing
+from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.figure.lettering import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
@@ -27,6 +28,7 @@ _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
 _STATEMENT_UNIT, _SMALLEST, _UNIT = 0.62, 0.5, 0.83
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
+_POINTS = 72 / 25.4  # in a millimetre
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
 
@@ -38,6 +40,11 @@ class SolutionFigure:
     drawing: Drawing
     caption: Text
     unit: float
+
+    @property
+    def index_size(self) -> float:
+        """The size of its indices on paper in points."""
+        return LETTER * INDEX * self.unit * _POINTS
 
 
 def view_order(text: SolutionText) -> list[str]:
@@ -65,6 +72,7 @@ class SolutionFigures:
         self.numbers: dict[str, int] = {}
         self._place, self._vectors = place, text.vectors if text else ()
         self._geometry = text.geometry if text else {}
+        self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
@@ -73,7 +81,7 @@ class SolutionFigures:
         for name in names:
             if name not in self._drawn:
                 try:
-                    self._drawn[name] = self._figure(name)
+                    self._drawn[name] = self.figure(name)
                 except MissingWordError:
                     raise
                 except InputError:
@@ -82,13 +90,18 @@ class SolutionFigures:
                     continue  # there is nothing of the kind to draw (all velocities zero): the text says so
             self.numbers.setdefault(name, len(self.numbers) + 1)
 
-    def _figure(self, name: str) -> Drawing:
+    def figure(self, name: str) -> Drawing:
+        """One figure by its name. Raises InputError where there is nothing to draw."""
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
         kind, _, which = name.partition(":")
-        further = (which, self._geometry.get(name, NOTHING_MARKED)) if which else ()
+        further: dict[str, object] = {}
+        if which:
+            further |= {"which": which, "geometry": self._geometry.get(name, NOTHING_MARKED)}
+        if not kind.endswith("_plan"):
+            further["true_scale"] = self._true_scale
         drawn: Drawing = view(kind).draw(
-            self.variant, *self._place, self._shown, self.language, self._vectors, *further
+            self.variant, *self._place, self._shown, self.language, self._vectors, **further
         )
         return drawn
 

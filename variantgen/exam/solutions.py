@@ -16,12 +16,14 @@ FILES = ("joined", "students")
 class Solutions:
     """``depth``: ``none``, ``answers``, ``short`` or ``full``; ``language`` of the solutions.
 
-    ``files``: ``joined`` in one document, or with ``students`` also one document for each of them.
+    ``files``: ``joined`` in one document, or with ``students`` also one document for each of them. ``true_scale``: no
+    vector of a figure is lengthened to be seen.
     """
 
     depth: str = "full"
     language: str = "en"
     files: str = "joined"
+    true_scale: bool = False
 
     @property
     def wanted(self) -> bool:
@@ -36,13 +38,15 @@ class Solutions:
 
 def read_solutions(table: Table, language: str) -> Solutions:
     """The table ``[solutions]`` of an exam whose sheets are in ``language``; mistakes are noted in the table."""
-    found = {
-        "depth": table.choice("depth", (NONE, *DEPTHS), "full"),
-        "language": table.take("language", str, language),
-        "files": table.choice("files", FILES),
-    }
+    spoken = table.take("language", str, language)
+    found = Solutions(
+        table.choice("depth", (NONE, *DEPTHS), "full"),
+        spoken,
+        table.choice("files", FILES),
+        table.take("true_scale", bool, False),
+    )
     if "language" in table.data:
         with table.collecting("language"):
-            load_language(found["language"])
+            load_language(spoken)
     table.finish()
-    return Solutions(**found)
+    return found

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
 
-from variantgen.figure.drawing import Drawing, Label, Layer, Line, Path
+from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path
 from variantgen.figure.ink import crosses, gaps_to_box, segments_of
 from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
 _LONGEST = 5.0
+_AT_POINT = 0.1  # distance of a mark from the point that it marks, u
 WIDEST, HIGHEST = 108.0, 102.0  # limits of a figure, u
 
 
@@ -82,9 +84,9 @@ def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
     return found
 
 
-def short_arrows(drawing: Drawing) -> list[complex]:
-    """Starts of the arrows that are shorter than twice their heads."""
-    return [start for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
+def short_arrows(drawing: Drawing) -> list[tuple[complex, complex]]:
+    """Starts and tips of the arrows that are shorter than twice their heads."""
+    return [(start, tip) for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
 
 
 def misread_labels(drawing: Drawing) -> list[str]:
@@ -103,6 +105,18 @@ def misread_labels(drawing: Drawing) -> list[str]:
     return found
 
 
+def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:
+    """Names of points (places on paper, u) at which no line begins, ends or bends and no circle is centred."""
+    marks: list[complex] = []
+    for line in drawing.lines:
+        if isinstance(line, Path):
+            marks += line.points
+        elif isinstance(line, Arc):
+            marks.append(line.centre)
+    known = np.array(marks)
+    return [name for name, place in places.items() if not len(known) or np.min(np.abs(known - place)) > _AT_POINT]
+
+
 def figure_faults(drawing: Drawing) -> list[str]:
     """Faults of the labels and extreme proportions, in words."""
     seen = inspect_labels(drawing)
@@ -114,6 +128,16 @@ def figure_faults(drawing: Drawing) -> list[str]:
     if drawing.width > WIDEST or drawing.height > HIGHEST:
         found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too large")
     return found
+
+
+def vector_faults(drawing: Drawing) -> list[str]:
+    """Faults of the arrows of a figure of motion and of their names, in words."""
+    found = [
+        f"an arrow of {abs(tip - start):.1f} units is shorter than twice its head"
+        for start, tip in short_arrows(drawing)
+    ]
+    found += [f"the label {name} stands nearer to another arrow than to its own" for name in misread_labels(drawing)]
+    return found + [f"the point {to_plain(letter)} lies outside the figure" for letter in drawing.beyond]
 
 
 def _weighted(lines: tuple[Line, ...]) -> tuple[np.ndarray, np.ndarray]:

@@ -30,7 +30,8 @@ from variantgen.wording.formula import (
 _INDEX_DOWN, _POWER_UP, _POWER_UP_IN_INDEX, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
 _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
 _THIN, _AROUND_EQUALS, _WORD_SPACE = 1 / 6, 5 / 18, 0.331
-_SCALE = (1.0, 0.7, 0.5)  # of the sizes of formula, index, index of an index
+INDEX = 0.7  # size of an index in that of its letter
+_SCALE = (1.0, INDEX, 0.5)  # of the sizes of formula, index, index of an index
 _UNKNOWN = "0u°"  # stands for a letter that the table does not have
 
 

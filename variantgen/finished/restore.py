@@ -70,7 +70,7 @@ def restore(record: Manifest, folders: tuple[Path, ...]) -> Finished:
     exam = replace(
         exam,
         seed=record.seed,
-        solutions=replace(exam.solutions, **known),
+        solutions=Solutions(**known, true_scale=exam.solutions.true_scale),
         formats=record.formats or exam.formats,
         tolerance=record.tolerance,
     )

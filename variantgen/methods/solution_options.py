@@ -16,12 +16,14 @@ DEPTHS: tuple[Depth, ...] = get_args(Depth)
 class SolutionOptions:
     """``methods`` in the order in which they are preferred (none: the natural ones of the problem).
 
-    ``depth``: the answers alone, a short solution without the sentences that only explain, or a full one. Raises
-    InputError for an unknown name.
+    ``depth``: the answers alone, a short solution without the sentences that only explain, or a full one.
+    ``true_scale``: vectors in figures are all to scale, also those that are then hardly seen. Raises InputError for an
+    unknown name.
     """
 
     methods: tuple[str, ...] = ()
     depth: Depth = "full"
+    true_scale: bool = False
 
     def __post_init__(self) -> None:
         check_methods(self.methods)

@@ -64,7 +64,9 @@ def _names(
         equations = vectors[order - 1].equations if 0 < order <= len(vectors) else ()
         own = dict.fromkeys(_first(equations, equation) for equation in equations if equation.step == number)
         bodies = _bodies(task, step)
-        if view == "rate_chain":
+        if view == "coordinate_axes":
+            yield f"{view}:xy"
+        elif view == "rate_chain":
             start, end = step.heading.facts["start"], step.heading.facts["end"]
             assert isinstance(start, Point)
             assert isinstance(end, Point)

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
 from variantgen.errors import InputError, Problem
+
+if TYPE_CHECKING:
+    from variantgen.variants.variant import Variant
 
 HELP = "show one problem of a family"
 DESCRIPTION = (
@@ -30,7 +34,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--figure", type=Path, metavar="FILE", help="write the figure alone: .svg, .png, .pdf, .tikz or .tex"
     )
-    parser.add_argument("--view", default="statement", metavar="KIND", help="kind of figure (default: statement)")
+    parser.add_argument(
+        "--view",
+        default="statement",
+        metavar="KIND",
+        help="kind of figure (default: statement); of several in a solution one by its number: velocity_equation:2",
+    )
+    parser.add_argument("--true-scale", action="store_true", help="no vector of a figure is lengthened to be seen")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -57,10 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
     if arguments.figure:
-        from variantgen.outputs.single.picture import picture
-
-        picture(variant, arguments.view, arguments.lang, arguments.ask).save(arguments.figure)
-        tell(f"written: {arguments.figure}")
+        _write_figures(arguments, variant)
     solution = explained(arguments, variant)
     remark = f"{variant.family.name}  ·  seed {arguments.seed}"
     if arguments.motion:
@@ -82,3 +89,16 @@ def run(arguments: argparse.Namespace) -> int:
         if solution is not None:
             say(f"\n{solution}")
     return 0
+
+
+def _write_figures(arguments: argparse.Namespace, variant: Variant) -> None:
+    """The figure of a kind; where a solution has several, a file for each, with its number before the ending."""
+    from variantgen.outputs.single.picture import pictures
+
+    path: Path = arguments.figure
+    methods = arguments.method if arguments.explain else ()
+    found = pictures(variant, arguments.view, arguments.lang, arguments.ask, methods, arguments.true_scale)
+    for number, each in enumerate(found, start=1):
+        goal = path if len(found) == 1 else path.with_stem(f"{path.stem}-{number}")
+        each.save(goal)
+        tell(f"written: {goal}")

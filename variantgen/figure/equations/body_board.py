@@ -14,7 +14,7 @@ from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest
 from variantgen.figure.ink import segments_of
 from variantgen.figure.motion.contact_letters import draw_dot
-from variantgen.figure.motion.motion_board import LEAST, MotionBoard
+from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
@@ -25,7 +25,7 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 
-WIDE, HIGH = 87.0, 58.0  # room for a figure but for its labels, u
+WIDE, HIGH = 80.0, 58.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 60.0, 44.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
@@ -37,7 +37,10 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 @dataclass(frozen=True)
 class FigureSubject:
-    """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``."""
+    """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``.
+
+    With ``true_scale`` no vector is lengthened to be seen.
+    """
 
     variant: Variant
     motion: Motion
@@ -45,6 +48,12 @@ class FigureSubject:
     asked: Sequence[Quantity]
     language: Language
     geometry: StepGeometry = NOTHING_MARKED
+    true_scale: bool = False
+
+    @property
+    def least(self) -> float:
+        """The length of the shortest vector, u."""
+        return 0.0 if self.true_scale else LEAST
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -148,7 +157,7 @@ def draw_vectors(
     found: list[tuple[complex, complex]] = []
     for name, vector, weight in sorted(named, key=lambda item: -abs(item[1])):
         start = place + _lane(place, vector, others)
-        board.sketch.arrow(start, start + vector, Layer.SLIDER, weight)
+        board.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head_of(vector))
         board.sketch.label(along_arrow(name, start, start + vector))
         others += (start + vector * (0.25 + 0.75 * _SAMPLES)).tolist()
         found.append((start, start + vector))
@@ -172,11 +181,11 @@ def _lane(place: complex, vector: complex, others: Sequence[complex]) -> complex
     return best[1]
 
 
-def sizes(lengths: Sequence[float], longest: float) -> tuple[list[float], bool]:
+def sizes(lengths: Sequence[float], longest: float, least: float = LEAST) -> tuple[list[float], bool]:
     """Lengths (u) at which vectors of the given magnitudes are drawn, and whether any is lengthened to be seen."""
     scale = longest / max(lengths)
     found = [scale * length for length in lengths]
-    return [max(length, LEAST) for length in found], min(found) < LEAST
+    return [max(length, least) for length in found], min(found) < least
 
 
 def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, str]], longest: float) -> None:

@@ -37,6 +37,8 @@ _SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
 _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u
 _LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
 _MU_ARC = 6.5  # radius of the arc between an acceleration and the ray to Q, u
 _MANY_RAYS = 4
 
@@ -116,7 +118,7 @@ class BodyFigure:
         self._touching = touching
         shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
         self._places = {**{name: now.z[name] for name in moving}, **{n: c.place for n, c in touching.items()}}
-        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST)
+        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST, subject.least)
         self._vectors = {
             name: length * vector / abs(vector) for (name, vector), length in zip(shown.items(), lengths, strict=True)
         }
@@ -140,11 +142,11 @@ class BodyFigure:
         centre = self._centre()
         if centre is None:
             return self._finished(self._board(self._bodies, self._bodies.scale(self._tips)))
-        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), scale * centre])
+        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
         small = size > 0 and size * with_cranks < _LEAST_BODY
         bodies = self._alone if small or self.order == 2 else self._bodies
-        scale = bodies.scale(lambda scale: [*self._tips(scale), scale * centre])
+        scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         board = self._board(bodies, scale)
         board.sketch.at["centre"] = scale * centre
         rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]

@@ -86,7 +86,7 @@ def _drawn(
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
-    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest)
+    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, bodies.subject.least)
     drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
     scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
     board = bodies.drawn(scale)

@@ -25,6 +25,7 @@ LONGEST = 17.0  # length of the longest vector of a figure, u
 LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
 LEAST = 9.7  # vectors shorter than this are drawn with this length, 8 mm on paper, so that they are seen, u
 NOTHING = 0.02  # vectors shorter than this are none, u
+HEAD = 2.6  # length of the head of an arrow, u
 _MOST = 92.0  # width and height of a figure but for its labels, u
 _LEAST_SIZE = 0.3  # of the mechanism in proportion to that of the statement
 _TRIES = 6
@@ -37,7 +38,12 @@ _COVERED = 0.3  # part of an arrow that may lie on other lines
 
 
 class MotionBoard(Board):
-    """A board on which the motion of all points and bodies is shown, not only what is given."""
+    """A board on which the motion of all points and bodies is shown, not only what is given.
+
+    Vectors shorter than ``least`` (u) are drawn with this length.
+    """
+
+    least = LEAST
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
@@ -57,12 +63,12 @@ class MotionBoard(Board):
         """
         if abs(vector) < NOTHING:
             return False
-        if abs(vector) < LEAST:
-            vector *= LEAST / abs(vector)
+        if abs(vector) < self.least:
+            vector *= self.least / abs(vector)
             self.sketch.lengthened = True
         start = self.sketch.at[point] + self._aside(self.sketch.at[point], vector)
         # Below the hinges: the arrow comes out of the circle.
-        self.sketch.arrow(start, start + vector, Layer.SLIDER, weight)
+        self.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head_of(vector))
         self.sketch.label(along_arrow(name, start, start + vector))
         self.sketch.occupy(point, vector)
         return abs(start - self.sketch.at[point]) < 1e-9
@@ -89,29 +95,35 @@ def draw_on_mechanism(
     asked: Sequence[Quantity],
     language: Language,
     annotate: Callable[[MotionBoard, float], None],
+    true_scale: bool = False,
 ) -> Drawing:
     """The mechanism without data, with what ``annotate`` adds, of a size with which everything finds room.
 
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
-    letters find room.
+    letters find room. With ``true_scale`` no vector is lengthened to be seen.
     """
     poses = mechanism(variant, motion, index, asked, language).poses
 
     def drawn(stretch: float, size: float) -> Drawing:
         """The figure with vectors of one size on a mechanism of at most one size."""
         base = partial(mechanism, variant, motion, index, asked, language, False, poses=poses)
-        return _fitted(base, annotate, stretch, size)
+        return _fitted(base, annotate, stretch, size, 0.0 if true_scale else LEAST)
 
     return first_roomy(partial(drawn, *sizes) for sizes in _SIZES)
 
 
 def _fitted(
-    base: Callable[..., Board], annotate: Callable[[MotionBoard, float], None], stretch: float, size: float
+    base: Callable[..., Board],
+    annotate: Callable[[MotionBoard, float], None],
+    stretch: float,
+    size: float,
+    least: float,
 ) -> Drawing:
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
         plain = base(size=size)
         board = MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
+        board.least = least
         annotate(board, stretch)
         low, high = board.sketch.corners()
         excess = max((high - low).real, (high - low).imag) / _MOST
@@ -119,6 +131,11 @@ def _fitted(
             break
         size = max(_LEAST_SIZE, 0.96 * size / excess)
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def head_of(vector: complex) -> float:
+    """The length of the head of an arrow (u): never more than half of it."""
+    return min(HEAD, 0.5 * abs(vector))
 
 
 def scale_of(vectors: Sequence[complex], length: float = LONGEST) -> float:

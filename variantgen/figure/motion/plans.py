@@ -137,7 +137,7 @@ def _draw_vectors(sketch: Sketch, vectors: Sequence[PlanVector]) -> None:
         aside = _aside(vector, drawn)
         start, end = vector.start + aside, vector.end + aside
         weight = BOLD if vector.whole else MEDIUM
-        sketch.arrow(start, end, Layer.VECTOR, weight, min(2.6, 0.7 * abs(end - start)))
+        sketch.arrow(start, end, Layer.VECTOR, weight, min(2.6, 0.5 * abs(end - start)))
         sketch.label(_beside(formula, start, end, _free_from(vector, vectors)))
         drawn.append(PlanVector(start, end, vector.symbol, vector.whole))
 

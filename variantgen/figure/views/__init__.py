@@ -3,13 +3,15 @@
 Each module says ``ORDER``, the order of the motion it needs (0 positions, 1 velocities, 2 accelerations), and has a
 function ``draw(variant, motion, index, asked, language)`` that returns a :class:`~variantgen.figure.drawing.Drawing`
 or raises InputError where there is nothing of the kind to draw. Those of motion also take the vectors of the solution
-beside which they stand.
+beside which they stand and whether all are drawn to scale; those of a part of a solution ``which`` it is and what is
+marked there.
 """
 
 from __future__ import annotations
 
 import importlib
 import pkgutil
+from inspect import signature
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
@@ -18,6 +20,11 @@ from variantgen.errors import InputError, Problem, nearest
 def view_names() -> list[str]:
     """Names of the kinds of figures: ``statement``, ``velocity_plan``, ..."""
     return sorted(module.name for module in pkgutil.iter_modules(__path__))
+
+
+def is_of_parts(name: str) -> bool:
+    """Whether a kind shows one equation, body or chain of a solution, so that a solution may have several."""
+    return "which" in signature(view(name).draw).parameters
 
 
 def view(name: str) -> ModuleType:

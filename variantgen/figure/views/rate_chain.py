@@ -26,6 +26,7 @@ def draw(
     vectors: Sequence[PointVectors] = (),
     which: str = "",
     geometry: StepGeometry = NOTHING_MARKED,
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of the chain that the ``geometry`` of a step names. Raises InputError where it names none."""
-    return draw_chain(FigureSubject(variant, motion, index, asked, language, geometry), vectors)
+    return draw_chain(FigureSubject(variant, motion, index, asked, language, geometry, true_scale), vectors)

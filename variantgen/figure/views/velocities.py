@@ -33,12 +33,13 @@ def draw(
     asked: Sequence[Quantity],
     language: Language,
     vectors: Sequence[PointVectors] = (),
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
     found = motion_data(variant, motion, index, asked, ORDER)
     named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
     annotate = partial(_annotate, found, named)
-    return draw_on_mechanism(variant, motion, index, asked, language, annotate)
+    return draw_on_mechanism(variant, motion, index, asked, language, annotate, true_scale)
 
 
 def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:

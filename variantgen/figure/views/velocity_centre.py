@@ -26,7 +26,8 @@ def draw(
     vectors: Sequence[PointVectors] = (),
     which: str = "",
     geometry: StepGeometry = NOTHING_MARKED,
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of the body ``which``, with what is marked in it. Raises InputError where it has no such vectors."""
-    subject = FigureSubject(variant, motion, index, asked, language, geometry)
+    subject = FigureSubject(variant, motion, index, asked, language, geometry, true_scale)
     return draw_body_figure(subject, vectors, which, "centre", ORDER)

@@ -26,6 +26,8 @@ def draw(
     vectors: Sequence[PointVectors] = (),
     which: str = "",
     geometry: StepGeometry = NOTHING_MARKED,
+    true_scale: bool = False,
 ) -> Drawing:
     """The figure of the equation numbered ``which``. Raises InputError where there is no such equation."""
-    return draw_equation(FigureSubject(variant, motion, index, asked, language, geometry), ORDER, vectors, which)
+    subject = FigureSubject(variant, motion, index, asked, language, geometry, true_scale)
+    return draw_equation(subject, ORDER, vectors, which)

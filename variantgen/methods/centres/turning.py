@@ -11,7 +11,7 @@ from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
-from variantgen.methods.vectors.turning_speed import turning_speed
+from variantgen.methods.vectors.turning_speed import related, turning_speed
 from variantgen.methods.vectors.vector_equation import named_shares
 
 
@@ -66,12 +66,13 @@ def solve_rolling_wheel(book: Book, group: RollingWheel) -> None:
     key = "by_centre" if known else "centre"
     with book.step(f"rolling.{kind}_{key}", body=Body(body), centre=Point(centre)):
         facts: dict[str, Fact] = {"centre": Point(centre), "vector": VectorOf(Name(book.letter, centre))}
+        part = "tau" if group.around and book.order == 2 else ""
         if kind == "omega" and not book.has_said("rested.pole_v", body=Body(body)):
             # Also in a short solution: later steps may speak of this centre.
             book.say("rolling.omega", False, body=Body(body), contact=contact_fact(book, body), **facts)
         else:
+            facts |= related(book, body, centre, part)
             book.say("rolling.omega_again" if kind == "omega" else "rolling.epsilon", body=Body(body), **facts)
-        part = "tau" if group.around and book.order == 2 else ""
         name = Name(book.letter, centre, part=part)
         if known:
             given = (name, *(term.name for term in book.vectors[centre] if term.name.kind == "parameter"))

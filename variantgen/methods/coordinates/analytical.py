@@ -55,7 +55,7 @@ def applies(task: Task) -> bool:
 
 def solve(book: Book) -> None:
     """Write the steps of the method. Raises LookupError for a mechanism to which it does not apply."""
-    with book.step("analytical.functions") as first:
+    with book.step("analytical.functions", "coordinate_axes") as first:
         model = model_of(book)
         functions = _functions(model)
         if functions is None:
@@ -67,7 +67,7 @@ def solve(book: Book) -> None:
     for order in (1, 2)[: book.task.order]:
         model = model.at(order)
         book = model.book
-        with book.step(f"analytical.{book.measure}", "velocities" if order == 1 else "accelerations"):
+        with book.step(f"analytical.{book.measure}"):
             book.say(f"analytical.differentiate_{order}", False)
             written = _differentiate(model, functions, written, order, shown)
             results.enter(model, blocks)

@@ -41,7 +41,7 @@ def applies(task: Task) -> bool:
 
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
-    with book.step("coordinates.equations") as first:
+    with book.step("coordinates.equations", "coordinate_axes") as first:
         book.say("coordinates.idea", True)
         model = model_of(book)
         targets = results.targets(model)
@@ -51,7 +51,7 @@ def solve(book: Book) -> None:
     for order in (1, 2)[: book.task.order]:
         model = model.at(order)
         book = model.book
-        with book.step(f"coordinates.{book.measure}", "velocities" if order == 1 else "accelerations"):
+        with book.step(f"coordinates.{book.measure}"):
             book.say(f"coordinates.differentiate_{order}", False)
             for own in given_coordinates(model, blocks, targets):
                 book.items.append(Derived(own.speed if order == 1 else own.acceleration))

@@ -240,6 +240,8 @@ class Geometry(PositionLines):
         legs = self.way(start, end)
         oblique = sum(1 for leg in legs if leg.form.parts)
         known = self.has_coordinates(start, end)
+        if len(legs) > _INLINE and oblique >= _INLINE and not known:
+            legs = trigonometry.right_triangle(self, legs, (start, end)) or legs
         if (len(legs) > _INLINE and (oblique >= _INLINE or known)) or (len(legs) == _INLINE and known):
             right, up = self.differences(self.coordinates(end), self.coordinates(start))
             legs = collected((Leg(right, _X), Leg(up, _Y)), self.nothing)

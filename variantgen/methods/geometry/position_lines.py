@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
@@ -96,6 +97,25 @@ class PositionLines(Layout):
             down = self._entered(Name("length", end, letter), "length", across)
             self._feet[key] = self._entered(Name("length", start, letter), "length", along), down
         return self._feet[key]
+
+    def projections(self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression) -> Pair | None:
+        """The legs AH and BH of a right triangle on AB along and across a line of the figure, with their lines.
+
+        None where the line or a point has no letters, or no letter is left.
+        """
+        start, end = ends
+        if (start, "", end) not in self._feet:
+            letter = next((letter for letter in _FEET if letter not in self._taken_letters()), "")
+            shown = [name for name in self.places if name not in self.task.form.figure.hidden]
+            lines = ((a, b) for a, b in combinations(shown, 2) if (form := self.data(a, b)) and form.is_along(axis))
+            line = next(lines, None)
+            if line is None or not letter or not set(ends) <= set(shown):
+                return None
+            corners = triangle(start, end, letter)
+            self.say("projections", False, triangle=corners, leg=Segment(start, letter), line=Segment(*line))
+            first = self._entered(Name("length", start, letter), "length", along)
+            self._feet[start, "", end] = first, self._entered(Name("length", end, letter), "length", across)
+        return self._feet[start, "", end]
 
     def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
         """Say of the triangle with a base between two points and a side from the first that it is isosceles."""

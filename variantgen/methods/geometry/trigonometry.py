@@ -59,6 +59,11 @@ class Angular(Protocol):
     ) -> tuple[Value, Value] | None:
         """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters."""
 
+    def projections(
+        self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression
+    ) -> tuple[Value, Value] | None:
+        """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
+
     def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
         """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
 
@@ -180,6 +185,22 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
     oblique = isinstance(along, Total) and isinstance(across, Times)
     on_side = geometry.ahead_on(ends[0], axis) if oblique and ahead > 0 else ""
     return geometry.foot(ends[0], on_side, ends[1], along, across) if on_side else None
+
+
+def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
+    """The legs of the right triangle on a way of several segments: along one of them and across it, or one where the
+    other is zero; nothing where the figure has no letters for them.
+    """
+    axis = _axis_of(legs)
+    ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
+    left, across = positive(summed(projected(geometry, "sin", legs, axis)))
+    ways = (axis if ahead > 0 else axis.turned(180.0)), axis.turned(90.0 * left)
+    if geometry.is_nothing(across):
+        return [Leg(along, ways[0])]
+    if geometry.is_nothing(along):
+        return [Leg(across, ways[1])]
+    found = geometry.projections(ends, axis, along, across)
+    return [] if found is None else [Leg(leg, way) for leg, way in zip(found, ways, strict=True)]
 
 
 def _are_equal(first: Leg, second: Leg) -> bool:

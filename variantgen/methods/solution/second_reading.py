@@ -86,9 +86,11 @@ def _rates_in(expression: Expression) -> set[Name]:
 def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
     """The steps with tables of those vectors only whose directions are new.
 
-    Of a vector of which a later sentence says to which side it points, and why, the line is enough.
+    Of a vector of which a later sentence says to which side it points, and why, the line is enough, and of a rotation
+    about a pole it is said once how its vectors lie.
     """
     known: set[Name] = set()
+    usual: set[tuple[str, str]] = set()
     kept: list[Step] = []
     for step in steps:
         reasons = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
@@ -98,8 +100,10 @@ def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
                 known |= _vectors(item)
             if isinstance(item, TermTable):
                 terms = [_line(term) if term.name in reasons else term for term in item.terms]
-                items.append(TermTable(tuple(term for term in terms if not _is_known(term, known))))
+                new = [term for term in terms if not _is_known(term, known) and _usual(term) not in usual]
+                items += [TermTable(tuple(new))] if new else []
                 known |= {term.name for term in terms}
+                usual |= {line for term in new if (line := _usual(term)) is not None}
             else:
                 items.append(item)
         kept.append(replace(step, items=items))
@@ -124,9 +128,19 @@ def _line(term: Term) -> Term:
     return replace(term, way=way) if isinstance(way, Sentence) else term
 
 
+def _usual(term: Term) -> tuple[str, str] | None:
+    """How a vector of a rotation about a moving pole lies, as all such vectors do; None for others.
+
+    The normal acceleration leads to the pole, velocity and tangential acceleration are across the radius: that is said
+    of the first of them.
+    """
+    usual = term.name.about and term.way.key in ("ways.towards", "ways.across")
+    return (term.name.kind, term.way.key) if usual else None
+
+
 def _is_known(term: Term, known: Collection[Name]) -> bool:
     """Whether the direction of a vector, or of the whole of which it is a component, has been said."""
-    return term.is_laid or term.name in known or (not term.name.about and term.name._replace(part="") in known)
+    return term.is_laid or term.name in known or (not term.name.about and term.name.whole in known)
 
 
 def _joined(steps: Sequence[Step], asked: Collection[Name]) -> list[Step]:

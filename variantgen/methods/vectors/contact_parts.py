@@ -16,7 +16,7 @@ from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, Vec
 from variantgen.methods.vectors.diameter import beyond_centre, other_end
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
-from variantgen.methods.vectors.turning_speed import turning_speed
+from variantgen.methods.vectors.turning_speed import related, turning_speed
 from variantgen.methods.vectors.vector_equation import named_shares, share_of
 
 _NOTHING = 1e-10  # of the natural scale
@@ -62,6 +62,8 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     if known.body and sought.body:
         facts["other"] = Body(known.body)
     word = "rest" if known.is_rest else "same"
+    if book.order == 2 and known.is_rest and sought.body:
+        facts |= related(book, sought.body, sought.centre, "tau")
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
     key = f"{touch.kind}.{word}_{book.letter}"
@@ -71,7 +73,7 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     turning = [side for side in (known, sought) if side.lever]
     if touch.place and book.order == 1:
         for side in turning:
-            book.say(touch.place, contact=Point(side.name), body=Body(side.body))
+            book.say(touch.place, False, contact=Point(side.name), body=Body(side.body))
 
 
 def _is_said(book: Book, key: str) -> bool:

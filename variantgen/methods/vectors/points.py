@@ -135,6 +135,7 @@ def _say_ways(book: Book, point: str, pivot: str, name: Name) -> None:
         return
     side = Word(on_paper(terms[-1].angle.exact))
     facts: dict[str, Fact] = {"vector": VectorOf(name), "pivot": Point(pivot), "side": side, **along(point, pivot)}
+    facts |= {"normal": VectorOf(name.component("n")), "tangential": VectorOf(name.component("tau"))}
     key = book.letter if len(terms) > 1 or book.order == 1 else terms[0].name.part
     book.say(f"points.about_pivot_{key}", **facts)
 

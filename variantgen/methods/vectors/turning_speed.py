@@ -7,10 +7,13 @@ or that the printed digits show in full, is simply multiplied.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from variantgen.algebra.decimals import PRINTED_DIGITS, rounded
 from variantgen.algebra.expression import Ratio, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.solution.book import Book
+from variantgen.methods.solution.book import Book, Known, Rate
+from variantgen.methods.steps.step import Fact
 
 _SAME = 1e-10  # relative difference of two numbers that are one, but for rounding of the arithmetic
 
@@ -23,6 +26,24 @@ def turning_speed(book: Book, name: Name, rate: Value, arm: Value) -> Value:
                 return book.derive(name, book.measure, speed * arm / radius)
             return speed if speed.name == name else book.derive(name, book.measure, speed, law=rate * arm)
     return book.derive(name, book.measure, rate * arm)
+
+
+def related(book: Book, body: str, centre: str, part: str) -> dict[str, Fact]:
+    """The letters of ``v_O = omega r`` and ``a_O = epsilon r`` as the solution has them; ``part`` is that of a_O."""
+
+    def rate(kind: str, known: Mapping[str, Rate]) -> Name:
+        found = known.get(body)
+        return found.size.name if found is not None and found.size.name is not None else Name(kind, body)
+
+    def size(name: Name, known: Known) -> Name:
+        return known[-1].name if known else name
+
+    return {
+        "velocity": size(Name("v", centre), book.velocity.get(centre, ())),
+        "acceleration": size(Name("a", centre, part=part), book.acceleration.get(centre, ())),
+        "omega": rate("omega", book.omega),
+        "epsilon": rate("epsilon", book.epsilon),
+    }
 
 
 def is_rounded(value: Value) -> bool:

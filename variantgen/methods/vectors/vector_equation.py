@@ -125,7 +125,10 @@ def _projected(
     known = [(flip * side * share.sign, share) for side, share in rest]
     words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
-    expression = _quotient(collected(known), own.factor)
+    if book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
+        expression: Expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
+    else:
+        expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     return value
@@ -237,12 +240,17 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> 
     sizes = [(sign * _share(share).number(True), share.term) for sign, share in known]
     against = -sum(min(size, 0.0) for size, _ in sizes)
     if len(sizes) == 1:
-        return [Sentence("axes.by_one", {**facts, "known": VectorOf(sizes[0][1].name)})]
+        return [Sentence("axes.by_one", {**facts, "known": _named_in_text(sizes[0][1])})]
     if against == 0:
         return [Sentence("axes.by_all", facts)]
     largest, strongest = max(sizes, key=lambda item: item[0])
     if largest > _CLEAR * against:
-        return [Sentence("axes.by_strongest", {**facts, "known": VectorOf(strongest.name)})]
+        return [Sentence("axes.by_strongest", {**facts, "known": _named_in_text(strongest)})]
     parts = Total(tuple((sign, _share(share)) for sign, share in known))
     total = Value(None, book.measure, parts.number(True), parts)
     return [Sentence("axes.by_sum", {**facts, "sum": NumberOf(total)})]
+
+
+def _named_in_text(term: Term) -> Fact:
+    """A vector in a sentence; of a component along a laid axis its letter, for the equation has the whole vector."""
+    return term.name if term.is_laid else VectorOf(term.name)

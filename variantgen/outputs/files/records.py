@@ -121,7 +121,10 @@ def manifest_frame(
                 str(task.number): task.tolerance.floor for task in exam.tasks if task.tolerance is not None
             },
         },
-        "solutions": asdict(exam.solutions) if exam.solutions.wanted else None,
+        # What is not a choice of words stands in the text of the exam.
+        "solutions": {name: value for name, value in asdict(exam.solutions).items() if isinstance(value, str)}
+        if exam.solutions.wanted
+        else None,
         "notation": asdict(exam.spoken.notation),
         "formats": list(exam.formats),
         "seed": exam.seed,

@@ -46,14 +46,16 @@ def explain(
     depth: str = "full",
     ask: Sequence[str] = (),
     notation: Sequence[str] = (),
+    true_scale: bool = False,
 ) -> Explanation:
     """The solution for the asked quantities (none: those of the form) by methods (none: the natural ones).
 
     ``depth`` is ``answers``, ``short`` or ``full``; ``notation`` are words like ``alpha`` (see
-    :mod:`variantgen.wording.notation`). Raises InputError, and UnexplainedError where no method leads to what is asked.
+    :mod:`variantgen.wording.notation`); with ``true_scale`` no vector of a figure is lengthened to be seen. Raises
+    InputError, and UnexplainedError where no method leads to what is asked.
     """
     asked = tuple(read_ask(variant.form, tuple(ask) or None))
-    options = SolutionOptions(tuple(methods), cast(Depth, depth))
+    options = SolutionOptions(tuple(methods), cast(Depth, depth), true_scale)
     spoken = load_language(language, notation_of(notation))
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
     return Explanation(variant, asked, spoken, options, wording.explain(variant, motion, 0, asked, spoken, options))

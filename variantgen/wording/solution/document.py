@@ -89,7 +89,7 @@ class SolutionText:
     """A whole solution in a language.
 
     Figures show its ``centres`` (rays to acceleration centres) as if asked, draw its ``vectors`` and mark its
-    ``geometry``, which is told by the names of the figures.
+    ``geometry``, which is told by the names of the figures; with ``true_scale`` all vectors are to scale.
     """
 
     plan: Text
@@ -99,3 +99,4 @@ class SolutionText:
     centres: tuple[Quantity, ...] = ()
     vectors: tuple[PointVectors, ...] = ()
     geometry: Mapping[str, StepGeometry] = field(default_factory=dict)
+    true_scale: bool = False

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity, recorded
@@ -25,7 +26,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
-_LONG = 6  # steps of a solution that begins with a plan
+_LONG = 8  # steps of a solution that begins with a plan
 
 
 class UnexplainedError(VariantgenError):
@@ -54,7 +55,8 @@ def explain(
         raise UnexplainedError(
             f"{variant.family.name}: no method of solution leads to {what}; the answers themselves do not need one"
         ) from error
-    return written(task, found, language, options.depth == "short")
+    text = written(task, found, language, options.depth == "short")
+    return replace(text, true_scale=options.true_scale)
 
 
 def answers_only(
