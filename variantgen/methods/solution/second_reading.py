@@ -23,7 +23,13 @@ from variantgen.methods.steps.step import (
 )
 
 _SAYING = ("points.about_pivot", "velocity_centre.direction", "relative.zhukovsky")  # sentences that say directions
-_PREPARING = ("points.turning", "rolling.", "turning.", "rested.")  # steps that often only prepare another one
+_PREPARING = (
+    "points.turning",
+    "rolling.",
+    "turning.",
+    "rested.",
+    "contact.",
+)  # steps that often only prepare another one
 _PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
 
 
