@@ -30,7 +30,8 @@ NONE = {("guided_plate", ""), ("three_rod_plate", ""), ("wheel_with_rod", "drive
 # Only the data of these forms are nice. The answers of the first hold pi; in the others every product of data and the
 # sides of their triangles has a factor 11, 13, ... in its denominator, so answers are decimals.
 DECIMALS = {
-    ("falling_rod", ""), ("slider_crank", "driven_by_slider"), ("quick_return_shaper", ""), ("wheel_with_rod", "central"),
+    ("falling_rod", ""), ("slider_crank", "driven_by_slider"), ("quick_return_shaper", ""),
+    ("wheel_with_rod", "central"),
 }  # fmt: skip
 SOURCES = {
     "rolling_wheel", "ladder", "four_bar", "slider_crank", "slider_crank_with_second_rod", "planetary_pair", "spool",
