@@ -1,10 +1,11 @@
-"""The figures of the whole catalogue, inspected by program: labels, sizes, hinges, time.
+"""The figures of the whole catalogue, inspected by program: labels, arrows, sizes, hinges, time.
 
     python -m benchmarks.figures [--seeds N] [--family NAME ...] [--language ru]
 
 Draws N variants of every form of every family and counts labels that cover another label, a line or a symbol, or leave
-the paper; leaders; the smallest free space around a label; hinges nearer to each other than a symbol; the largest
-figures; the time of a figure. Prints a Markdown table and, run on the whole catalogue, writes it to
+the paper; leaders; the smallest free space around a label; hinges nearer to each other than a symbol; the faults of
+arrows that ``variantgen.figure.arrow_faults`` finds, points that nothing marks; the largest figures; the time of a
+figure. Prints a Markdown table and, run on the whole catalogue, writes it to
 ``benchmarks/figures.md``. Times depend on the machine.
 """
 
@@ -13,15 +14,17 @@ from __future__ import annotations
 import argparse
 import statistics
 import time
+from collections import Counter
 from dataclasses import dataclass, field, replace
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.families.family import Family, Form
 from variantgen.families.load import family_names, load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer
-from variantgen.figure.faults import inspect_labels
+from variantgen.figure.faults import inspect_labels, unmarked_points
 from variantgen.figure.sketch import HINGE
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import figure_data
@@ -34,8 +37,11 @@ from variantgen.wording.language import load_language
 _SAMPLE = 5  # figures of each form that are typeset for comparison
 HEAD = """\
 | family | form | figures | label on label | label on line | off paper | unnamed points | leaders | least space, u | \
-hinges too near | not to scale | no text | largest, u | median, ms |
-|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"""
+hinges too near | not to scale | no text | arrow over a line | double arrow | behind a wall | line past a head | \
+radius over a line | along a rim | small arc | foreign arc | no dot | largest, u | median, ms |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"""
+# Faults of arrows in the order of the columns, and points without a mark.
+ARROWS = ("crossed", "doubled", "behind", "continued", "radii", "grazing", "small", "foreign", "unmarked")
 
 
 @dataclass
@@ -52,6 +58,7 @@ class Tally:
     near: int = 0
     off_scale: int = 0
     silent: int = 0
+    arrows: Counter[str] = field(default_factory=Counter)
     clearances: list[tuple[float, str]] = field(default_factory=list)
     width: float = 0.0
     height: float = 0.0
@@ -64,6 +71,7 @@ class Tally:
         return (
             f"| {name} | {form} | {self.figures} | {self.overlaps} | {self.crossed} | {self.outside} | {self.unnamed}"
             f" | {self.leaders} | {min(self.clearances)[0]:.2f} | {self.near} | {self.off_scale} | {self.silent}"
+            f" | {' | '.join(str(self.arrows[kind]) for kind in ARROWS)}"
             f" | {self.width:.0f} x {self.height:.0f} | {1e3 * statistics.median(self.times):.2f} |"
         )
 
@@ -82,6 +90,7 @@ class Tally:
             "silent",
         ):
             setattr(self, name, getattr(self, name) + getattr(other, name))
+        self.arrows += other.arrows
         self.clearances += other.clearances
         self.times += other.times
         self.sample += other.sample
@@ -133,10 +142,15 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
         tally.near += hinges_too_near(drawing)
         tally.off_scale += off_scale(drawing, [complex(motion.z[name][i]) for name in motion.z])
         tally.silent += not drawing.alt
+        arrows = inspect_arrows(drawing).by_kind
+        on_paper = {point: drawing.scale * complex(motion.z[point][i]) + drawing.origin for point in points}
+        arrows["unmarked"] = unmarked_points(drawing, on_paper)
+        tally.arrows += Counter({kind: len(faults) for kind, faults in arrows.items()})
         tally.clearances.append((seen.clearance, f"seed {i}"))
         tally.width, tally.height = max(tally.width, drawing.width), max(tally.height, drawing.height)
-        if seen.overlaps or seen.crossed or seen.outside:
-            tally.worst.append(f"{family.name}/{form.name} {i}: {seen.overlaps} {seen.crossed} {seen.outside}")
+        said = [fault for faults in arrows.values() for fault in faults]
+        if seen.overlaps or seen.crossed or seen.outside or said:
+            tally.worst.append(f"{family.name}/{form.name} {i}: {seen.overlaps} {seen.crossed} {seen.outside} {said}")
     return tally
 
 

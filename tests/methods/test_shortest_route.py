@@ -173,3 +173,17 @@ def test_a_check_takes_no_number_that_the_solution_does_not_show() -> None:
     assert "P as base point" not in text
     text, _ = solved("pulley_and_wheel", "axle", "5313")  # epsilon_1 has no line: a_C MP / R_1 stands for epsilon_1 MP
     assert "(60 · 64.10 / 38) · sin" in text
+
+
+@pytest.mark.parametrize(("form", "seed"), [("offset", "107"), ("driven_by_slider", "5"), ("central", "3")])
+def test_the_rod_and_the_ray_have_one_projection_on_the_guide(form: str, seed: str) -> None:
+    """``AP = v_A / omega`` printed in centimetres is ``AB cos(psi) / cos(theta)`` with the angles of the places."""
+    text, found = solved("slider_crank", form, seed)
+    motion = solve_variants([one_variant("slider_crank", form=form, seed=seed)], 1)
+    o, a, b = (complex(motion.z[name][0]) for name in "OAB")
+    guide = complex(motion.v["B"][0])
+    angles = [abs(((end - a) * guide.conjugate()).real) / abs((end - a) * guide) for end in (b, o)]
+    arm = abs(b - a) * angles[0] / angles[1]
+    assert "AP and AB have the same projection on the path of B" in text
+    assert f"= {100 * arm:.4g}" in text  # the program gives 151.64 for a leading one
+    assert abs(complex(motion.v["A"][0])) / arm == pytest.approx(abs(found["omega_AB"]), rel=1e-6)

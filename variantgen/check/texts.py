@@ -17,10 +17,10 @@ from variantgen.families.family import Family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
-from variantgen.figure.faults import figure_faults
+from variantgen.figure.faults import figure_faults, unmarked_points
 from variantgen.mechanism.motion import Motion
 from variantgen.resources import languages
-from variantgen.variants.printed_data import given_names
+from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, Symbol, letters
 from variantgen.wording.language import Language, load_language
@@ -63,7 +63,11 @@ def _look_at_arrows(variants: Sequence[Variant], asked: Sequence[Quantity], moti
     seen: dict[str, list[str]] = {}
     for place, variant in enumerate(variants):
         drawing = statement_figure(variant, motion, place, asked, load_language(languages()[0]))
-        for kind, faults in inspect_arrows(drawing).by_kind.items():
+        faults_of = inspect_arrows(drawing).by_kind
+        places = {point: drawing.scale * complex(motion.z[point][place]) for point in shown_points(variant, asked)}
+        unmarked = unmarked_points(drawing, {point: at + drawing.origin for point, at in places.items()})
+        faults_of["unmarked"] = [f"nothing is drawn at the point {point}" for point in unmarked]
+        for kind, faults in faults_of.items():
             seen.setdefault(kind, []).extend(f"figure, {_where(variant, place)}: {fault}" for fault in faults)
     for found in seen.values():
         if found:
@@ -141,6 +145,10 @@ def _failures(
     for point in sorted({q.point for q in asked} - {""}):
         if Symbol(point) not in drawn:
             found.append((where, f"the figure does not name {point}"))
+    for body in variant.form.bodies:
+        symbol = language.symbol(body, variant.form.symbols)
+        if symbol.base.isdecimal() and symbol in said.text and symbol not in drawn:
+            found.append((where, f"the figure does not show the number {symbol.base} of {body}"))
     return found + [(where, message) for message in _unsaid(said, variant, asked, language)]
 
 

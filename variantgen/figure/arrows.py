@@ -19,14 +19,16 @@ _LENGTHS = (11.0, 8.8)  # of velocities, of accelerations, u
 _WEIGHTS = (0.75, MEDIUM)
 _SHORTER = np.array([1.0, 0.8, 0.65])
 _LANES = np.array([0.0, 3.0, -3.0, 4.4, -4.4, 6.2, -6.2, 8.4, -8.4, 11.0, -11.0])  # aside of the point, u
-_SLIDES = np.array([0.0, 2.5, 5.0, 8.0, 11.0, -3.0, -6.0, -9.0, -12.0, -15.0])  # along it, u
+_SLIDES = np.array([0.0, 3.0, 6.5, 10.0, -3.5, -7.0, -10.5, -14.0])  # along it, u
 _HALF_LANE = 0.8  # half the width of the paper that an arrow takes, u
 _ROOT = 4.5  # part of an arrow at its point that may lie on what meets there, u
+_FAR = 28.0  # from the point: farther lines meet no arrow, u
 _PAST = 1.6  # free paper beyond a head, u
 _OFF = 1.0  # between an arrow and its letters, u
 _BEHIND = 16.0  # depth behind a wall in which an arrow seems to be in it, u
 _LONG_WALL = 12.0  # shorter hatched lines are bases of hinges, u
 _PLAINLY = 0.8  # by which letters are nearer to their own arrow than to the other one, u
+_PARALLEL = 0.97  # cosine of the angle between two arrows on one line
 _TOLD_APART = 1.8  # distance aside of two opposite arrows, u
 # Costs of a line that is crossed and of each u on it, of a wall before the arrow, of an arrow that reads as one with
 # another, of one in line with another, of letters over a line, of an arrow beside its point, outside a disc
@@ -36,13 +38,39 @@ _ASIDE, _ALONG, _SLID, _SHORT = 0.3, 0.4, 0.08, np.array([0.0, 1.5, 4.0])
 
 
 @dataclass(frozen=True)
-class _Grid:
-    """The places of an arrow: lanes aside, in each the same feet and lengths; costs have the shape (lanes, places)."""
+class _Wanted:
+    """An arrow that is wanted: a place, its direction (unit), its length, where it begins if it begins there (u).
 
-    lanes: NDArray[np.float64]
-    feet: NDArray[np.float64]
-    lengths: NDArray[np.float64]
-    shortness: NDArray[np.float64]
+    ``root`` is the part that may lie on what meets at the place, ``letters`` width and height of its symbol.
+    """
+
+    centre: complex
+    way: complex
+    length: float
+    start: float
+    root: float
+    letters: tuple[float, float]
+
+
+class _Grid:
+    """Places of an arrow: lanes aside, in each the same slides and lengths.
+
+    ``lanes`` have the shape (L, 1), ``tails`` (where the arrow begins, along its way) and costs (L, P), all else (P,).
+    """
+
+    def __init__(self, arrow: _Wanted, lanes: NDArray[np.float64], slides: NDArray[np.float64]) -> None:
+        self.lanes = lanes[:, None]
+        self.slides = np.repeat(slides, len(_SHORTER))
+        self.lengths = arrow.length * np.tile(_SHORTER, len(slides))
+        self.shortness = np.tile(_SHORT, len(slides))
+        # In the lane of the point itself an arrow begins at its symbol.
+        self.tails = np.where(self.lanes == 0, arrow.start, self.slides)
+        self.heads = self.tails + self.lengths
+
+    def parts(self, arrow: _Wanted, part: float) -> NDArray[np.complex128]:
+        """The point of each arrow at a part of its length, shape (L, P)."""
+        result: NDArray[np.complex128] = arrow.centre + arrow.way * (self.tails + part * self.lengths + 1j * self.lanes)
+        return result
 
 
 def draw_arrows(
@@ -66,10 +94,10 @@ def draw_arrows(
         if way == 0 or symbol is None:
             continue
         start = sketch.symbol_radius.get(point, 1.1) if place is None else 0.0
-        size = label_size(symbol)
-        foot, tip = _roomiest(board, centre, way, length, start, root, size, drawn, reserved)
+        arrow = _Wanted(centre, way, length, start, root, label_size(symbol))
+        foot, tip = _roomiest(board, arrow, drawn, reserved)
         drawn.append((foot, tip))
-        reserved += _place_of_letters(board, foot, tip, size)
+        reserved += _place_of_letters(board, foot, tip, arrow.letters)
         sketch.arrow(foot, tip, Layer.VECTOR, weight=weight)
         sketch.label(along_arrow(symbol, foot, tip))
         sketch.occupy(point, tip - sketch.at[point])
@@ -81,35 +109,31 @@ def directed(rate: float, way: complex) -> complex:
 
 
 def _roomiest(
-    board: Board,
-    centre: complex,
-    way: complex,
-    length: float,
-    start: float,
-    root: float,
-    letters: tuple[float, float],
-    drawn: Sequence[tuple[complex, complex]],
-    reserved: Sequence[tuple[complex, complex]],
+    board: Board, arrow: _Wanted, drawn: Sequence[tuple[complex, complex]], reserved: Sequence[tuple[complex, complex]]
 ) -> tuple[complex, complex]:
     """Foot and tip of the arrow that costs least; the first of those that cost the same.
 
     ``drawn`` are the arrows of the point so far, ``reserved`` the diagonals of the boxes that their letters need.
     """
-    lengths = length * np.tile(_SHORTER, len(_SLIDES))
-    feet = np.repeat(_SLIDES, len(_SHORTER))
-    grid = _Grid(_LANES, feet, lengths, np.tile(_SHORT, len(_SLIDES)))
-    # In the lane of the point itself an arrow begins at its symbol.
-    lanes = grid.lanes[:, None]
-    along = np.maximum(0.0, np.maximum(feet, -feet - lengths))
-    costs = np.where(lanes == 0, 0.0, _BESIDE + _ASIDE * np.abs(lanes)) + _ALONG * along + _SLID * np.abs(feet)
-    costs = costs + grid.shortness + np.where((lanes == 0) & (feet != 0), np.inf, 0.0)
-    tails = np.where(lanes == 0, start, feet)
-    costs += _crossing(board, centre, way, grid, tails, root, letters, reserved)
-    costs += _walled(board, centre, way, grid, tails) + _confused(centre, way, grid, tails, drawn)
-    costs += _OFF_DISC * _off_disc(board, centre, way, grid, tails)
-    lane, place = divmod(int(np.argmin(costs)), len(feet))
-    foot = centre + way * complex(tails[lane, place], grid.lanes[lane])
-    return foot, foot + lengths[place] * way
+    # Most arrows begin at their point: what costs less than any place beside it is not compared with the others.
+    for lanes, slides in ((_LANES[:1], _SLIDES[:1]), (_LANES, _SLIDES)):
+        grid = _Grid(arrow, lanes, slides)
+        costs = _far(grid) + _crossing(board, arrow, grid, reserved) + _walled(board, arrow, grid)
+        costs += _confused(arrow, grid, drawn) + _OFF_DISC * _off_disc(board, arrow, grid)
+        lane, place = divmod(int(np.argmin(costs)), len(grid.slides))
+        if costs[lane, place] < _BESIDE:
+            break
+    foot = arrow.centre + arrow.way * complex(grid.tails[lane, place], lanes[lane])
+    return foot, foot + float(grid.lengths[place]) * arrow.way
+
+
+def _far(grid: _Grid) -> NDArray[np.float64]:
+    """Cost of the distance from the point, and of shortness."""
+    along = np.maximum(0.0, np.maximum(grid.slides, -grid.slides - grid.lengths))
+    costs = np.where(grid.lanes == 0, 0.0, _BESIDE + _ASIDE * np.abs(grid.lanes)) + _ALONG * along
+    costs = costs + _SLID * np.abs(grid.slides) + grid.shortness
+    result: NDArray[np.float64] = np.where((grid.lanes == 0) & (grid.slides != 0), np.inf, costs)
+    return result
 
 
 def _place_of_letters(
@@ -129,80 +153,65 @@ def _place_of_letters(
 
 
 def _crossing(
-    board: Board,
-    centre: complex,
-    way: complex,
-    grid: _Grid,
-    tails: NDArray[np.float64],
-    root: float,
-    letters: tuple[float, float],
-    reserved: Sequence[tuple[complex, complex]],
+    board: Board, arrow: _Wanted, grid: _Grid, reserved: Sequence[tuple[complex, complex]]
 ) -> NDArray[np.float64]:
     """Cost of the lines under each arrow and just beyond its head, and under its letters."""
+    way, letters = arrow.way, arrow.letters
     across = 0.5 * (letters[0] * abs(way.imag) + letters[1] * abs(way.real))
     half = 0.5 * (letters[0] * abs(way.real) + letters[1] * abs(way.imag))
-    beside = _OFF + across
-    count = len(grid.lanes)
-    lanes = np.concatenate((grid.lanes, grid.lanes, grid.lanes + beside, grid.lanes - beside))
+    own, beside, count = grid.lanes[:, 0], _OFF + across, len(grid.lanes)
+    lanes = np.concatenate((own, own, own + beside, own - beside))
     widths = np.repeat((_HALF_LANE, across, across, across), count)
-    low, high = board.sketch.obstacles.lanes_met(centre, way, lanes, widths, reserved)
-    heads = tails + grid.lengths
-    at_point = grid.lanes[:, None] == 0
-    from_, to = np.where(at_point, np.maximum(tails, root), tails - 0.6), heads + _PAST
-    shared = np.minimum(high[:count, None], to[..., None]) - np.maximum(low[:count, None], from_[..., None])
+    low, high = board.sketch.obstacles.lanes_met(arrow.centre, way, lanes, widths, _FAR, reserved)
+    begin = np.where(grid.lanes == 0, np.maximum(grid.tails, arrow.root), grid.tails - 0.6)
+    end = grid.heads + _PAST
+    shared = np.minimum(high[:count, None], end[..., None]) - np.maximum(low[:count, None], begin[..., None])
     met = np.minimum((shared >= 0).sum(axis=2), 4)
     costs: NDArray[np.float64] = _CROSSED * met + _ON_LINE * np.maximum(shared, 0.0).sum(axis=2)
-    middle = tails + 0.6 * grid.lengths
-    spots = [(heads + _OFF, heads + _OFF + 2 * half), (middle - half, middle + half), (middle - half, middle + half)]
+    middle = grid.tails + 0.6 * grid.lengths
+    spots = [(grid.heads + _OFF, grid.heads + _OFF + 2 * half), *[(middle - half, middle + half)] * 2]
     covered = [
-        np.sum((low[i : i + count, None] < end[..., None]) & (high[i : i + count, None] > begin[..., None]), axis=2)
-        for i, (begin, end) in zip((count, 2 * count, 3 * count), spots, strict=True)
+        np.sum((low[i : i + count, None] < last[..., None]) & (high[i : i + count, None] > first[..., None]), axis=2)
+        for i, (first, last) in zip((count, 2 * count, 3 * count), spots, strict=True)
     ]
     best: NDArray[np.float64] = np.minimum(np.min(covered, axis=0), 3)
     return costs + _COVERED * best
 
 
-def _walled(
-    board: Board, centre: complex, way: complex, grid: _Grid, tails: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _walled(board: Board, arrow: _Wanted, grid: _Grid) -> NDArray[np.float64]:
     """Cost of arrows on the hatched side of a wall."""
-    costs = np.zeros(tails.shape)
+    costs = np.zeros(grid.tails.shape)
     for start, end, away in board.sketch.walls:
         long = abs(end - start)
         if long < _LONG_WALL:
             continue
-        behind = np.zeros(tails.shape, dtype=bool)
-        for part in (0.3, 0.6, 1.0):
-            step = centre + way * (tails + part * grid.lengths + 1j * grid.lanes[:, None]) - start
+        behind = np.zeros(grid.tails.shape, dtype=bool)
+        for part in (0.4, 1.0):
+            step = grid.parts(arrow, part) - start
             along, depth = (step * np.conj((end - start) / long)).real, (step * np.conj(away)).real
             behind |= (along > 0) & (along < long) & (depth > 0.2) & (depth < _BEHIND)
         costs += _WALL * behind
     return costs
 
 
-def _off_disc(
-    board: Board, centre: complex, way: complex, grid: _Grid, tails: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _off_disc(board: Board, arrow: _Wanted, grid: _Grid) -> NDArray[np.float64]:
     """Of how many discs with the point inside an arrow is outside."""
-    middles = centre + way * (tails + 0.5 * grid.lengths + 1j * grid.lanes[:, None])
-    found = np.zeros(tails.shape)
-    for body, radii in board.discs.items():
-        for disc in board.form.figure.discs:
-            at = board.sketch.at[disc.centre]
-            if disc.body == body and abs(centre - at) < max(radii) - 1.0:
-                found += np.abs(middles - at) > max(radii)
+    found = np.zeros(grid.tails.shape)
+    for disc in board.form.figure.discs:
+        radii = board.discs.get(disc.body, []) if disc.body else []
+        at = board.sketch.at[disc.centre]
+        if radii and abs(arrow.centre - at) < max(radii) - 1.0:
+            found += np.abs(grid.parts(arrow, 0.5) - at) > max(radii)
     return found
 
 
-def _confused(
-    centre: complex, way: complex, grid: _Grid, tails: NDArray[np.float64], drawn: Sequence[tuple[complex, complex]]
-) -> NDArray[np.float64]:
+def _confused(arrow: _Wanted, grid: _Grid, drawn: Sequence[tuple[complex, complex]]) -> NDArray[np.float64]:
     """Cost of arrows that would read as one with another arrow of the point."""
-    costs = np.zeros(tails.shape)
+    costs = np.zeros(grid.tails.shape)
     for foot, tip in drawn:
-        first, last = ((end - centre) / way for end in (foot, tip))
+        first, last = ((end - arrow.centre) / arrow.way for end in (foot, tip))
         cosine = ((last - first) / abs(last - first)).real
-        if abs(cosine) > 0.97:
-            near = np.abs(grid.lanes[:, None] - 0.5 * (first + last).imag) < _TOLD_APART
+        if abs(cosine) > _PARALLEL:
+            near = np.abs(grid.lanes - 0.5 * (first + last).imag) < _TOLD_APART
             costs += (_DOUBLE if cosine < 0 else _IN_LINE) * near
     return costs

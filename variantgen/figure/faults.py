@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
 
-from variantgen.figure.drawing import Drawing, Label, Layer, Line, Path
+from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path
 from variantgen.figure.ink import crosses, gaps_to_box, segments_of
 from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
 _LONGEST = 5.0
+_AT_POINT = 0.1  # distance of a mark from the point that it marks, u
 WIDEST, HIGHEST = 108.0, 102.0  # limits of a figure, u
 
 
@@ -101,6 +103,18 @@ def misread_labels(drawing: Drawing) -> list[str]:
         if len(others) and float(np.min(gaps_to_box(label.at, half, others))) < own - 1e-6:
             found.append(to_plain(label.formula))
     return found
+
+
+def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:
+    """Names of points (places on paper, u) at which no line begins, ends or bends and no circle is centred."""
+    marks: list[complex] = []
+    for line in drawing.lines:
+        if isinstance(line, Path):
+            marks += line.points
+        elif isinstance(line, Arc):
+            marks.append(line.centre)
+    known = np.array(marks)
+    return [name for name, place in places.items() if not len(known) or np.min(np.abs(known - place)) > _AT_POINT]
 
 
 def figure_faults(drawing: Drawing) -> list[str]:

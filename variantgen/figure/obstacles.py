@@ -87,16 +87,20 @@ class Obstacles:
         way: complex,
         lanes: NDArray[np.float64],
         half_widths: NDArray[np.float64],
+        far: float,
         further: Sequence[tuple[complex, complex]] = (),
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """From where to where each line (and each of ``further`` ones) runs in each lane, shape (L, S) each.
 
         A lane is the paper within a half width (shape (L,)) of a line through ``centre`` in the direction ``way``
-        (unit), moved to the left by ``lanes`` (shape (L,)); distances are along the way. A line that is nowhere in a
-        lane goes from infinity to minus infinity.
+        (unit), moved to the left by ``lanes`` (shape (L,)); distances are along the way, lines farther than ``far`` are
+        left out. A line that is nowhere in a lane goes from infinity to minus infinity.
         """
         every = np.concatenate((self.segments(), np.array(further, dtype=complex).reshape(-1, 2)))
         local = (every - centre) * way.conjugate()
+        low, high = np.min(local.imag, axis=1), np.max(local.imag, axis=1)
+        near = (np.max(local.real, axis=1) > -far) & (np.min(local.real, axis=1) < far)
+        local = local[near & (high >= np.min(lanes - half_widths)) & (low <= np.max(lanes + half_widths))]
         start, step = local[:, 0], local[:, 1] - local[:, 0]
         rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
         edges = lanes[:, None] + np.array((-1.0, 1.0))[:, None, None] * half_widths[:, None]

@@ -11,7 +11,7 @@ import math
 
 from variantgen.algebra.expression import Constant, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.centres import pivot_triangle
+from variantgen.methods.centres import guide_triangle, pivot_triangle
 from variantgen.methods.centres.centre import is_angle, is_near, named_place, note_angle, own_angle
 from variantgen.methods.centres.triangle_shapes import say_shape, shapes
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short
@@ -45,7 +45,7 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
         for point in {a, b} - {at}:
             centre.rays[point] = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
         return centre
-    book.say("perpendiculars.meet", False, **facts)
+    book.say("perpendiculars.meet" if first.size is not None else "perpendiculars.meet_two", False, **facts)
     to_a, to_b = (perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True))
     _solve_triangle(book, centre, (first, second), (to_a, to_b), place)
     return centre
@@ -127,6 +127,8 @@ def _solve_triangle(
     angles = (at_a, at_b, at_p)
     shape, needed, arms = next(case for case in shapes(side, *angles) if case[0])
     if shape == "by_sines" and pivot_triangle.solve(book, centre, terms, rays, place):
+        return
+    if shape == "by_sines" and guide_triangle.solve(book, centre, terms, rays):
         return
     say_shape(book, centre, shape, ends)
     for angle in needed:

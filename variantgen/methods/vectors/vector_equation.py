@@ -125,7 +125,10 @@ def _projected(
     known = [(flip * side * share.sign, share) for side, share in rest]
     words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
-    expression = _quotient(collected(known), own.factor)
+    if book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
+        expression: Expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
+    else:
+        expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     return value
