@@ -56,7 +56,10 @@ class Derivation(ConstructedPoint):
         return base, own, opposite
 
     def _by_height(self, other: str, third: str, known: Value) -> tuple[str, Expression]:
-        """The second angle at the line of centres."""
+        """The second angle at the line of centres; of an isosceles triangle it is the first."""
+        _, own, opposite = self._sides(other, third)
+        if _same(own, opposite):
+            return "", known
         return "height", trigonometry.by_height(*self._sides(other, third), known)
 
     def _by_sides(self, other: str, third: str) -> tuple[str, Expression]:
