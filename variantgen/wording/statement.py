@@ -56,10 +56,23 @@ def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "components": any(q.component in ("x", "y") for q in asked),
         "angles": any(q.component == "angle" for q in asked),
         "senses": any(q.component == "sense" for q in asked),
+    }
+    return [words[key] for key, wanted in needed.items() if wanted]
+
+
+def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+    """What the letters of centres stand for in what is asked, a sentence each."""
+    words = language.words("sheet")
+    needed = {
         "velocity_centre": any(q.kind == "P" for q in asked),
         "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
     }
     return [words[key] for key, wanted in needed.items() if wanted]
+
+
+def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+    """All that has to be said to who reads these answers: letters and conventions of sign, a sentence each."""
+    return [*sign_notes(asked, language), *letter_notes(asked, language)]
 
 
 def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[Equation]:

@@ -68,7 +68,7 @@ def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     start, end = (point, pole) if back else (pole, point)
     way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
     path = Term(path.name, None, way, path.way)
-    book.say("projections.theorem", True, **facts)
+    book.say("projections.theorem", False, **facts)
     first, second = named_shares(book, known, axis), named(book, _share(path, axis))
     line = Sentence("projections.same_sign", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), first, (second,)))
