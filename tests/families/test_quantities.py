@@ -24,7 +24,7 @@ from variantgen.variants.draw import draw
 from variantgen.wording.formula import to_plain, to_typst
 from variantgen.wording.language import load_language
 from variantgen.wording.plain import plain_problem
-from variantgen.wording.statement import sign_notes
+from variantgen.wording.statement import answer_notes
 
 V, A = 3.0 - 4.0j, 2.0 + 1.0j
 SCENE = plate(-2.0, 3.0, V, A)
@@ -80,7 +80,7 @@ def test_how_they_are_written() -> None:
     symbols = [language.quantity(q, variant.form.symbols) for q in asked]
     assert [to_plain(symbol) for symbol in symbols] == ["∠(v_B, x)", "|ω_AB|", "sgn ω_AB", "AP_AB", "v_B x"]
     assert [to_typst(symbol) for symbol in symbols][1] == "abs(omega_(A B))"
-    notes = " ".join(sign_notes(asked, language))
+    notes = " ".join(answer_notes(asked, language))
     assert all(word in notes for word in ("∠(v, x)", "sgn", "мгновенный центр скоростей", "Ось x"))
     (answers,) = answer_variants([variant], [tuple(names)], [Tolerance(0.05, 0.1)])
     # Of an angle the like part of a radian may be missing, of a sense nothing.

@@ -46,6 +46,12 @@ def steps(family_name: str, form_name: str, ask: str, **data: float) -> list[Ste
     return list(_worked(family_name, form_name, ask, **data)[0].steps)
 
 
+def worked_geometry(family_name: str, form_name: str, ask: str, **data: float) -> list[Sentence]:
+    """The sentences about the position, also those of which the solution needs no line."""
+    items = _worked(family_name, form_name, ask, **data)[0].geometry.items
+    return [item for item in items if isinstance(item, Sentence)]
+
+
 def _worked(family_name: str, form_name: str, ask: str, **data: float) -> tuple[Book, dict[str, Value]]:
     """The book of a solution with its steps, and the values that are asked."""
     family = load_family(family_name)

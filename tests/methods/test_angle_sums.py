@@ -69,3 +69,13 @@ def test_the_third_corner_of_a_triangle_has_its_name() -> None:
     at_f = 180.0 - 70.0 - at_b
     assert f"∠OBF = 180° − ∠OFB − φ = 180° − {at_f:.2f}° − 70° = {at_b:.2f}°" in text
     assert "cos\N{NO-BREAK SPACE}∠OBF" in text
+
+
+def test_an_inclination_is_worked_out_without_three_quarters_of_a_turn() -> None:
+    # AB is at alpha + beta - 180 = 50 degrees to the guide of B: v_A sin 100 = v_B cos 50.
+    data = {"O1A": 0.4, "AB": 1.6, "DE": 1.2, "O2E": 0.5, "alpha": 130, "beta": 100, "gamma": 105, "phi": 75}
+    text = str(explain(one_variant("two_loop_mechanism", data, seed="1", form="level"), language="ru"))
+    text = text.replace("\N{NO-BREAK SPACE}", " ")
+    assert "270°" not in text
+    assert "ψ = α + β − 180° = 130° + 100° − 180° = 50°" in text
+    assert "v_A sin β = v_B cos ψ" in text

@@ -55,7 +55,7 @@ def test_one_law_of_cosines_and_one_of_sines_in_general() -> None:
     ("sides", "key", "line"),
     [
         ((38, 38), "Triangle ABC is isosceles", "∠ACB = arccos(CA / (2 · BC))"),
-        ((50, 30), "law of cosines", "∠ACB = arccos((BC^2 + CA^2 − AB^2) / (2 · BC · CA))"),
+        ((40, 32), "law of cosines", "∠ACB = arccos((BC^2 + CA^2 − AB^2) / (2 · BC · CA))"),
     ],
 )
 def test_equal_sides_are_noticed(sides: tuple[int, int], key: str, line: str) -> None:
@@ -111,3 +111,13 @@ def test_a_diagonal_over_three_links_by_a_right_triangle() -> None:
     assert f"= {along:.1f} cm" in text and f"= {across:.3f} cm" in text
     assert f"AB = √(AH^2 + BH^2) = √(110.4^2 + 6.428^2) = {math.hypot(along, across):.1f} cm" in text
     assert "axis x" not in text and "x_A" not in text
+
+
+def test_the_angles_at_the_base_of_an_isosceles_triangle_are_found_once() -> None:
+    # Equal cranks with equal angles: AB is parallel to OC, 75 - 2 * 20 cos 140 = 105.64 cm; cos BAM = 105.64/136.
+    data = {"OA": 20, "AM": 68, "BM": 68, "BC": 20, "OC": 75, "phi": 140, "psi": 140}
+    text = text_of("two_cranks_and_rod", "", **data)
+    assert "AB = OC − OA cos φ − BC cos ψ" in text and "= 105.64 cm" in text
+    assert "Triangle ABM is isosceles:" in text
+    assert "∠BAM = arccos(AB / (2 · AM)) = arccos(105.64 / (2 · 68)) = 39.03°" in text
+    assert "∠ABM" not in text

@@ -60,7 +60,8 @@ class FigureHints:
     links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
     hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
     on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
-    text speaks of.
+    text speaks of; ``found``: angles by their three points that the sheet tells because the position follows from a
+    system of equations only.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -77,3 +78,4 @@ class FigureHints:
     bare: tuple[str, ...] = ()
     stems: tuple[str, ...] = ()
     right_angles: tuple[RightAngle, ...] = ()
+    found: tuple[tuple[str, ...], ...] = ()

@@ -98,7 +98,12 @@ def read_figure(
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, quantity))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
-    lines, thin, grooves, walls = (_paths(table, key, points) for key in ("lines", "thin", "grooves", "walls"))
+    lines, thin, grooves, walls, found = (
+        _paths(table, key, points) for key in ("lines", "thin", "grooves", "walls", "found")
+    )
+    for i, names in enumerate(found, start=1):
+        if len(names) != 3 or len(set(names)) != 3:
+            table.problem("expected three points, the corner in the middle", f"found[{i}]", ", ".join(names))
     table.finish()
     return FigureHints(
         tuple(angles),
@@ -115,6 +120,7 @@ def read_figure(
         bare,
         stems,
         tuple(right_angles),
+        found,
     )
 
 

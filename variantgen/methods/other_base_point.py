@@ -2,21 +2,22 @@
 
 The contact P of a wheel with something at rest has an acceleration along the radius PO only, ``a_P = omega^2 r`` and
 what the axle has along PO. So ``a_M = a_P + a^n_MP + a^tau_MP`` with ``omega^2 MP`` and ``epsilon MP``: other vectors
-and another triangle than in ``a_M = a_O + a^n_MO + a^tau_MO``, on the same axis.
+and another triangle than in ``a_M = a_O + a^n_MO + a^tau_MO``, on the same axis. What was found by the acceleration
+centre of a plate is found again with the point of given acceleration as base point.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from variantgen.algebra.expression import Expression, Ratio, Value
+from variantgen.algebra.expression import Expression, Ratio, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import resting_contacts
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.contact import resting_letter
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
-from variantgen.methods.solution.rays import Centre
+from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import (
     Balance,
     Derived,
@@ -52,7 +53,43 @@ def other_base_point(book: Book, steps: Sequence[Step]) -> list[Item]:
             items = _compared(book, line, line.left[0].point, pole, shown)
             if items:
                 return items
+    return _beside_centre(book, shown)
+
+
+def _beside_centre(book: Book, shown: Collection[Name | None]) -> list[Item]:
+    """The magnitude of an acceleration found by the acceleration centre, with the given point as base point."""
+    for (kind, body), centre in book.centres.items():
+        pole = next(iter(centre.rays), "")
+        if kind != "Q" or not book.acceleration.get(pole):
+            continue
+        rates = (book.omega[body], book.epsilon[body])
+        for point in (q.point for q in book.task.asked if q.kind == "a" and q.point in centre.rays and q.point != pole):
+            known = book.values.get(Name("a", point))
+            if known is None or book.geometry.stated(pole, point) is None:
+                continue
+            if not all(_is_seen(rate.size, shown) for rate in rates if rate.sense):
+                continue
+            ray = CentreRay(book.geometry.length(point, pole), book.geometry.direction(point, pole))
+            terms = [(term, term.size) for term in book.acceleration[pole] if term.size is not None]
+            whole = _magnitude(book, [*terms, *_about(book, body, point, ray, shown)])
+            sides = [Value(None, "number", item.number(True), item, known.exact) for item in (known, whole)]
+            if abs(sides[0].exact - sides[1].exact) <= _NOTHING * book.task.largest_acceleration:
+                facts: dict[str, Fact] = {"vector": VectorOf(Name("a", point)), "pole": Point(pole)}
+                return [Sentence("check.base_point", facts, detail=False), Balance(sides[0], sides[1])]
     return []
+
+
+def _magnitude(book: Book, terms: Sequence[tuple[Term, Expression]]) -> Expression:
+    """The root of the squares of the sums on two natural axes."""
+    first = first_along([term for term, _ in terms]).angle
+    sums = []
+    for axis in (first, Geometry.turned(first, 90.0)):
+        found = [_on_axis(book, term, size, axis) for term, size in terms]
+        parts = [part for part in found if part is not None]
+        if parts:
+            total = sum(sign * part.number(True) for sign, part in parts)
+            sums.append(signed_sum(parts, 1 if total >= 0 else -1))
+    return hypotenuse(sums)
 
 
 def _compared(book: Book, line: VectorLine, point: str, pole: str, shown: Collection[Name | None]) -> list[Item]:
@@ -65,7 +102,7 @@ def _compared(book: Book, line: VectorLine, point: str, pole: str, shown: Collec
         return []
     along = first_along(line.right)
     contact = _of_contact(book, centre, line, pole)
-    terms = [*([contact] if contact else []), *_about_contact(book, centre, point, shown)]
+    terms = [*([contact] if contact else []), *_about(book, body, point, centre.rays[point], shown)]
     found = [_on_axis(book, term, size, along.angle) for term, size in terms]
     parts = [part for part in found if part is not None]
     own = book.values.get(Name("a", point, part="on_n"))
@@ -112,11 +149,11 @@ def _is_seen(value: Value, shown: Collection[Name | None]) -> bool:
     return value.expression is None or isinstance(value.expression, Value) or value.name in shown
 
 
-def _about_contact(
-    book: Book, centre: Centre, point: str, shown: Collection[Name | None]
+def _about(
+    book: Book, body: str, point: str, ray: CentreRay, shown: Collection[Name | None]
 ) -> Iterator[tuple[Term, Expression]]:
-    """``omega^2 MP`` towards the contact and ``epsilon MP``, or ``a_O MP / r``, across the way to it."""
-    ray, omega, epsilon = centre.rays[point], book.omega[centre.body], book.epsilon[centre.body]
+    """``omega^2 MP`` along the way from a point to a base point and ``epsilon MP``, or ``a_O MP / r``, across it."""
+    omega, epsilon = book.omega[body], book.epsilon[body]
     found: list[tuple[Expression, Value]] = []
     if omega.sense:
         found.append((omega.size**2 * ray.arm, ray.angle))

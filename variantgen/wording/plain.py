@@ -10,7 +10,7 @@ from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Measured, Surd, to_plain
 from variantgen.wording.language import Language
-from variantgen.wording.statement import sign_notes, statement
+from variantgen.wording.statement import answer_notes, statement
 from variantgen.wording.surds import with_surd
 
 
@@ -34,6 +34,6 @@ def plain_problem(
         f"{words['given']} {', '.join(to_plain(equation) for equation in problem_text.given)}.",
         f"{words['find']} {', '.join(to_plain(symbol) for symbol in problem_text.asked)}.",
         f"{key['title']}: {'; '.join(found)}.",
-        " ".join(sign_notes(asked, language)),
+        " ".join(answer_notes(asked, language)),
     ]
     return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)

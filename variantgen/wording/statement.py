@@ -13,12 +13,16 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
-from variantgen.variants.variant import Variant, is_speeding_up
+from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
+from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
@@ -52,10 +56,23 @@ def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "components": any(q.component in ("x", "y") for q in asked),
         "angles": any(q.component == "angle" for q in asked),
         "senses": any(q.component == "sense" for q in asked),
+    }
+    return [words[key] for key, wanted in needed.items() if wanted]
+
+
+def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+    """What the letters of centres stand for in what is asked, a sentence each."""
+    words = language.words("sheet")
+    needed = {
         "velocity_centre": any(q.kind == "P" for q in asked),
         "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
     }
     return [words[key] for key, wanted in needed.items() if wanted]
+
+
+def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+    """All that has to be said to who reads these answers: letters and conventions of sign, a sentence each."""
+    return [*sign_notes(asked, language), *letter_notes(asked, language)]
 
 
 def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[Equation]:
@@ -68,11 +85,26 @@ def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> li
 
 
 def _given(case: _Case, variant: Variant) -> list[Equation]:
-    """The data of one of the variants of a case."""
+    """The data of one of the variants of a case; angles of the position stand before the rates."""
+    places: list[Equation] = []
+    rates: list[Equation] = []
+    for name, symbol, unit_text, is_rate in _data(case):
+        value = variant.printed[name]
+        number = case.language.decimal(abs(value) if is_rate else value)
+        (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
+    return places + _found(case, variant) + rates
+
+
+def _found(case: _Case, variant: Variant) -> list[Equation]:
+    """Angles of the solved position, to a hundredth of a degree: more than any tolerance needs."""
+    corners = case.form.figure.found
+    if not corners:
+        return []
+    z, degrees = solve_variants([variant], 0).z, case.language.unit(unit("deg"))
     return [
-        Equation(symbol, Measured(case.language.decimal(abs(value) if unsigned else value), unit))
-        for name, symbol, unit, unsigned in _data(case)
-        for value in (variant.printed[name],)
+        Equation(Symbol(ANGLE + start + at + end), Measured(case.language.fixed(abs(angle), 2), degrees))
+        for start, at, end in corners
+        for angle in (float(np.degrees(np.angle((z[end] - z[at]) / (z[start] - z[at]))[0])),)
     ]
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Iterable, Iterator
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import pytest
 
 from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
+from variantgen.families.load import load_family
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.point_vectors import PointEquation
@@ -33,8 +35,7 @@ from variantgen.methods.steps.step import (
     VectorLine,
     VectorOf,
 )
-from variantgen.single import one_variant
-from variantgen.variants.variant import solve_variants
+from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import written
 
@@ -59,8 +60,11 @@ def called(name: Name | None) -> str:
 
 def solved(model: dict[str, Any]) -> tuple[Solution, list[tuple[str, ...]]]:
     """The solution, and the kinds of figures of its steps."""
-    family, form, seed = model["problem"]
-    variant = one_variant(family, form=form, seed=seed)
+    name, form, _ = model["problem"]
+    family = load_family(name)
+    printed = {key: Decimal(value) for key, value in model["data"].items()}
+    sense, turns = model["pose"]
+    variant = Variant(family, family.forms[form], printed, sense=sense, turns=turns)
     asked = read_ask(variant.form, None)
     task = task_of(variant, solve_variants([variant], 2), 0, asked)
     found = solution(task, model.get("method", ()))

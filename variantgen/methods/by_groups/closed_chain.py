@@ -65,7 +65,9 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     ends: dict[str, Fact] = {"start": Point(loop.points[0]), "end": Point(loop.points[3])}
     with book.step(f"three_rates.{kind}", "rate_chain", **ends):
         links = tuple(Body(body) for body in loop.bodies)
-        book.say(f"three_rates.equations_{kind}", True, first=links[0], second=links[1], third=links[2], **ends)
+        book.say(
+            f"three_rates.equations_{kind}", book.order > 1, first=links[0], second=links[1], third=links[2], **ends
+        )
         if book.order == 1:
             book.items.append(_graph(book, loop))
         known = _signed(book, loop.bodies[0])

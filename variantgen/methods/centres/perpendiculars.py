@@ -45,7 +45,7 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
         for point in {a, b} - {at}:
             centre.rays[point] = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
         return centre
-    book.say("perpendiculars.meet", False, **facts)
+    book.say("perpendiculars.meet" if first.size is not None else "perpendiculars.meet_two", False, **facts)
     to_a, to_b = (perpendicular(book, t, s * n) for t, s, n in zip((first, second), shares, normals, strict=True))
     _solve_triangle(book, centre, (first, second), (to_a, to_b), place)
     return centre

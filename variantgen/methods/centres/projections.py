@@ -9,6 +9,7 @@ from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, resultant
+from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
 from variantgen.methods.vectors.contact_parts import enter_rate
 from variantgen.methods.vectors.natural_sum import ordered_sum, signed
@@ -67,8 +68,8 @@ def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     start, end = (point, pole) if back else (pole, point)
     way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
     path = Term(path.name, None, way, path.way)
-    book.say("projections.theorem", True, **facts)
-    first, second = named_shares(book, known, axis), _share(path, axis)
+    book.say("projections.theorem", False, **facts)
+    first, second = named_shares(book, known, axis), named(book, _share(path, axis))
     line = Sentence("projections.same_sign", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), first, (second,)))
     speed, beside = ordered_sum(signed(first)), second.factor

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Value, cos, sin
 from variantgen.methods.centres.centre import is_angle
-from variantgen.methods.geometry.angle_sums import supplement
+from variantgen.methods.geometry.angle_sums import angle_sum, is_single, supplement
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Fact, Point, Segment, triangle
@@ -23,7 +23,9 @@ def shapes(side: Value, at_a: Value, at_b: Value, at_p: Value) -> Iterator[Shape
         return (name if holds else "", angles, (ap, bp))
 
     yield case(equal and is_angle(at_a.exact, 60.0), "equilateral", (at_a, at_b), side, side)
-    yield case(is_angle(at_p.exact, 90.0), "right_at_centre", (at_a,), side * cos(at_a), side * sin(at_a))
+    square = is_angle(at_p.exact, 90.0)
+    yield case(square and _is_known(at_b), "right_at_centre", (), side * sin(at_b), side * cos(at_b))
+    yield case(square, "right_at_centre", (at_a,), side * cos(at_a), side * sin(at_a))
     yield case(is_angle(at_a.exact, 90.0), "right_at_point", (at_b,), side * Applied("tan", at_b), side / cos(at_b))
     yield case(is_angle(at_b.exact, 90.0), "right_at_other", (at_a,), side / cos(at_a), side * Applied("tan", at_a))
     leg = side / (two * cos(at_a))
@@ -31,6 +33,11 @@ def shapes(side: Value, at_a: Value, at_b: Value, at_p: Value) -> Iterator[Shape
     sines = [sin(supplement(angle) or angle) for angle in (at_a, at_b, at_p)]
     by_sines = (side * sines[1] / sines[2], side * sines[0] / sines[2])
     yield case(True, "by_sines", (at_a, at_b, at_p), *by_sines)
+
+
+def _is_known(angle: Value) -> bool:
+    """Whether an angle is a given one, or one that has been found before."""
+    return is_single(angle_sum(angle)) and bool(angle_sum(angle).parts)
 
 
 def say_shape(book: Book, centre: Centre, shape: str, ends: tuple[str, str]) -> None:

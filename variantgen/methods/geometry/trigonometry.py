@@ -64,8 +64,10 @@ class Angular(Protocol):
     ) -> tuple[Value, Value] | None:
         """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
 
-    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
-        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
+    def isosceles(self, ends: tuple[str, str], first: Leg, right: bool) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles, or half a
+        square.
+        """
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point that lies in a direction from another one, or nothing."""
@@ -188,18 +190,19 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
 
 
 def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
-    """The legs of the right triangle on a way of several segments: along one of them and across it; nothing where the
-    figure has no letters for it.
+    """The legs of the right triangle on a way of several segments: along one of them and across it, or one where the
+    other is zero; nothing where the figure has no letters for them.
     """
     axis = _axis_of(legs)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     left, across = positive(summed(projected(geometry, "sin", legs, axis)))
-    if geometry.is_nothing(along) or geometry.is_nothing(across):
-        return []
+    ways = (axis if ahead > 0 else axis.turned(180.0)), axis.turned(90.0 * left)
+    if geometry.is_nothing(across):
+        return [Leg(along, ways[0])]
+    if geometry.is_nothing(along):
+        return [Leg(across, ways[1])]
     found = geometry.projections(ends, axis, along, across)
-    if found is None:
-        return []
-    return [Leg(found[0], axis if ahead > 0 else axis.turned(180.0)), Leg(found[1], axis.turned(90.0 * left))]
+    return [] if found is None else [Leg(leg, way) for leg, way in zip(found, ways, strict=True)]
 
 
 def _are_equal(first: Leg, second: Leg) -> bool:
@@ -231,7 +234,7 @@ def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> 
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
     if _are_equal(*legs):
-        geometry.isosceles(ends, legs[0])
+        geometry.isosceles(ends, legs[0], cosine is None)
         if cosine is None:
             return SquareRoot(Constant(2.0)) * first
         half = reduced(geometry, "cos", _turn(geometry, legs).times(0.5))[1]

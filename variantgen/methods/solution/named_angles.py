@@ -37,6 +37,11 @@ def named(book: Book, share: Share) -> Share:
     found = renamed(book, share)
     if found is not share or share.angle is None or is_short(form := angle_sum(share.angle)):
         return found
+    if abs(form.constant) > 2 * _RIGHT:  # 270 degrees in a sum: the angle to 90 degrees is the natural one
+        form = form.times(-1.0).turned(_RIGHT)
+        share = replace(share, angle=valued(None, form), function=_OTHER[share.function])
+        if (again := renamed(book, share)) is not share:
+            return again
     for other, side in ((form, 1), (form.times(-1.0).turned(180.0), -1)):
         corner = _corner(book, other)
         if corner is not None and (side > 0 or share.term.size is not None or share.function == "sin"):

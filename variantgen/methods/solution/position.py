@@ -28,7 +28,8 @@ _OF_NEXT = (
     "position.drawn",
     "position.perpendicular",
     "position.projections",
-    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "right")),
+    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
+    *(f"position.triangle_sides_{side}" for side in ("above", "below", "right", "left")),
     *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
 )
 _LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # of angles without points
@@ -74,7 +75,11 @@ def _axes(items: Sequence[Item]) -> Sentence:
     """The axes, with the name of the first direction as an example if there is one."""
     names = (item.value.name for item in items if isinstance(item, Derived))
     example = next((name for name in names if name is not None and name.kind == "direction"), None)
-    return Sentence("position.axes") if example is None else Sentence("position.axes_and_rays", {"angle": example})
+    return (
+        Sentence("position.axes", {}, detail=False)
+        if example is None
+        else Sentence("position.axes_and_rays", {"angle": example}, detail=False)
+    )
 
 
 def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
@@ -86,10 +91,10 @@ def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
     shown, near = shown_points(task.variant, task.asked), CLOSE * task.size
     at = next((point for point in shown if abs(task.now.z[point]) < near), None)
     if at is not None:
-        return [Sentence("position.origin", {"at": Point(at)})]
+        return [Sentence("position.origin", {"at": Point(at)}, detail=False)]
     zeros: list[Fact] = [Name("x", point) for point in points if abs(task.now.z[point].real) < near]
     zeros += [Name("y", point) for point in points if abs(task.now.z[point].imag) < near]
-    return [Sentence("position.origin_by", {"zeros": tuple(zeros)})] if len(zeros) > 1 else []
+    return [Sentence("position.origin_by", {"zeros": tuple(zeros)}, detail=False)] if len(zeros) > 1 else []
 
 
 def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]) -> list[Item]:

@@ -73,7 +73,7 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     turning = [side for side in (known, sought) if side.lever]
     if touch.place and book.order == 1:
         for side in turning:
-            book.say(touch.place, contact=Point(side.name), body=Body(side.body))
+            book.say(touch.place, False, contact=Point(side.name), body=Body(side.body))
 
 
 def _is_said(book: Book, key: str) -> bool:

@@ -11,7 +11,7 @@ from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import Writing
 from variantgen.outputs.qr import qr_text
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Statement, sign_notes
+from variantgen.wording.statement import Statement, answer_notes, letter_notes, sign_notes
 
 _SHORT_NAME = 48
 
@@ -52,10 +52,14 @@ def notices_data(exam: Exam, language: Language, writing: Writing) -> dict[str, 
 
 
 def sheet_data(content: Content, number: int, writing: Writing, figures: dict[int, Any]) -> dict[str, Any]:
-    """The sheet of one student; what is made of its drawings is noted in ``figures`` by their ids."""
+    """The sheet of one student; what is made of its drawings is noted in ``figures`` by their ids.
+
+    Letters are explained beside the problem that asks for them, signs at the head of a page.
+    """
     language = content.exam.spoken
     problems = [_problem(posed, language, figures, writing) for posed in content.posed[number]]
-    return student_data(content.sheets[number], problems, language)
+    signs = list(dict.fromkeys(note for problem in problems for note in problem["signs"]))
+    return {**student_data(content.sheets[number], problems, language), "notes": signs}
 
 
 def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language) -> dict[str, Any]:
@@ -78,6 +82,7 @@ def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Languag
         **found,
         "code": f"{student.id} · {sheet.code}",
         "number": variant_number(student, language),
+        "sheet-code": sheet.code,
         "blank": blank_labels(language),
     }
 
@@ -95,12 +100,12 @@ def who(sheet: Sheet, language: Language) -> str:
 def blank_labels(language: Language) -> list[str]:
     """What is filled in by hand on the sheet of a student without a name."""
     words = language.words("notices")
-    return [words["name"], words["group"]]
+    return [words["name"], words["group"], words["date"]]
 
 
 def sheet_notes(sheet: Sheet, language: Language) -> list[str]:
-    """The conventions of sign that the answers of a sheet need."""
-    return sign_notes([quantity for item in sheet.items for quantity in item.asked], language)
+    """The letters and conventions of sign that the answers of a sheet need."""
+    return answer_notes([quantity for item in sheet.items for quantity in item.asked], language)
 
 
 def group_text(student: Student, language: Language) -> str:
@@ -115,6 +120,8 @@ def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], w
         "number": str(item.task.number),
         "points": points_text(item.task.points, language),
         **statement_data(said, writing),
+        "signs": sign_notes(item.asked, language),
+        "letters": letter_notes(item.asked, language),
         "headings": [
             writing.heading(symbol, language.unit(answer.unit))
             for symbol, answer in zip(said.asked, item.answers, strict=True)

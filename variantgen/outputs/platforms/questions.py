@@ -9,7 +9,7 @@ from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
 from variantgen.wording.formula import Formula, UnitText
-from variantgen.wording.statement import sign_notes
+from variantgen.wording.statement import answer_notes
 
 
 @dataclass(frozen=True)
@@ -63,5 +63,5 @@ def questions(part: Chunk) -> Iterator[Question]:
                 posed,
                 part.content.solved[number][place] if exam.solutions.wanted else None,
                 asked,
-                tuple(sign_notes(item.asked, language)),
+                tuple(answer_notes(item.asked, language)),
             )

@@ -17,7 +17,7 @@ from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
-from variantgen.wording.statement import sign_notes, statement
+from variantgen.wording.statement import answer_notes, statement
 
 Format = Literal["pdf", "png", "svg"]
 FORMATS: tuple[Format, ...] = get_args(Format)
@@ -46,7 +46,7 @@ def write_single(
         **statement_data(said, TYPST),
         "answers-title": language.words("key")["title"] + ":",
         "answers": [TYPST.equals(equation(a, language, variant.form.symbols), a.surd) for a in answers],
-        "notes": sign_notes(asked, language),
+        "notes": answer_notes(asked, language),
         "figure": TYPST.figure(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:

@@ -16,7 +16,7 @@ from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language
 from variantgen.wording.solution.explain import explain
-from variantgen.wording.statement import sign_notes
+from variantgen.wording.statement import answer_notes
 
 
 def write_explained(
@@ -41,7 +41,7 @@ def write_explained(
         "remark": remark,
         "words": solution_words(language),
         "problem": problem_data(solved, language, TYPST),
-        "notes": sign_notes(asked, language),
+        "notes": answer_notes(asked, language),
     }
     with typesetter() as engine:
         made = engine.compile("explained.typ", data, form)[0]

@@ -11,7 +11,8 @@ from variantgen.algebra.normal_form import squared, summed
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Pair
-from variantgen.methods.steps.step import EquationLine, Point, Segment, triangle
+from variantgen.methods.geometry.which_root import on_side
+from variantgen.methods.steps.step import EquationLine, Fact, Point, Segment, triangle
 
 _SIDES = 2  # of a triangle on the line of centres
 _NEAR = 1e-9  # relative difference of two lengths that are one
@@ -43,7 +44,8 @@ class Derivation(ConstructedPoint):
         centres = self.neighbours()
         if key:
             corners = triangle(*sorted((self.point, *centres)))
-            geometry.say(f"triangle_{key}", False, triangle=corners, point=Point(self.point), base=Segment(*centres))
+            said = f"triangle_{key}" if key != "sides" else on_side(geometry, "triangle_sides", self.point, *centres)
+            geometry.say(said, False, triangle=corners, point=Point(self.point), base=Segment(*centres))
         named = geometry.corner(other, third, self.point, corner)
         return geometry.angle(geometry.form(other, third), ((side, named),))
 
@@ -54,7 +56,10 @@ class Derivation(ConstructedPoint):
         return base, own, opposite
 
     def _by_height(self, other: str, third: str, known: Value) -> tuple[str, Expression]:
-        """The second angle at the line of centres."""
+        """The second angle at the line of centres; of an isosceles triangle it is the first."""
+        _, own, opposite = self._sides(other, third)
+        if _same(own, opposite):
+            return "", known
         return "height", trigonometry.by_height(*self._sides(other, third), known)
 
     def _by_sides(self, other: str, third: str) -> tuple[str, Expression]:
@@ -93,7 +98,8 @@ class Derivation(ConstructedPoint):
         for centre in (first, second):
             squares = squared(geometry.differences(pair, geometry.coordinates(centre)))
             geometry.items.append(EquationLine(squares, geometry.length(centre, self.point) ** 2))
-        geometry.say("chosen", False)
+        facts: dict[str, Fact] = {"point": Point(self.point), "segment": Segment(first, second)}
+        geometry.say(on_side(geometry, "chosen", self.point, first, second), False, **facts)
         geometry.show(pair)
         return pair
 

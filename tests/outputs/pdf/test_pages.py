@@ -1,0 +1,30 @@
+"""How much paper an exam takes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pypdfium2
+
+from variantgen.cli import main
+
+# Statements and figures of these are among the largest: with figures of full size they take three pages and a blank.
+FAMILIES = ("four_bar", "spool", "guided_plate", "movable_pulley", "slider_crank_with_second_rod")
+STUDENTS = 108
+
+
+def test_five_problems_for_a_class_take_a_leaf_each(tmp_path: Path) -> None:
+    exam, out = tmp_path / "exam.toml", tmp_path / "out"
+    problems = "".join(f'[[problem]]\nfamily = "{family}"\n' for family in FAMILIES)
+    exam.write_text(f'title = "Plane motion of a rigid body"\nlanguage = "en"\n{problems}', "utf-8")
+    assert main(["build", str(exam), "--variants", str(STUDENTS), "--no-solutions", "--out", str(out)]) == 0
+    document = pypdfium2.PdfDocument(out / "sheets.pdf")
+    try:
+        texts = [page.get_textpage().get_text_bounded() for page in document]
+    finally:
+        document.close()
+    assert len(texts) == 2 * STUDENTS
+    for first, second in zip(texts[::2], texts[1::2], strict=True):
+        assert [f"Problem {number}" in first + second for number in range(1, 6)] == [True] * 5
+        assert "Problem 1 " in first
+        assert "Problem 5 " in second
