@@ -204,7 +204,7 @@ def recomputed(line: FormulaLine) -> int:
     result = float(last.number.text.replace("−", "-"))
     unit = TENTH if last.unit.parts == (("mm", 1),) else fourth_digit(result)
     # A law may come down to a symbol, as the tangential acceleration of a wheel to that of its axle: that is no number.
-    numbers = [text for text in map(to_plain, pieces[2:]) if not re.fullmatch(r"[av][_^]\S+", text)]
+    numbers = [text for text in map(to_plain, pieces[2:]) if not re.fullmatch(r"\(?[av][_^]\S+", text)]
     for text in numbers:
         assert abs(evaluate(text, {}, ".") - result) <= unit * (1 + 1e-9), text
     return len(numbers)

@@ -102,7 +102,7 @@ def test_a_rope_over_two_movable_pulleys(tmp_path, capsys):
     # d v_E = d v_T / 2 and d v_C: 30 and 10 of 20 halves, sqrt(1.5^2 + 0.5^2) times 0.4 %, below the floor of 1 %.
     assert found["v_E"]["tolerance"] == pytest.approx(0.1)
     assert main(["solve", path, "--explain"]) == 0
-    assert "length of the thread" in capsys.readouterr().out
+    assert "length of the cord" in capsys.readouterr().out
 
 
 def test_tolerances_follow_the_data_where_no_method_leads(tmp_path, capsys):

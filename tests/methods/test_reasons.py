@@ -6,6 +6,7 @@ import pytest
 
 from tests.methods.given_data import sentences, steps
 from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.methods.compose import solution
@@ -120,3 +121,14 @@ def test_a_relative_velocity_that_nothing_needs_is_not_found() -> None:
     # The follower translates and its plate is flat: neither Coriolis nor normal relative acceleration.
     names = {value.name for value in derived("cam_disc", "flat", "a_D") if value.name is not None}
     assert not [name for name in names if name.part == "rel"]
+
+
+def test_why_a_component_of_an_acceleration_vanishes() -> None:
+    assert "points.about_pivot_n" in said("slider_crank", "central", "a_B", epsilon_OA=0)
+    assert "points.about_pivot_a" in said("slider_crank", "central", "a_B", epsilon_OA=4)
+    # The rocker is in a dead position where A moves along it: OA across CA, cos phi = -OA/OC.
+    dead = {"OA": 30, "OC": 60, "phi": 120}
+    found = sentences("slotted_rocker", "swinging", "a_rel_A epsilon_CB", **dead)
+    assert [s.facts["vector"] for s in found if s.key == "rates.no_normal"] == [Name("a", "A", part="tr n")]
+    assert "relative.no_coriolis_omega" in [s.key for s in found]
+    assert "relative.no_coriolis_omega" not in said("slotted_rocker", "swinging", "a_rel_A epsilon_CB", OA=30, OC=60)

@@ -81,3 +81,10 @@ def test_components_of_one_equation_are_a_vector_in_the_next() -> None:
     names = [[[term.name for term in side] for side in equation] for equation in equations]
     assert [[Name("v", "B")], [Name("v", "A"), Name("v", "B", "A")]] in names
     assert not any(term.is_laid for equation in equations for side in equation for term in side)
+
+
+def test_a_reason_is_given_once() -> None:
+    found = solution_of("movable_pulley", "load_and_axle")
+    said = [item.key for step in found.steps for item in step.items if isinstance(item, Sentence)]
+    assert said.count("rope.inextensible") == said.count("rope.same_a") == 1
+    assert said.count("rope.same_v") == said.count("rope.same_a") + said.count("rope.again_a") == 3

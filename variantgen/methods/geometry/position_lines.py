@@ -117,13 +117,17 @@ class PositionLines(Layout):
             self._feet[start, "", end] = first, self._entered(Name("length", end, letter), "length", across)
         return self._feet[start, "", end]
 
-    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
-        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
+    def isosceles(self, ends: tuple[str, str], first: Leg, right: bool) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles, or half a
+        square.
+        """
         place = self.task.now.z[ends[0]] + cmath.rect(first.length.number(True), math.radians(self.number(first.form)))
         shown = [name for name in self.places if name not in self.task.form.figure.hidden]
         apex = next((name for name in shown if abs(self.task.now.z[name] - place) <= self.nothing), "")
         if apex and set(ends) <= set(shown):
-            self.say("triangle_isosceles", False, triangle=triangle(*sorted((*ends, apex))))
+            self.say(
+                f"triangle_{'half_square' if right else 'isosceles'}", False, triangle=triangle(*sorted((*ends, apex)))
+            )
 
     def _taken_letters(self) -> set[str]:
         """Letters of points, with the feet of perpendiculars."""

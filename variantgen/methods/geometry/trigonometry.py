@@ -64,8 +64,10 @@ class Angular(Protocol):
     ) -> tuple[Value, Value] | None:
         """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
 
-    def isosceles(self, ends: tuple[str, str], first: Leg) -> None:
-        """Say of the triangle with a base between two points and a side from the first that it is isosceles."""
+    def isosceles(self, ends: tuple[str, str], first: Leg, right: bool) -> None:
+        """Say of the triangle with a base between two points and a side from the first that it is isosceles, or half a
+        square.
+        """
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point that lies in a direction from another one, or nothing."""
@@ -232,7 +234,7 @@ def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> 
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
     if _are_equal(*legs):
-        geometry.isosceles(ends, legs[0])
+        geometry.isosceles(ends, legs[0], cosine is None)
         if cosine is None:
             return SquareRoot(Constant(2.0)) * first
         half = reduced(geometry, "cos", _turn(geometry, legs).times(0.5))[1]

@@ -28,7 +28,7 @@ _OF_NEXT = (
     "position.drawn",
     "position.perpendicular",
     "position.projections",
-    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "right")),
+    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
     *(f"position.triangle_sides_{side}" for side in ("above", "below", "right", "left")),
     *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
 )

@@ -23,7 +23,14 @@ from variantgen.methods.steps.step import (
 )
 
 _SAYING = ("points.about_pivot", "velocity_centre.direction", "relative.zhukovsky")  # sentences that say directions
-_PREPARING = ("points.turning", "rolling.", "turning.", "rested.")  # steps that often only prepare another one
+_PREPARING = (
+    "points.turning",
+    "rolling.",
+    "turning.",
+    "rested.",
+    "contact.",
+)  # steps that often only prepare another one
+_REASONS = {"rope.inextensible": "", "rack.no_slip": "", "rope.same_a": "rope.again_a"}  # and what is said again
 _PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
 
 
@@ -35,7 +42,7 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     becomes its beginning.
     """
     asked = {value.name for value in results if value.name is not None}
-    once = _with_letters(_without_repeated_lines(steps))
+    once = _with_letters(_without_repeated_reasons(_without_repeated_lines(steps)))
     return _joined(_without_known_directions(once), asked)
 
 
@@ -54,6 +61,23 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
                 found.add(mark)
             items.append(item)
         seen |= found
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _without_repeated_reasons(steps: Sequence[Step]) -> list[Step]:
+    """The steps with each reason given once: what is said again of other points is said shortly, or not at all."""
+    said: set[str] = set()
+    kept: list[Step] = []
+    for step in steps:
+        items: list[Item] = []
+        for item in step.items:
+            if isinstance(item, Sentence) and item.key in said and item.key in _REASONS:
+                items += [replace(item, key=again)] if (again := _REASONS[item.key]) else []
+            else:
+                items.append(item)
+            if isinstance(item, Sentence):
+                said.add(item.key)
         kept.append(replace(step, items=items))
     return kept
 

@@ -6,9 +6,12 @@ from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value, hypotenuse
 from variantgen.algebra.name import Name
+from variantgen.families.expressions import FamilyExpression
+from variantgen.mechanism.linkage import driven_body
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.groups.wanted import leads_on
+from variantgen.methods.linkage.time_laws import law_behind
 from variantgen.methods.solution.book import Book, Known, Rate, along
 from variantgen.methods.steps.step import Body, Fact, Point, Share, Term, VectorOf, Word
 from variantgen.methods.vectors.directions import on_paper
@@ -108,7 +111,7 @@ def _carry(book: Book, point: str, body: str, pole: str) -> None:
     elif pole in book.task.fixed:
         with book.step(f"points.turning_{book.letter}", body=Body(body), point=Point(point), pivot=Point(pole)):
             book.vectors[point] = rotation(book, point, pole, body, name)
-            _say_ways(book, point, pole, name)
+            _say_ways(book, point, pole, body)
             sum_up(book, point)
     elif book.carry is not None:
         book.carry(book, point, body, pole)
@@ -128,16 +131,29 @@ def carry_by_sum(book: Book, point: str, body: str, pole: str) -> None:
             by_pole(book, point, body, pole)
 
 
-def _say_ways(book: Book, point: str, pivot: str, name: Name) -> None:
-    """Where the vector of a point in rotation about a pivot points, or its components."""
+def _say_ways(book: Book, point: str, pivot: str, body: str) -> None:
+    """Where the vector of a point in rotation about a pivot points, or its components; why one of these vanishes."""
+    name = Name(book.letter, point)
     terms = book.vectors[point]
     if not terms:
         return
     side = Word(on_paper(terms[-1].angle.exact))
     facts: dict[str, Fact] = {"vector": VectorOf(name), "pivot": Point(pivot), "side": side, **along(point, pivot)}
     facts |= {"normal": VectorOf(name.component("n")), "tangential": VectorOf(name.component("tau"))}
+    facts |= {"body": Body(body), "omega": Name("omega", body), "epsilon": Name("epsilon", body)}
     key = book.letter if len(terms) > 1 or book.order == 1 else terms[0].name.part
+    if key == "n" and not _turns_uniformly(book, body):
+        key = "n_now"
     book.say(f"points.about_pivot_{key}", **facts)
+
+
+def _turns_uniformly(book: Book, body: str) -> bool:
+    """Whether a body without angular acceleration is driven, and not by a function of time."""
+    for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
+        if driven_body(driver) == body:
+            source = template.fields.get("omega")
+            return not isinstance(source, FamilyExpression) or law_behind(book.task, source) is None
+    return False
 
 
 def renamed(book: Book, terms: Known, point: str) -> Known:
