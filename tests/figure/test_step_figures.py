@@ -177,8 +177,9 @@ def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
 
 def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
     text, figures = solved("four_bar", "crank", "7", ("three_rates",))[1:]
-    assert list(figures) == ["rate_chain:O-C"]  # for velocities and accelerations the same
-    assert sum("rate_chain:O-C" in section.views for section in text.sections) == 2
+    # The same for the position, whose angles it shows, for velocities and for accelerations.
+    assert list(figures) == ["rate_chain:O-C"]
+    assert sum("rate_chain:O-C" in section.views for section in text.sections) == 3
     drawing = figures["rate_chain:O-C"].drawing
     labels = [to_plain(label.formula) for label in drawing.labels]
     assert all(labels.count(letter) == 2 for letter in "OABC123")
