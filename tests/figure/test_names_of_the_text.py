@@ -89,7 +89,7 @@ def magnitudes(text: SolutionText) -> dict[str, float]:
 
 def is_vector(label: str, view: str) -> bool:
     """Whether a label is the name of a vector; small letters of a plan are ends of vectors."""
-    return re.match(r"[va][_^](?!′)", label) is not None or (not view.endswith("_plan") and label in "auvw")
+    return re.match(r"\(?[va][_^](?!′)", label) is not None or (not view.endswith("_plan") and label in "auvw")
 
 
 @pytest.mark.parametrize("lang", languages())
@@ -133,7 +133,8 @@ def test_a_plan_takes_vectors_apart_as_the_text_does(name: str, form: str, lang:
     for view, labels in ((view, labels) for view, labels in figures.items() if view.endswith("_plan")):
         for left, right in equations(text, view[0]):
             for term in (term for term in (*left, *right) if term != "0" and term not in labels):
-                whole = re.sub(r"\^\w+_|_", "_", term.split()[0])
+                bare = re.sub(r"^\((.*)\)_\w$", r"\1", term)  # a_B/A of (a_B/A)_n
+                whole = re.sub(r"\^\w+_|_", "_", bare.split()[0])
                 if term == whole:
                     # The vector of a point is named by it even where the data name it.
                     assert whole[0] in labels, (view, term)
