@@ -89,7 +89,7 @@ def magnitudes(text: SolutionText) -> dict[str, float]:
 
 def is_vector(label: str, view: str) -> bool:
     """Whether a label is the name of a vector; small letters of a plan are ends of vectors."""
-    return re.match(r"[va][_^](?!′)", label) is not None or (not view.endswith("_plan") and label in "auvw")
+    return re.match(r"\(?[va][_^](?!′)", label) is not None or (not view.endswith("_plan") and label in "auvw")
 
 
 @pytest.mark.parametrize("lang", languages())
@@ -133,12 +133,14 @@ def test_a_plan_takes_vectors_apart_as_the_text_does(name: str, form: str, lang:
     for view, labels in ((view, labels) for view, labels in figures.items() if view.endswith("_plan")):
         for left, right in equations(text, view[0]):
             for term in (term for term in (*left, *right) if term != "0" and term not in labels):
-                whole = re.sub(r"\^\w+_|_", "_", term.split()[0])
+                # The vector of which (a_B/A)_n, in Russian a^n_BA, is a component.
+                inner = re.sub(r"^\((.+)\)_[nt]$", r"\1", term)
+                whole = re.sub(r"\^\w+_|_", "_", inner.split()[0])
                 if term == whole:
                     # The vector of a point is named by it even where the data name it.
                     assert whole[0] in labels, (view, term)
                 elif whole not in labels or len(whole) > 3:
                     # What the text has no number of may be too short here: then it is drawn in another variant.
-                    size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t[0] == term[0])
+                    size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t.lstrip("(")[0] == whole[0])
                     other = shown(name, form, lang, ("graphical",), "3")[1]
                     assert size < SHORT or term in other[view], (view, term)

@@ -7,7 +7,9 @@ from dataclasses import replace
 from decimal import Decimal
 
 from variantgen.check.cranks import wrong_cranks
+from variantgen.check.glossary import family_words
 from variantgen.check.languages import differing
+from variantgen.check.letters import ambiguous_letters
 from variantgen.check.printed import print_mismatches
 from variantgen.check.report import Report
 from variantgen.check.senses import wrong_senses
@@ -33,6 +35,8 @@ _TURNED = 8  # those of them whose cranks are turned full circle, a tenth of a s
 
 def check_languages(family: Family, report: Report) -> None:
     """A title and the names of bodies in every language (a statement is looked for with the variants)."""
+    for where, message in family_words(family):
+        report.remark(f"{where}: {message}")
     for name in languages():
         if not family.titles.get(name):
             report.fail(f'none in the language {name}; write title = {{ {name} = "..." }}', "title")
@@ -48,6 +52,8 @@ def check_texts(variants: Sequence[Variant], motion: Motion, report: Report) -> 
     asked = [parse_quantity(text, variants[0].form.sample) for text in variants[0].form.ask]
     for name in languages():
         language = load_language(name)
+        for message in ambiguous_letters(variants[0].form, asked, language):
+            report.fail(message, f"statement.{name}.j2", message)
         for i, variant in enumerate([_at_constant_speed(variants[0]), *variants[:_FIGURES]]):
             found = _failures(variant, asked, language, motion, max(0, i - 1))
             for where, message in found:
