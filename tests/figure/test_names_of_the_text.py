@@ -133,13 +133,14 @@ def test_a_plan_takes_vectors_apart_as_the_text_does(name: str, form: str, lang:
     for view, labels in ((view, labels) for view, labels in figures.items() if view.endswith("_plan")):
         for left, right in equations(text, view[0]):
             for term in (term for term in (*left, *right) if term != "0" and term not in labels):
-                bare = re.sub(r"^\((.*)\)_\w$", r"\1", term)  # a_B/A of (a_B/A)_n
-                whole = re.sub(r"\^\w+_|_", "_", bare.split()[0])
+                # The vector of which (a_B/A)_n, in Russian a^n_BA, is a component.
+                inner = re.sub(r"^\((.+)\)_[nt]$", r"\1", term)
+                whole = re.sub(r"\^\w+_|_", "_", inner.split()[0])
                 if term == whole:
                     # The vector of a point is named by it even where the data name it.
                     assert whole[0] in labels, (view, term)
                 elif whole not in labels or len(whole) > 3:
                     # What the text has no number of may be too short here: then it is drawn in another variant.
-                    size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t[0] == term[0])
+                    size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t.lstrip("(")[0] == whole[0])
                     other = shown(name, form, lang, ("graphical",), "3")[1]
                     assert size < SHORT or term in other[view], (view, term)

@@ -116,7 +116,7 @@ def test_the_figure_belongs_to_the_method() -> None:
     }  # fmt: skip
     assert {"P", "v_A", "v_B", "ω_AB"} <= shown["velocity_centre"]
     assert {"v_A", "v_B"} == {label for label in shown["projections"] if label[0] in "vP"}
-    assert {"v_A", "v_B", "v_BA"} == {label for label in shown["velocity_pole"] if label[0] in "vP"}
+    assert {"v_A", "v_B", "v_B/A"} == {label for label in shown["velocity_pole"] if label[0] in "vP"}
 
 
 def test_supports_keep_the_pose_of_the_statement() -> None:

@@ -16,7 +16,7 @@ from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
-from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, StepGeometry
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, Foot, StepGeometry
 
 _OF_EQUATIONS = {
     1: ("velocities", "body_velocities", "contact_velocities"),
@@ -42,17 +42,32 @@ def step_figures(
         for fact in step.heading.facts.values()
         if view in _OF_BODIES and isinstance(fact, Body)
     }
-    found: list[Step] = []
+    names = [list(dict.fromkeys(_names(task, step, number, vectors, shown))) for number, step in enumerate(steps)]
     marked: dict[str, StepGeometry] = {}
-    before = NOTHING_MARKED
+    views: list[tuple[str, ...]] = []
     for number, step in enumerate(steps):
-        names = list(dict.fromkeys(_names(task, step, number, vectors, shown)))
-        found.append(replace(step, views=tuple(names)))
-        here = before + _geometry(task, step)
-        before = NOTHING_MARKED if names else here
-        for name in names:
+        here, own = _geometry(task, step), names[number]
+        goal = own or next((later for later in names[number:] if later), [])
+        if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
+            # The perpendicular is dropped in another part of the mechanism.
+            own, goal = [f"position:{number}", *own], [f"position:{number}", *goal]
+        # What is worked out without a figure is seen in the next one.
+        views.append(tuple(own or (goal[:1] if here.is_found and goal and ":" in goal[0] else ())))
+        for name in goal:
             marked[name] = marked.get(name, NOTHING_MARKED) + here
-    return found, marked
+    return [replace(step, views=own) for step, own in zip(steps, views, strict=True)], marked
+
+
+def _shows(task: Task, view: str, foot: Foot) -> bool:
+    """Whether the figure of a velocity centre, which has the cranks of its body, has the points of a perpendicular."""
+    kind, _, body = view.partition(":")
+    if kind == "coordinate_axes":
+        return True
+    if kind != "velocity_centre":
+        return False
+    bodies = task.scene.bodies
+    cranks = [m for m in bodies.values() if set(m) & set(bodies[body]) - task.fixed and task.fixed & set(m)]
+    return {foot.apex, *foot.line} <= {*bodies[body], *(point for members in cranks for point in members)}
 
 
 def _names(
@@ -124,7 +139,34 @@ def _geometry(task: Task, step: Step) -> StepGeometry:
     names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
     segments = [(name.of, name.about) for name in names if not name.part]
     chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
-    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain)
+    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain, tuple(_feet(task, step)))
+
+
+def _feet(task: Task, step: Step) -> Iterator[Foot]:
+    """The feet of perpendiculars that the sentences of a step name."""
+    z = task.now.z
+    for item in step.items:
+        facts: Mapping[str, Fact] = item.facts if isinstance(item, Sentence) else {}
+        if isinstance(item, Sentence) and item.key == "position.perpendicular":
+            down, to = facts["line"], facts["to"]
+            assert isinstance(down, Segment)
+            assert isinstance(to, Segment)
+            start, way = z[to.start], z[to.end] - z[to.start]
+            yield _foot(task, down.end, down.start, start, way, (to.start, to.end))
+        elif isinstance(item, Sentence) and item.key == "position.projections":
+            leg, along, corners = facts["leg"], facts["line"], facts["triangle"]
+            assert isinstance(leg, Segment)
+            assert isinstance(along, Segment)
+            assert isinstance(corners, Segment)
+            apex = corners.start.removeprefix(leg.start)
+            yield _foot(task, leg.end, apex, z[leg.start], z[along.end] - z[along.start], (leg.start,))
+
+
+def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> Foot:
+    """The foot of the perpendicular from a point to the line through a place."""
+    way /= abs(way)
+    place = start + ((task.now.z[apex] - start) * way.conjugate()).real * way
+    return Foot(letter, place * task.length_unit, apex, line)
 
 
 def _named(step: Step) -> Iterator[Value]:

@@ -145,7 +145,8 @@ class BodyFigure:
         with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
         small = size > 0 and size * with_cranks < _LEAST_BODY
-        bodies = self._alone if small or self.order == 2 else self._bodies
+        needed = self.order == 1 and (not small or self.subject.geometry.feet)
+        bodies = self._bodies if needed else self._alone
         scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         board = self._board(bodies, scale)
         board.sketch.at["centre"] = scale * centre

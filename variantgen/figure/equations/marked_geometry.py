@@ -9,14 +9,15 @@ from collections.abc import Sequence
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.motion.motion_board import MotionBoard
-from variantgen.figure.placement.label_requests import along_arc
-from variantgen.methods.steps.step_geometry import Corner
-from variantgen.wording.formula import Formula
+from variantgen.figure.placement.label_requests import along_arc, around
+from variantgen.methods.steps.step_geometry import Corner, Foot
+from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.quantity_symbols import Symbols
 
 _ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
 _REFERENCE = 14.0  # length of a side that no line carries, u
+_FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u
 _NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
 _LEAST = math.radians(4)  # a smaller one not at all
@@ -32,6 +33,8 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
     """
     sketch = board.sketch
     _draw_segments(board, subject.geometry.segments)
+    for foot in subject.geometry.feet:
+        _draw_foot(board, foot)
     formulas = Formulas(symbols, subject.variant.family.length_unit)
     seen: list[tuple[complex, float, float]] = []
     for corner in subject.geometry.corners:
@@ -71,6 +74,30 @@ def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> N
                 sketch.path((sketch.at[first], sketch.at[second]), Layer.GROUND, THIN, dash="dashed")
                 sketch.occupy(first, way)
                 sketch.occupy(second, -way)
+
+
+def _draw_foot(board: MotionBoard, foot: Foot) -> None:
+    """The perpendicular to its foot with its letter and a right angle; its line where nothing is drawn of it."""
+    sketch = board.sketch
+    if not {foot.apex, *foot.line} <= {*board.shown} or foot.letter in sketch.at:
+        return
+    at = sketch.at[foot.letter] = sketch.scale * foot.place
+    down = sketch.at[foot.apex] - at
+    ends = sorted((sketch.at[name] for name in foot.line), key=lambda place: abs(place - at))
+    along = ends[-1] - at
+    if abs(down) < _SQUARE or abs(along) < _SQUARE:
+        return
+    sketch.path((sketch.at[foot.apex], at), Layer.GROUND, THIN, dash="dashed")
+    sketch.occupy(foot.apex, -down)
+    beyond = len(ends) == 1 or ((ends[0] - at) * along.conjugate()).real > 0
+    if beyond and abs(ends[0] - at) > 1.0:
+        sketch.path((ends[0], at), Layer.GROUND, THIN, dash="dashed")
+    if len(foot.line) == 2:
+        _draw_segments(board, [(foot.line[0], foot.line[1])])
+    first, second = (_FOOT_SQUARE * way / abs(way) for way in (down, along))
+    sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
+    sketch.circle(at, 0.35, Layer.HINGE, fill="ink")
+    sketch.label(around(Symbol(foot.letter), at, 0.5))
 
 
 def _name(corner: Corner, formulas: Formulas) -> Formula:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.equations.axes_figure import draw_coordinate_axes
 from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.equations.marked_mechanism import draw_marked_mechanism
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
@@ -29,4 +29,4 @@ def draw(
     true_scale: bool = False,
 ) -> Drawing:
     """The figure of one variant; ``which`` are the axes, ``xy``."""
-    return draw_coordinate_axes(FigureSubject(variant, motion, index, asked, language, geometry), vectors)
+    return draw_marked_mechanism(FigureSubject(variant, motion, index, asked, language, geometry), vectors, True)

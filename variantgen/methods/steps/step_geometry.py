@@ -24,6 +24,19 @@ class Corner:
 
 
 @dataclass(frozen=True, slots=True)
+class Foot:
+    """The foot of a perpendicular under a ``letter`` of its own: its place (m), the point from which it is dropped.
+
+    ``line`` are the points of the figure on the line to which it is dropped, one or two.
+    """
+
+    letter: str
+    place: complex
+    apex: str
+    line: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ChainLink:
     """A link of a chain: its number, the direction from the last point to the next one, that point."""
 
@@ -42,15 +55,27 @@ class ChainGraph:
 
 @dataclass(frozen=True, slots=True)
 class StepGeometry:
-    """The ``corners``, the ends of the ``segments`` between points, in the order in which they are met, a ``chain``."""
+    """The ``corners``, the ends of the ``segments`` between points, in the order in which they are met, a ``chain``,
+    the ``feet`` of perpendiculars.
+    """
 
     corners: tuple[Corner, ...] = ()
     segments: tuple[tuple[str, str], ...] = ()
     chain: ChainGraph | None = None
+    feet: tuple[Foot, ...] = ()
+
+    @property
+    def is_found(self) -> bool:
+        """Whether there is more than what is given."""
+        found = (corner.value.name is None or corner.value.name.kind != "parameter" for corner in self.corners)
+        return bool(self.segments or self.feet) or any(found)
 
     def __add__(self, other: StepGeometry) -> StepGeometry:
         return StepGeometry(
-            (*self.corners, *other.corners), (*self.segments, *other.segments), self.chain or other.chain
+            (*self.corners, *other.corners),
+            (*self.segments, *other.segments),
+            self.chain or other.chain,
+            (*self.feet, *other.feet),
         )
 
 

@@ -1,4 +1,4 @@
-"""The figure of the coordinate method: the mechanism with the axes x and y at their origin and the given angles."""
+"""The whole mechanism with what a step marks in it: angles, perpendiculars, the axes of the coordinate method."""
 
 from __future__ import annotations
 
@@ -18,15 +18,21 @@ _AXIS = 17.0  # length of an axis, u
 _HEAD = 2.2
 
 
-def draw_coordinate_axes(subject: FigureSubject, vectors: Sequence[PointVectors]) -> Drawing:
-    """The figure. Raises InputError where nothing can be drawn."""
+def draw_marked_mechanism(subject: FigureSubject, vectors: Sequence[PointVectors], axes: bool) -> Drawing:
+    """The figure, with the ``axes`` or without. Raises InputError where nothing can be drawn."""
     named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, 1, subject.language, vectors)
-    annotate = partial(_annotate, subject, named)
+    annotate = partial(_annotate, subject, named, axes)
     return draw_on_mechanism(subject.variant, subject.motion, subject.index, subject.asked, subject.language, annotate)
 
 
-def _annotate(subject: FigureSubject, named: Vectors, board: MotionBoard, stretch: float) -> None:
-    """The axes from the origin of the coordinates, then the angles."""
+def _annotate(subject: FigureSubject, named: Vectors, axes: bool, board: MotionBoard, stretch: float) -> None:
+    """The axes from the origin of the coordinates, then what is marked."""
+    if axes:
+        _draw_axes(board, stretch)
+    draw_geometry(board, subject, named.symbols, MOST_ANGLES)
+
+
+def _draw_axes(board: MotionBoard, stretch: float) -> None:
     sketch = board.sketch
     origin = next((name for name in board.shown if abs(sketch.at[name]) < 1e-6), "")
     for axis, letter in ((1 + 0j, "x"), (1j, "y")):
@@ -35,4 +41,3 @@ def _annotate(subject: FigureSubject, named: Vectors, board: MotionBoard, stretc
         sketch.label(around(Symbol(letter), tip, 0.3))
         if origin:
             sketch.occupy(origin, axis)
-    draw_geometry(board, subject, named.symbols, MOST_ANGLES)
