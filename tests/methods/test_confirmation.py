@@ -100,7 +100,7 @@ DAMAGES = [
     ("plate_acceleration_centre", "square", "acceleration_centre", "length centre", factor),
     ("plate_acceleration_centre", "square", "acceleration_centre", "a", sign),
     ("crank_and_disc", "relative", "analytical", "a", sign),
-    ("slider_crank", "offset", "coordinates", "v", sign),
+    ("slider_crank", "offset", "coordinates", "omega", factor),
     ("slider_crank", "offset", "graphical", "v A", other_arm),
     ("slider_crank", "offset", "graphical", "a n", without_square),
     ("falling_rod", "", "analytical", "parameter", factor),

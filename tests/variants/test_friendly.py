@@ -25,15 +25,18 @@ from variantgen.variants.variant import solve_variants
         (1234.0, False),  # four digits
         (0.1234, False),
         (4 / 3, True),
-        (-36 / 7, True),
-        (17 / 16, False),  # 1.0625: neither short nor with a small denominator besides 2 and 5
-        (3 / 13, True),
-        (3 / 17, False),
+        (400 / 3, False),
+        (-36 / 7, False),
+        (17 / 16, False),  # 1.0625: neither short nor a third
+        (3 / 13, False),
         (40 * sqrt(3) / 3, True),
-        (0.35 * sqrt(3), True),
-        (20 * sqrt(13), True),
-        (sqrt(97), True),
-        (sqrt(101), False),
+        (120 * sqrt(3), True),
+        (20 * sqrt(7), True),
+        (-sqrt(5) / 4, True),
+        (0.35 * sqrt(3), False),  # 7 sqrt(3) / 20
+        (135 * sqrt(3), False),
+        (20 * sqrt(13), False),
+        (sqrt(97), False),
         (sqrt(2) + 1, False),
         (pi, False),
         (inf, False),
@@ -57,8 +60,8 @@ def test_all_velocities_and_half_of_the_answers() -> None:
     every = friendly_answers(motion, list(asked.values()), "m").tolist()
     assert every == [True, False]
     assert friendly_answers(motion, [asked["v_B"]], "m").tolist() == [True, False]
-    # omega^2 = 25/3 at 30 degrees: epsilon = omega^2 tan 30 = 25 sqrt(3) / 9.
-    assert friendly_answers(motion, [asked["epsilon_AB"]], "m").tolist() == [True, False]
+    # omega^2 = 25/3 at 30 degrees: epsilon = omega^2 tan 30 = 25 sqrt(3) / 9, a denominator that nobody would write.
+    assert friendly_answers(motion, [asked["epsilon_AB"]], "m").tolist() == [False, False]
     # Directions count in degrees: v_C is perpendicular to PC, at -60 and -50 degrees to the floor.
     angle = parse_quantity("v_C.angle", form.sample)
     assert friendly_answers(motion, [angle], "m").tolist() == [True, True]

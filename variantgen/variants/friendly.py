@@ -9,18 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.closed_form import TOLERANCE, root_of_fraction, square_fractions
+from variantgen.mechanism.closed_form import TOLERANCE, is_simple, root_of_fraction, square_fractions
 from variantgen.mechanism.motion import Motion
 
 _DIGITS = 3
-_MOST_RADICAND, _MOST_DENOMINATOR = 100, 13
 
 
 def are_hand_friendly(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether values are hand-friendly, shape (N,): zero, decimals of at most three digits, or simple roots.
 
-    A simple root is ``d sqrt(n) / k``: d a decimal of at most three digits, n up to 100, k up to 13 (``0.35 sqrt(3)``,
-    ``40 sqrt(3) / 3``, ``4 / 3``); see :mod:`variantgen.mechanism.closed_form`.
+    Simple are the roots and thirds that are printed beside their decimals (``40 sqrt(3) / 3``, ``4 / 3``); see
+    :func:`variantgen.mechanism.closed_form.is_simple`.
     """
     found = _short(values)
     rest = np.flatnonzero(~found)
@@ -62,13 +61,4 @@ def _short(values: NDArray[np.float64]) -> NDArray[np.bool_]:
 def _simple(numerator: int, denominator: int) -> bool:
     """Whether the root of a fraction (zeros: there is none) is a simple one."""
     found = root_of_fraction(numerator, denominator)
-    if found is None:
-        return False
-    p, k, n = found
-    # p / q = d / k with the factors 2 and 5 of q in the decimal d
-    for factor, other in ((2, 5), (5, 2)):
-        while k % factor == 0:
-            k, p = k // factor, p * other
-    while p % 10 == 0:
-        p //= 10
-    return k <= _MOST_DENOMINATOR and n <= _MOST_RADICAND and p < 10**_DIGITS
+    return found is not None and is_simple(*found)

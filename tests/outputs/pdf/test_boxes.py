@@ -14,7 +14,7 @@ from variantgen.resources import catalog_dir
 MILLIMETRE = 72 / 25.4
 WIDTH, HEIGHT = 210, 297
 HANGING = 0.8  # mm: punctuation hangs out of the line
-FOOT = 5  # mm
+FOOT, BODY = 5, 15  # mm: from below, the words at the foot and what is above them
 MARGINS = {"sheets": (18, 14), "key": (15, 13), "solutions": (15, 13)}  # mm: sides, top
 
 
@@ -43,3 +43,16 @@ def test_letters_keep_apart(everything: Path, document: str) -> None:
         assert outside == [], f"page {number}: letters beyond the margins"
         seen += len(page.text)
     assert seen > 10_000
+
+
+def test_pages_of_solutions_are_filled(everything: Path) -> None:
+    depths = []
+    for page in page_letters(everything / "solutions.pdf"):
+        body = page.boxes[page.boxes[:, 1] > BODY * MILLIMETRE]
+        depths.append(HEIGHT - body[:, 1].min() / MILLIMETRE if len(body) else None)
+    short = [number for number, depth in enumerate(depths, start=1) if depth is not None and depth < HEIGHT / 2]
+    assert len(depths) > 100
+    # The last page of each of the two students may be as short as it is.
+    blanks = depths.count(None)
+    assert len(short) <= 2, f"pages {short} are less than half full"
+    assert all(number == len(depths) or abs(number - len(depths) / 2) <= 2 + blanks for number in short)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pypdfium2
+import pytest
 
 from variantgen.cli import main
 
@@ -28,3 +29,15 @@ def test_five_problems_for_a_class_take_a_leaf_each(tmp_path: Path) -> None:
         assert [f"Problem {number}" in first + second for number in range(1, 6)] == [True] * 5
         assert "Problem 1 " in first
         assert "Problem 5 " in second
+
+
+@pytest.mark.parametrize("name", ["sample_en", "sample_ru"])
+def test_solutions_of_five_problems_take_seven_pages(name: str, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    for seed in ("2026", "31"):
+        assert main(["build", name, "--variants", "1", "--seed", seed, "--out", str(out), "--force"]) == 0
+        document = pypdfium2.PdfDocument(out / "solutions.pdf")
+        try:
+            assert len(document) <= 7
+        finally:
+            document.close()

@@ -97,6 +97,9 @@ class Reader:
 
     def side(self, texts: list[str], sign: str, whole: str) -> None:
         """One side of an equation, which has another after it: a sum in numbers, and its number."""
+        if len(texts) > 2:  # a side that is a number, and the other
+            self.side(texts[:1], "", whole)
+            texts = texts[1:]
         value = number_of(texts[-1], self.mark)
         if len(texts) > 1:
             unit = last_unit(texts[-1], self.mark, DIGITS)

@@ -81,7 +81,11 @@ def _compare_across(book: Book, body: str, pole: str, point: str) -> None:
     """``omega = (v_B across - v_A across) / AB``, to the left of AB positive."""
     axis = Geometry.turned(book.geometry.direction(pole, point), 90.0)
     at_pole = [(-sign, part) for sign, part in signed(named_shares(book, book.velocity[pole], axis))]
-    parts = [*signed(named_shares(book, book.velocity[point], axis)), *at_pole]
+    own = signed(named_shares(book, book.velocity[point], axis))
+    if book.velocity[point] and not own:
+        lying: dict[str, Fact] = {"vector": VectorOf(Name("v", point)), "segment": Segment(pole, point)}
+        book.say("projections.along", point=Point(point), **lying)
+    parts = [*own, *at_pole]
     turning = sum(sign * part.number(True) for sign, part in parts)
     sense = 0 if abs(turning) <= _NOTHING * book.scale else 1 if turning > 0 else -1
     if sense:

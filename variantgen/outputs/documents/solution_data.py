@@ -65,11 +65,13 @@ def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> 
 
 
 def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
-    """A numbered step; ``see`` has the numbers of the figures that go with it, in parentheses."""
-    numbers = [str(solved.numbers[name]) for name in section.views if name in solved.numbers]
+    """A numbered step; ``shows`` are the numbers of the figures that go with it, ``see`` the same in parentheses."""
+    shows = [solved.numbers[name] for name in section.views if name in solved.numbers]
+    numbers = [str(number) for number in shows]
     word = load_phrases(language.name).words["see"]
     return {
         "heading": writing.text(section.heading),
         "see": f"({word}\N{NO-BREAK SPACE}{', '.join(numbers)})" if numbers else "",
+        "shows": shows,
         "blocks": blocks_data(section.blocks, writing),
     }

@@ -75,6 +75,14 @@ def append_block(blocks: list[Block], block: Block) -> None:
         blocks.append(block)
 
 
+def both_sides(first: FormulaLine, second: FormulaLine) -> FormulaLines:
+    """The two sides of an equation in numbers, each with its result; on one line where the first is a number itself."""
+    if len(first.pieces) > 1:
+        return FormulaLines((first, second))
+    (_, start), *end = second.pieces
+    return FormulaLines((FormulaLine((*first.pieces, ("=", start), *end)),))
+
+
 @dataclass(frozen=True, slots=True)
 class Section:
     """A numbered step with its heading; ``views`` are the kinds of figures that go with it."""

@@ -55,6 +55,7 @@ from variantgen.wording.solution.document import (
     VectorTable,
     VectorTableRow,
     append_block,
+    both_sides,
 )
 from variantgen.wording.solution.formulas import Formulas, without_sign
 from variantgen.wording.solution.phrases import Letter, SentenceField
@@ -112,7 +113,7 @@ class Writer:
             case Projection():
                 return self._projection(item)
             case Balance(left, right):
-                return FormulaLines((self._side(left), self._side(right)))
+                return both_sides(self._side(left), self._side(right))
             case LinearSystem():
                 return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
             case EquationLine(left, right, numeric):
