@@ -183,7 +183,7 @@ def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
     drawing = figures["rate_chain:O-C"].drawing
     labels = [to_plain(label.formula) for label in drawing.labels]
     assert all(labels.count(letter) == 2 for letter in "OABC123")
-    assert {"x", "y", "60°"} <= set(labels)  # phi = 60 degrees from OC, which lies on the axis x
+    assert {"x", "y", "−65°"} <= set(labels)  # phi = 25 degrees from OC, which leads down
     graph = [tip - start for start, tip in arrows(drawing, Layer.VECTOR)]
     assert len(graph) == 3
     assert all(way.imag == 0 < way.real for way in graph)
