@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.letter_boxes import page_letters
+from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.families.load import load_family
 from variantgen.resources import catalog_dir
@@ -56,3 +57,9 @@ def test_pages_of_solutions_are_filled(everything: Path) -> None:
     blanks = depths.count(None)
     assert len(short) <= 2, f"pages {short} are less than half full"
     assert all(number == len(depths) or abs(number - len(depths) / 2) <= 2 + blanks for number in short)
+
+
+@pytest.mark.parametrize("document", MARGINS)
+def test_no_line_begins_with_a_dash(everything: Path, document: str) -> None:
+    lines = [line.strip() for text in page_texts(everything / f"{document}.pdf") for line in text.splitlines()]
+    assert [line for line in lines if line.startswith(("\N{EM DASH}", "\N{EN DASH}"))] == []
