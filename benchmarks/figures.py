@@ -38,10 +38,18 @@ _SAMPLE = 5  # figures of each form that are typeset for comparison
 HEAD = """\
 | family | form | figures | label on label | label on line | off paper | unnamed points | leaders | least space, u | \
 hinges too near | not to scale | no text | arrow over a line | double arrow | behind a wall | line past a head | \
-radius over a line | along a rim | small arc | foreign arc | no dot | largest, u | median, ms |
+radius over a line | along a rim | small arc | foreign arc | no dot | largest, u | median CPU, ms |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"""
 # Faults of arrows in the order of the columns, and points without a mark.
 ARROWS = ("crossed", "doubled", "behind", "continued", "radii", "grazing", "small", "foreign", "unmarked")
+
+
+# The same inspections before arrows and radii were placed by what they cross: what the last row is compared with.
+BEFORE = (
+    "Before arrows were placed by what they cross, the same inspections counted in 22 800 figures: 1313 arrows over"
+    " a line, 432 double arrows, 2305 behind a wall, 1574 lines past a head, 507 radii over a line, 127 along a rim,"
+    " 2358 small arcs, 57 foreign ones, 900 points without a dot."
+)
 
 
 @dataclass
@@ -125,9 +133,9 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
     motion = solve_variants(variants, 0)
     tally = Tally()
     for i, variant in enumerate(variants):
-        start = time.perf_counter()
+        start = time.process_time()
         drawing = statement_figure(variant, motion, i, asked, language)
-        tally.times.append(time.perf_counter() - start)
+        tally.times.append(time.process_time() - start)
         seen = inspect_labels(drawing)
         tally.figures += 1
         tally.sample += [drawing] if i < _SAMPLE else []
@@ -163,9 +171,9 @@ def typesetting(drawings: list[Drawing]) -> float:
         (engine.root / "figures.typ").write_text(page, "utf-8")
 
         def seconds(some: list[dict[str, object]]) -> float:
-            start = time.perf_counter()
+            start = time.process_time()
             engine.compile("figures.typ", {"figures": some})
-            return time.perf_counter() - start
+            return time.process_time() - start
 
         # Each figure once: the engine remembers what it has laid out.
         seconds(data[:1])
@@ -201,7 +209,7 @@ def main() -> None:
     if not options.family:
         note = f"{options.seeds} seeds per form, {machine_line()}"
         head = f"# The figures, inspected\n\n`python -m benchmarks.figures`: {note}.\n"
-        write_beside(__file__, [head, *lines, "", share + ratio])
+        write_beside(__file__, [head, *lines, "", share + ratio, "", BEFORE])
 
 
 if __name__ == "__main__":

@@ -29,11 +29,22 @@ _BEHIND = 16.0  # depth behind a wall in which an arrow seems to be in it, u
 _LONG_WALL = 12.0  # shorter hatched lines are bases of hinges, u
 _PLAINLY = 0.8  # by which letters are nearer to their own arrow than to the other one, u
 _PARALLEL = 0.97  # cosine of the angle between two arrows on one line
-_TOLD_APART = 1.8  # distance aside of two opposite arrows, u
+_TOLD_APART, _PLAINLY_APART = 1.8, 4.0  # distances aside of two opposite arrows: seen if looked for, at once, u
+_SIDE_BY_SIDE = 3.5  # length over which two arrows lie beside each other, u
 # Costs of a line that is crossed and of each u on it, of a wall before the arrow, of an arrow that reads as one with
 # another, of one in line with another, of letters over a line, of an arrow beside its point, outside a disc
-# of its point, of distance, of shortness.
-_CROSSED, _ON_LINE, _WALL, _DOUBLE, _IN_LINE, _COVERED, _BESIDE, _OFF_DISC = (6.0, 0.8, 14.0, 60.0, 6.0, 4.0, 1.5, 9.0)
+# of its point, tail to tail with another one, of distance, of shortness.
+_CROSSED, _ON_LINE, _WALL, _DOUBLE, _IN_LINE, _COVERED, _BESIDE, _OFF_DISC, _TAIL_TO_TAIL = (
+    6.0,
+    0.8,
+    14.0,
+    60.0,
+    6.0,
+    4.0,
+    1.5,
+    9.0,
+    5.0,
+)
 _ASIDE, _ALONG, _SLID, _SHORT = 0.3, 0.4, 0.08, np.array([0.0, 1.5, 4.0])
 
 
@@ -212,6 +223,10 @@ def _confused(arrow: _Wanted, grid: _Grid, drawn: Sequence[tuple[complex, comple
         first, last = ((end - arrow.centre) / arrow.way for end in (foot, tip))
         cosine = ((last - first) / abs(last - first)).real
         if abs(cosine) > _PARALLEL:
-            near = np.abs(grid.lanes - 0.5 * (first + last).imag) < _TOLD_APART
-            costs += (_DOUBLE if cosine < 0 else _IN_LINE) * near
+            aside = np.abs(grid.lanes - 0.5 * (first + last).imag)
+            costs += (_DOUBLE if cosine < 0 else _IN_LINE) * (aside < _TOLD_APART)
+            if cosine < 0:
+                # Tail to tail, a little aside, two opposite arrows still look like one: side by side they do not.
+                shared = np.minimum(grid.heads, first.real) - np.maximum(grid.tails, last.real)
+                costs += _TAIL_TO_TAIL * ((aside < _PLAINLY_APART) & (shared < _SIDE_BY_SIDE))
     return costs

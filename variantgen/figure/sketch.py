@@ -126,7 +126,7 @@ class Sketch:
         """Draw a line that stands in the way of labels as the ``obstacles`` say."""
         self.lines.append(line)
         self._corners += _extent(line)
-        self.obstacles.add(obstacles, line.weight)
+        self.obstacles.add(obstacles, line.weight or BOLD)  # heads have no outline
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
