@@ -14,11 +14,12 @@ FAMILIES = ("four_bar", "spool", "guided_plate", "movable_pulley", "slider_crank
 STUDENTS = 108
 
 
-def test_five_problems_for_a_class_take_a_leaf_each(tmp_path: Path) -> None:
+def test_five_problems_for_a_class_take_a_leaf_each(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam, out = tmp_path / "exam.toml", tmp_path / "out"
     problems = "".join(f'[[problem]]\nfamily = "{family}"\n' for family in FAMILIES)
     exam.write_text(f'title = "Plane motion of a rigid body"\nlanguage = "en"\n{problems}', "utf-8")
     assert main(["build", str(exam), "--variants", str(STUDENTS), "--no-solutions", "--out", str(out)]) == 0
+    assert "sheets.pdf: 2 pages for each student" in capsys.readouterr().err
     document = pypdfium2.PdfDocument(out / "sheets.pdf")
     try:
         texts = [page.get_textpage().get_text_bounded() for page in document]

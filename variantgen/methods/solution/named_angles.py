@@ -33,24 +33,39 @@ def note_sum(book: Book, angle: Value, same: Value | None = None) -> None:
 
 
 def named(book: Book, share: Share) -> Share:
-    """A projection whose angle, if it is a long sum, has a name: a corner of the figure, or a letter, with a line."""
+    """A projection whose angle, if it is a long sum or one of corners, has a name: a corner of the figure, a letter."""
     found = renamed(book, share)
-    if found is not share or share.angle is None or is_short(form := angle_sum(share.angle)):
+    if found is not share or share.angle is None:
+        return found
+    form = angle_sum(share.angle)
+    if is_short(form) and not _is_of_corners(form):
         return found
     if abs(form.constant) > 2 * _RIGHT:  # 270 degrees in a sum: the angle to 90 degrees is the natural one
         form = form.times(-1.0).turned(_RIGHT)
         share = replace(share, angle=valued(None, form), function=_OTHER[share.function])
         if (again := renamed(book, share)) is not share:
             return again
-    for other, side in ((form, 1), (form.times(-1.0).turned(180.0), -1)):
-        corner = _corner(book, other)
-        if corner is not None and (side > 0 or share.term.size is not None or share.function == "sin"):
-            sign = share.sign if share.function == "sin" else share.sign * side
-            return replace(share, angle=corner, sign=sign)
+    known = share.term.size is not None or share.function == "sin"
+    opposite = share.sign if share.function == "sin" else -share.sign
+    for constant, count, sign, function in (
+        (0.0, 1.0, share.sign, share.function),
+        (2 * _RIGHT, -1.0, opposite, share.function),
+        (_RIGHT, -1.0, share.sign, _OTHER[share.function]),
+    ):
+        corner = _corner(book, form.times(count).turned(constant)) if known or constant != 2 * _RIGHT else None
+        if corner is not None:
+            return replace(share, angle=corner, sign=sign, function=function)
+    if is_short(form):
+        return share
     angle = valued(book.geometry.letter(), form)
     book.items.append(Derived(angle))
     note_sum(book, angle)
     return replace(share, angle=angle)
+
+
+def _is_of_corners(form: AngleForm) -> bool:
+    """Whether two angles of a sum had to be worked out."""
+    return sum(isinstance(atom, Value) and atom.expression is not None for atom, _ in form.parts) > 1
 
 
 def _corner(book: Book, form: AngleForm) -> Value | None:
@@ -77,12 +92,15 @@ def renamed(book: Book, share: Share) -> Share:
     """A projection with the angle that has a name, where its sum is that or its complement or supplement."""
     if share.angle is None or is_single(form := angle_sum(share.angle)):
         return share
-    for constant, sign, function in ((0.0, 1.0, share.function), (90.0, -1.0, _OTHER[share.function])):
+    ways = [(0.0, 1.0, share.function), (_RIGHT, -1.0, _OTHER[share.function])]
+    if share.function == "sin":
+        ways.append((-_RIGHT, 1.0, "cos"))
+    for constant, sign, function in ways:
         found = book.named_angles.get(_key(form.times(sign).turned(constant)))
         if found is not None:
             return replace(share, angle=found, function=function)
     found = book.named_angles.get(_key(form.times(-1.0).turned(180.0)))
-    if found is None or (found.exact > _RIGHT and is_short(form)):
+    if found is None or (found.exact > _RIGHT and is_short(form) and not _is_of_corners(form)):
         return share
     if share.function == "sin":
         return replace(share, angle=found)
