@@ -128,6 +128,14 @@ def test_a_plate_on_rods_turns_about_the_crossing_of_two_of_them(seed: str) -> N
     assert text.count("two linear equations") == 1  # those of the accelerations
 
 
+def test_three_equations_for_a_plate_with_a_remote_centre(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("variantgen.methods.centres.guided_body._FAR", 0.5)  # P of this variant is 1.3 sides from B
+    text, _ = solved("three_rod_plate", "", "121")
+    assert "P_BCF" not in text
+    assert text.count("two linear equations") == 2
+    assert "P_BCF" in solved("three_rod_plate", "", "121", ("velocity_centre",))[0]
+
+
 def test_three_equations_for_a_plate_where_the_pole_is_wished() -> None:
     text, _ = solved("three_rod_plate", "", "121", ("velocity_pole",))
     assert "P_BCF" not in text
