@@ -80,7 +80,7 @@ def test_every_ray_is_the_vector_of_a_point_or_of_the_carrier_below_it(name: str
 
 def about_poles(vectors: list[PlanVector], points: list[str], kind: str) -> list[tuple[PlanVector, str, str]]:
     """Vectors named by two points (``v_BA``), with the two points."""
-    pairs = {f"{p}{q}": (p, q) for p in points for q in points if p != q}
+    pairs = {f"{p}/{q}": (p, q) for p in points for q in points if p != q}
     found = [
         (v, pairs.get(v.symbol.index[0].text)) for v in vectors if v.symbol.base == kind and len(v.symbol.index) == 1
     ]
@@ -120,7 +120,7 @@ def test_components_lead_from_the_pole_of_the_body_to_the_point(name: str, form:
             arm = complex(motion.z[point][i] - motion.z[pole][i])
             omega, epsilon = float(motion.omega[body][i]), float(motion.epsilon[body][i])
             size = vector.end - vector.start
-            if vector.symbol.upper[0].text == "n":
+            if vector.symbol.part[0].text == "n":
                 assert abs(size + omega**2 * arm) < 1e-8 * scale
                 assert abs(vector.start - complex(motion.a[pole][i])) < 1e-8 * scale
             else:
@@ -151,19 +151,19 @@ def test_compound_accelerations_close(name: str, form: str) -> None:
         given = {p.symbol: EN.symbol(p.symbol, {}) for p in variant.form.parameters.values() if p.unit}
         for path in paths:
             own = [v for v in plan.vectors if [index.text for index in v.symbol.index][1:] == [path.point]]
-            parts = [v for v in own if v.symbol.index[0].text in ("rel", "cor")]
+            parts = [v for v in own if v.symbol.index[0].text in ("rel", "Cor")]
             # What is given along the path bears the letter of the data.
             parts += [v for v in plan.vectors if v.symbol in given.values() and not v.whole and v not in parts]
             # One after the other from the end of the transport acceleration to that of the whole.
             place = carried(path.point, path.body, motion, i)
-            for transport in (v for v in own if v.whole and v.symbol.index[0].text == "tr"):
+            for transport in (v for v in plan.vectors if v.whole and v.symbol.index[0].text == f"{path.point}′"):
                 assert abs(transport.end - place) < 1e-9 * scale
             for part in parts:
                 assert abs(part.start - place) < 1e-9 * scale
                 place = part.end
             assert abs(place - complex(motion.a[path.point][i])) < 1e-9 * scale
             rel = velocity_of(path.point, path.body, motion, i)
-            cor = sum(v.end - v.start for v in own if v.symbol.index[0].text == "cor")
+            cor = sum(v.end - v.start for v in own if v.symbol.index[0].text == "Cor")
             assert abs(cor - 2j * motion.omega[path.body][i] * rel) < 1e-9 * scale
 
 

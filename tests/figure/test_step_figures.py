@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cache
+from itertools import pairwise
 
 import pytest
 
@@ -176,26 +177,33 @@ def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
 
 
 def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
-    text, figures = solved("four_bar", "crank", "7", ("three_rates",))[1:]
-    assert list(figures) == ["rate_chain:O-C"]  # for velocities and accelerations the same
-    assert sum("rate_chain:O-C" in section.views for section in text.sections) == 2
+    motion, text, figures = solved("four_bar", "crank", "7", ("three_rates",))
+    # The same for the position, whose angles it shows, for velocities and for accelerations.
+    assert list(figures) == ["rate_chain:O-C"]
+    assert sum("rate_chain:O-C" in section.views for section in text.sections) == 3
     drawing = figures["rate_chain:O-C"].drawing
     labels = [to_plain(label.formula) for label in drawing.labels]
     assert all(labels.count(letter) == 2 for letter in "OABC123")
-    assert {"x", "y", "60°"} <= set(labels)  # phi = 60 degrees from OC, which lies on the axis x
+    assert {"x", "y"} <= set(labels)
+    places = [complex(motion.z[point][0]) for point in "OABC"]
+    angles = {math.degrees(cmath.phase(end - start)) for start, end in pairwise(places)}
+    shown = {float(label.removesuffix("°").replace("\N{MINUS SIGN}", "-")) for label in labels if "°" in label}
+    assert sorted(shown) == pytest.approx(sorted(angles), abs=0.01)
     graph = [tip - start for start, tip in arrows(drawing, Layer.VECTOR)]
     assert len(graph) == 3
     assert all(way.imag == 0 < way.real for way in graph)
 
 
 def test_the_angle_mu_stands_at_each_point_beside_an_acceleration_centre() -> None:
-    (figure,) = solved("plate_acceleration_centre", "square", "149")[2].values()
+    motion, _, figures = solved("plate_acceleration_centre", "square", "149")
+    (figure,) = figures.values()
     drawing = figure.drawing
+    (body,) = motion.omega
+    mu = math.atan2(abs(float(motion.epsilon[body][0])), float(motion.omega[body][0]) ** 2)
     labels = [to_plain(label.formula) for label in drawing.labels]
-    # Data of the model solution: epsilon = omega^2, so that mu = 45 degrees.
     arcs = [line for line in drawing.lines if isinstance(line, Arc) and line.layer is Layer.MARK]
     assert "Q" in labels
-    assert all(abs(abs(arc.sweep) - math.pi / 4) < 1e-6 for arc in arcs)
+    assert all(abs(abs(arc.sweep) - mu) < 1e-6 for arc in arcs)
     assert labels.count("μ") == len(arcs) == sum(label.startswith("a_") for label in labels) >= 3
 
 

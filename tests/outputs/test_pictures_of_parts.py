@@ -51,11 +51,14 @@ def test_show_writes_a_file_for_each(tmp_path: Path) -> None:
 
 
 def test_true_scale_keeps_the_ratio_of_all_vectors() -> None:
-    """Model solution 4: a_O = 2, the normal part 12, the tangential part 2 m/s^2: 6 to 1, drawn as such if wished."""
+    """At the end A of the horizontal diameter: a_O and the normal part v_O^2/R along it, the tangential part a_O."""
+    normal, tangential = WHEEL.si("v_O") ** 2 / WHEEL.si("R"), WHEEL.si("a_O")
     usual, true = (pictures(WHEEL, "acceleration_equation:1", true_scale=scale)[0].drawing for scale in (False, True))
     assert usual.lengthened
     assert not true.lengthened
-    lengths = sorted({round(abs(tip - start), 6) for start, tip in arrows(true, Layer.SLIDER)})
-    shortest, longest = lengths[0], lengths[-1]
-    # The sum of all is the longest: a_A = sqrt((2 + 12)^2 + 2^2) = 14.14.
-    assert longest / shortest == pytest.approx(200**0.5 / 2, rel=1e-4)
+    lengths = sorted(abs(tip - start) for start, tip in arrows(true, Layer.SLIDER))
+    # A is behind: what speeds the wheel up points away from O there, against the normal part, or with it.
+    sums = [abs(complex(normal + tangential, tangential)), abs(complex(normal - tangential, tangential))]
+    expected = [sorted([normal, abs(tangential), abs(tangential), whole]) for whole in sums]
+    ratios = [[length / lengths[0] for length in lengths], *([v / each[0] for v in each] for each in expected)]
+    assert any(ratios[0] == pytest.approx(each, rel=1e-4) for each in ratios[1:])

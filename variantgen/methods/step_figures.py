@@ -50,7 +50,7 @@ def step_figures(
         goal = own or next((later for later in names[number:] if later), [])
         if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
             # The perpendicular is dropped in another part of the mechanism.
-            own, goal = [f"position:{number}", *own], [f"position:{number}", *goal]
+            own = goal = [f"position:{number}", *own]
         # What is worked out without a figure is seen in the next one.
         views.append(tuple(own or (goal[:1] if here.is_found and goal and ":" in goal[0] else ())))
         for name in goal:

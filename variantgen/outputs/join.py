@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +26,8 @@ def join_pdfs(
     language: str,
     even: bool,
     names: Sequence[BookmarkName] | None = None,
-) -> None:
-    """Write the pages of all parts to one PDF.
+) -> Counter[int]:
+    """Write the pages of all parts to one PDF; how many bookmarks have so many pages.
 
     ``even`` pads each part but the last to an even number of pages, so that the next part starts on an odd page.
     ``names`` are given to the bookmarks of the parts (not to those inside others). Tags, metadata and output intents
@@ -37,6 +39,7 @@ def join_pdfs(
             with pikepdf.open(path) as source:
                 whole.add(source, even and number < len(parts))
         whole.finish(title, language, names)
+        return whole.lengths
 
 
 class _Whole:
@@ -49,6 +52,7 @@ class _Whole:
         self._nodes: list[int] = []
         self._count = 0
         self._bookmarks: list[Bookmark] = []
+        self.lengths = Counter[int]()
 
     def add(self, source: pikepdf.Pdf, even: bool) -> None:
         """Write what a part holds."""
@@ -67,6 +71,7 @@ class _Whole:
         if self._structure:
             self._structure.add(part)
         self._bookmarks += read_bookmarks(part)
+        self.lengths.update(_lengths(source))
         part.copy()
         self._nodes.append(node)
         self._count += len(kids)
@@ -101,6 +106,18 @@ class _Whole:
             self._writer.put_stream(number, b"/Type/Metadata/Subtype/XML", metadata)
             entries += b"/Metadata %d 0 R" % number
         return entries
+
+
+def _lengths(source: pikepdf.Pdf) -> list[int]:
+    """The number of pages from each bookmark of a part to the next."""
+    places = {page.obj.objgen: place for place, page in enumerate(source.pages)}
+    starts = []
+    outlines: Any = source.Root.get("/Outlines", {})
+    item = outlines.get("/First")
+    while item is not None:
+        starts.append(places[item.Dest[0].objgen])
+        item = item.get("/Next")
+    return [end - start for start, end in pairwise((*starts, len(source.pages)))]
 
 
 def _string(text: str) -> bytes:

@@ -103,9 +103,7 @@ def test_students_have_bookmarks_under_their_groups(extra: str, tmp_path: Path) 
             ("Group A", first[3], [("De la Cruz, Ana", first[3])]),
         ]
         problems = [name for name, _, _ in found[0][2][0][2]]
-        assert problems == (
-            [f"Problem {n}. Spool pulled by a thread" for n in (1, 2, 3)] if file == "solutions" else []
-        )
+        assert problems == ([f"Problem {n}. Spool pulled by a cord" for n in (1, 2, 3)] if file == "solutions" else [])
     with pikepdf.open(out / "key.pdf") as pdf:
         assert [title for title, _, _ in outline(pdf)] == ["By student", "By problem"]
 

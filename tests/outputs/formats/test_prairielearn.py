@@ -227,7 +227,7 @@ def test_info_is_complete_and_the_folder_is_explained(tmp_path: Path) -> None:
     assert [info["title"] for info in infos] == [
         "Four-bar linkage",
         "Wheel rolling on a straight rail",
-        "Spool pulled by a thread",
+        "Spool pulled by a cord",
     ]
     for info in infos:
         assert info.keys() == {"uuid", "title", "topic", "tags", "type"}

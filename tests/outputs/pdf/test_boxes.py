@@ -13,6 +13,7 @@ from variantgen.resources import catalog_dir
 
 MILLIMETRE = 72 / 25.4
 WIDTH, HEIGHT = 210, 297
+DASHES = "\N{EM DASH}\N{EN DASH}"
 HANGING = 0.8  # mm: punctuation hangs out of the line
 FOOT, BODY = 5, 15  # mm: from below, the words at the foot and what is above them
 MARGINS = {"sheets": (18, 14), "key": (15, 13), "solutions": (15, 13)}  # mm: sides, top
@@ -56,3 +57,11 @@ def test_pages_of_solutions_are_filled(everything: Path) -> None:
     blanks = depths.count(None)
     assert len(short) <= 2, f"pages {short} are less than half full"
     assert all(number == len(depths) or abs(number - len(depths) / 2) <= 2 + blanks for number in short)
+
+
+@pytest.mark.parametrize("document", MARGINS)
+def test_no_line_begins_with_a_dash(everything: Path, document: str) -> None:
+    edge = (MARGINS[document][0] + 1) * MILLIMETRE
+    for number, page in enumerate(page_letters(everything / f"{document}.pdf"), start=1):
+        first = [one for one, letter in enumerate(page.text) if letter in DASHES and page.boxes[one, 0] < edge]
+        assert [page.around(one) for one in first] == [], f"page {number}: a line begins with a dash"

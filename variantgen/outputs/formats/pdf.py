@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -100,13 +101,28 @@ def finish(whole: WholeExam) -> None:
     for target, paths in whole.pieces.items():
         if target != "key" and chosen.joined:
             language = exam.solutions.language if target == "solutions" else exam.language
-            join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
+            lengths = join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
+            whole.notes.append(f"{target}.pdf: {_pages(lengths, exam.duplex)}")
     if chosen.for_groups:
         _join_groups(whole, [target for target in whole.pieces if target != "key"], names)
     if chosen.for_students:
         _hand_out(whole.sheets, whole.pieces["sheets"], whole.folder / "sheets", chosen)
     if _are_handed_out(exam):
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
+
+
+def _pages(lengths: Mapping[int, int], duplex: bool) -> str:
+    """How many pages students have, in words, by the number of students for each number of pages.
+
+    Printed on both sides, an odd number takes a blank page more, which the last student of all does without.
+    """
+    found = Counter[int]()
+    for pages, students in lengths.items():
+        found[pages + pages % 2 if duplex else pages] += students
+    words = {pages: f"{pages} {'page' if pages == 1 else 'pages'}" for pages in sorted(found)}
+    if len(found) == 1:
+        return f"{words.popitem()[1]} for each student"
+    return ", ".join(f"{said} for {found[pages]} of the students" for pages, said in words.items())
 
 
 def write_key(whole: WholeExam) -> None:

@@ -18,7 +18,7 @@ from variantgen.wording.formula import Equation, Formula, Surd, UnitText
 from variantgen.wording.html import to_html
 from variantgen.wording.solution.plain import plain_text
 from variantgen.wording.surds import with_surd
-from variantgen.wording.text import Text
+from variantgen.wording.text import Text, with_steady_dashes
 
 # Text with a place where it may be broken: what holds to a formula before it, the rest, what holds to one after it.
 _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
@@ -46,7 +46,9 @@ class HtmlWriting:
         return markup("".join(self._run(run) for run in _runs(text)))
 
     def _run(self, run: Sequence[str | Formula]) -> str:
-        inner = "".join(escape(part) if isinstance(part, str) else self.math(part, False) for part in run)
+        inner = "".join(
+            escape(with_steady_dashes(part)) if isinstance(part, str) else self.math(part, False) for part in run
+        )
         return inner if len(run) == 1 else f'<span class="steady">{inner}</span>'
 
     def equals(self, equation: Equation, exact: Surd | None = None) -> dict[str, Any]:

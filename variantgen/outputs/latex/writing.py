@@ -12,7 +12,7 @@ from variantgen.outputs.qr import qr_bars, qr_rows
 from variantgen.wording.formula import Equation, Formula, Surd, UnitText
 from variantgen.wording.latex import sign_to_latex, to_latex
 from variantgen.wording.surds import with_surd
-from variantgen.wording.text import Text
+from variantgen.wording.text import Text, with_steady_dashes
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class LatexWriting:
         """A part of a text; blanks at its ends are kept."""
         if not isinstance(part, str):
             return f"${to_latex(part)}$"
-        return latex_text(f".{part}.", self.alphabet)[1:-1]
+        return latex_text(f".{with_steady_dashes(part)}.", self.alphabet)[1:-1]
 
     def equals(self, equation: Equation, exact: Surd | None = None) -> dict[str, Any]:
         """The whole equation as one formula."""

@@ -13,7 +13,7 @@ from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typst.markup import heading, markup
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
-from variantgen.wording.text import Text
+from variantgen.wording.text import Text, with_steady_dashes
 
 _STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 
@@ -27,7 +27,7 @@ class TypstWriting:
 
     def text(self, text: Text) -> list[Any]:
         """Runs of text: strings as they are, formulas as one-element lists."""
-        return [part if isinstance(part, str) else [markup(part)] for part in text]
+        return [with_steady_dashes(part) if isinstance(part, str) else [markup(part)] for part in text]
 
     def equals(self, equation: Equation, exact: Surd | None = None) -> dict[str, Any]:
         """Data for ``equals`` of ``common.typ``; a unit without a space is put to the value."""
