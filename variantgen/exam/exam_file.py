@@ -54,7 +54,8 @@ class ExamProblem:
 class Exam:
     """A checked exam file.
 
-    ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet.
+    ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet, ``reorder`` lets its
+    problems stand in another order where that saves a page.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
     ``notices`` stand at the head of each.
@@ -75,6 +76,7 @@ class Exam:
     formats: tuple[str, ...] = ("pdf",)
     options: Mapping[str, Any] = field(default_factory=dict)
     qr: bool = True
+    reorder: bool = False
     sort: str = NAME
     notices: Notices = Notices()
 
@@ -159,6 +161,7 @@ def parse_exam(
         tolerance=tolerance,
         duplex=page.take("duplex", bool, True),
         qr=page.take("qr", bool, True),
+        reorder=page.take("reorder", bool, False),
         path=path,
         hash=hashlib.sha256(text.encode()).hexdigest()[:16],
         text=text,

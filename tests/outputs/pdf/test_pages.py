@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pypdfium2
@@ -42,3 +43,31 @@ def test_solutions_of_five_problems_take_seven_pages(name: str, tmp_path: Path) 
             assert len(document) <= 7
         finally:
             document.close()
+
+
+# High and low in turn: in this order two do not fit on the first page, and one by one they take a page more.
+TURNS = (
+    "movable_pulley",
+    "slider_crank",
+    "movable_pulley",
+    "slider_crank",
+    "guided_plate",
+    "guided_plate",
+    "slider_crank",
+)
+
+
+@pytest.mark.parametrize("reorder", [False, True])
+def test_order_of_problems(reorder: bool, tmp_path: Path) -> None:
+    exam, out = tmp_path / "exam.toml", tmp_path / "out"
+    head = f'title = "Order"\nlanguage = "en"\n[page]\nreorder = {str(reorder).lower()}\n'
+    exam.write_text(head + "".join(f'[[problem]]\nfamily = "{family}"\n' for family in TURNS), "utf-8")
+    assert main(["build", str(exam), "--variants", "8", "--no-solutions", "--out", str(out)]) == 0
+    document = pypdfium2.PdfDocument(out / "sheets.pdf")
+    try:
+        text = "".join(page.get_textpage().get_text_bounded() for page in document)
+    finally:
+        document.close()
+    numbers = [int(number) for number in re.findall(r"Problem (\d) ", text)]
+    assert sorted(numbers) == sorted([*range(1, 8)] * 8)
+    assert (numbers == [*range(1, 8)] * 8) != reorder

@@ -311,7 +311,7 @@ READINGS = [
             "α_AB": (2.56, 5e-3),
         },
         ("a⃗_B = (a⃗_A)_n + (a⃗_A)_t + (a⃗_B/A)_n + (a⃗_B/A)_t",),
-        ("v_A sin β = v_B cos 30°",),  # beta = 30 degrees, the source has the cosine of 60
+        ("v_A sin β = v_B cos ψ",),  # beta = 30 degrees, the source has the cosine of 60; psi = 30
     ),
 ]
 

@@ -31,6 +31,7 @@ def sheets_data(
         student["last"] = sheet is content.sheets[-1]
     return {
         **exam_data(exam, language),
+        "reorder": exam.reorder,
         "words": dict(language.words("sheet")),
         **notices_data(exam, language, writing),
         "students": students,
