@@ -54,7 +54,7 @@ def test_ranges_that_nothing_meets_cost_a_class_no_more_than_a_few_students() ->
     family = restrict(load_family("four_bar"), {"OA": 16, "AB": 30, "BC": 24, "OC": 100}, None, ["crank"])
     alone, together = RejectionCounts(), RejectionCounts()
     for keys, tally in ((KEYS[:1], alone), (KEYS, together)):
-        with pytest.raises(InputError, match="assembles"):
+        with pytest.raises(InputError, match=r"OA \+ OC < AB \+ BC"):
             draw(family, None, keys, tally)
     assert alone.attempts < 2 * attempts.MAX_ATTEMPTS
     assert together.attempts < 10 * attempts.MAX_ATTEMPTS
@@ -116,7 +116,7 @@ def test_the_build_says_how_many_were_drawn_again(tmp_path: Path, capsys: pytest
     exam.write_text(head, "utf-8")
     assert main(["build", str(exam), "--variants", "20", "--out", str(tmp_path / "free")]) == 0
     assert "drawn again for" not in capsys.readouterr().err
-    exam.write_text(f"tolerance = {{ ceiling = 0.015 }}\n{head}", "utf-8")
+    exam.write_text(f"tolerance = {{ ceiling = 0.011 }}\n{head}", "utf-8")
     assert main(["build", str(exam), "--variants", "20", "--out", str(tmp_path / "cut")]) == 0
     said = capsys.readouterr().err
     free, cut = (json.loads((tmp_path / n / "manifest.json").read_text("utf-8"))["students"] for n in ("free", "cut"))

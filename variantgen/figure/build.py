@@ -247,6 +247,8 @@ def _is_axle(board: Board, point: str) -> bool:
 
 
 def _free_ends(form: Form) -> frozenset[str]:
-    """The points that are ends of bars or corners of plates, which need no dots."""
+    """The ends of bars and the corners of plates, which need no dots; a slotted bar has no line at its end."""
     corners = (point for body in form.figure.plates for point in form.bodies[body])
-    return frozenset((*(point for _, *both in form.bars for point in both), *corners))
+    return frozenset(
+        (*(point for body, *both in form.bars if body not in form.figure.slotted for point in both), *corners)
+    )
