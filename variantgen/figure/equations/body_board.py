@@ -209,7 +209,7 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
     for axis, letter in axes:
         board.sketch.arrow(origin, origin + _AXIS * axis, Layer.MARK, THIN, 1.8)
         if letter:
-            board.sketch.label(around(Symbol(letter), origin + _AXIS * axis, 0.3))
+            board.sketch.label(around(Symbol(board.language.axis(letter)), origin + _AXIS * axis, 0.3))
 
 
 def _ends(line: Line) -> Iterable[tuple[complex, complex]]:
