@@ -61,7 +61,9 @@ class PositionLines(Layout):
         return value
 
     def _taken(self, value: Value) -> Value:
-        """A given value; one in another unit is converted first."""
+        """A given value; one in another unit is converted first, one that is rounded has only its number."""
+        if isinstance(value.expression, Constant):
+            return value
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
             self.items.append(Derived(value))
         return value
