@@ -25,7 +25,10 @@ _AXES = {"+x": 0.0, "+y": 90.0, "-x": 180.0, "-y": -90.0}
 
 
 class Layout:
-    """The given geometry of one variant; ``places`` are its points in the order in which they can be placed."""
+    """The given geometry of one variant; ``places`` are its points in the order in which they can be placed.
+
+    ``printed`` are the angles of the position that the sheet prints, by their three points, the corner in the middle.
+    """
 
     def __init__(self, task: Task) -> None:
         self.task = task
@@ -36,7 +39,7 @@ class Layout:
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
-        self._printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
+        self.printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
 
     def read(self, places: Mapping[str, LocatedPoint]) -> None:
         """Note what the constructions, the conditions and the figure give."""
@@ -85,7 +88,7 @@ class Layout:
         for mark in self.task.form.figure.angles:
             if mark.name in self.task.given:
                 self._read_angle(newest, mark.at, mark.start, mark.end, mark.name)
-        for (start, at, end), angle in self._printed.items():
+        for (start, at, end), angle in self.printed.items():
             for known, other in ((start, end), (end, start)):
                 self._read_angle(newest, at, known, other, angle)
 
