@@ -96,8 +96,9 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
     # Where no velocity is asked, the step of the velocities may not be written.
     anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
-    if anew or not book.has_said("relative.compound", **facts):
-        book.say("relative.compound", **facts)
+    compound = "relative.compound_translation" if is_translating(book, group.carrier) else "relative.compound"
+    if anew or not book.has_said(compound, **facts):
+        book.say(compound, **facts)
     if not is_translating(book, group.carrier):
         _say_parts(book, group)
         book.say(f"relative.sum_{book.letter}")
