@@ -81,31 +81,33 @@ class Obstacles:
         result: NDArray[np.float64] = np.sum(self._weights * (over & (place > start) & (place < end)), axis=1)
         return result
 
-    def lanes_met(
-        self,
-        centre: complex,
-        way: complex,
-        lanes: NDArray[np.float64],
-        half_widths: NDArray[np.float64],
-        far: float,
-        further: Sequence[tuple[complex, complex]] = (),
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """From where to where each line (and each of ``further`` ones) runs in each lane, shape (L, S) each.
+    def seen_along(
+        self, centre: complex, way: complex, far: float, further: Sequence[tuple[complex, complex]] = ()
+    ) -> NDArray[np.complex128]:
+        """The segments (and ``further`` ones) near a centre as seen from there in a direction (unit), shape (S, 2).
 
-        A lane is the paper within a half width (shape (L,)) of a line through ``centre`` in the direction ``way``
-        (unit), moved to the left by ``lanes`` (shape (L,)); distances are along the way, lines farther than ``far`` are
-        left out. A line that is nowhere in a lane goes from infinity to minus infinity.
+        The direction is their real axis; along it and aside they are not farther than ``far`` (u).
         """
         every = np.concatenate((self.segments(), np.array(further, dtype=complex).reshape(-1, 2)))
-        local = (every - centre) * way.conjugate()
-        low, high = np.min(local.imag, axis=1), np.max(local.imag, axis=1)
-        near = (np.max(local.real, axis=1) > -far) & (np.min(local.real, axis=1) < far)
-        local = local[near & (high >= np.min(lanes - half_widths)) & (low <= np.max(lanes + half_widths))]
-        start, step = local[:, 0], local[:, 1] - local[:, 0]
-        rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
-        edges = lanes[:, None] + np.array((-1.0, 1.0))[:, None, None] * half_widths[:, None]
-        first, last = np.sort((edges - start.imag) / rise, axis=0)
-        first, last = np.maximum(first, 0.0), np.minimum(last, 1.0)
-        ends = np.sort(start.real + np.array((first, last)) * step.real, axis=0)
-        within = first <= last
-        return np.where(within, ends[0], np.inf), np.where(within, ends[1], -np.inf)
+        local: NDArray[np.complex128] = (every - centre) * way.conjugate()
+        middle, half = 0.5 * (local[:, 0] + local[:, 1]), 0.5 * (local[:, 1] - local[:, 0])
+        near = np.abs(middle.real) - np.abs(half.real) < far
+        near &= np.abs(middle.imag) - np.abs(half.imag) < far
+        return local[near]
+
+
+def lanes_met(
+    lines: NDArray[np.complex128], lanes: NDArray[np.float64], half_widths: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """From where to where segments (shape (S, 2)) run in each lane along the real axis, shape (L, S) each.
+
+    A lane is the paper within a half width of a line parallel to the axis, which is moved to the left by ``lanes``;
+    shape (L,) both. A line that is nowhere in a lane goes from infinity to minus infinity.
+    """
+    start, step = lines[:, 0], lines[:, 1] - lines[:, 0]
+    rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
+    middle, half = (lanes[:, None] - start.imag) / rise, half_widths[:, None] / np.abs(rise)
+    first, last = np.maximum(middle - half, 0.0), np.minimum(middle + half, 1.0)
+    one, other = start.real + first * step.real, start.real + last * step.real
+    within = first <= last
+    return np.where(within, np.minimum(one, other), np.inf), np.where(within, np.maximum(one, other), -np.inf)
