@@ -73,12 +73,16 @@ class Obstacles:
         self, centre: complex, angles: NDArray[np.float64], start: float, end: float
     ) -> NDArray[np.float64]:
         """Weights (u) of the lines that each ray from a centre crosses between two distances, shape (A,)."""
-        segments = (self.segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
-        low, high = segments[..., 0], segments[..., 1]
-        rise = high.imag - low.imag
-        over = (low.imag <= 0) != (high.imag <= 0)
-        place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
-        result: NDArray[np.float64] = np.sum(self._weights * (over & (place > start) & (place < end)), axis=1)
+        segments = self.segments() - centre
+        first, second = segments[:, 0], segments[:, 1]
+        way = np.exp(1j * angles)[:, None]
+        # How far the ends are to the left of each ray; where the ray meets the line between them.
+        low = way.real * first.imag - way.imag * first.real
+        high = way.real * second.imag - way.imag * second.real
+        over = (low <= 0) != (high <= 0)
+        place = (first.real * second.imag - first.imag * second.real) / np.where(over, high - low, 1.0)
+        over &= (place > start) & (place < end)
+        result: NDArray[np.float64] = over @ np.array(self._weights)
         return result
 
     def seen_along(
