@@ -41,33 +41,33 @@ class Obstacles:
             self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
         return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
 
-    def circle_crossings(
-        self, centre: complex, radii: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
-        segments = self.segments()
-        start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
+    def met_near_circles(
+        self, centre: complex, radii: NDArray[np.float64], margin: float
+    ) -> tuple[NDArray[np.complex128], NDArray[np.intp]]:
+        """Where lines come nearer than ``margin`` (u) to circles about a centre: directions (unit), which circle.
+
+        Shape (K,) each. A place is where a line gets nearer or farther than that, or where a segment begins in between:
+        so a line that runs along the circle (an arc about the same centre) is met too.
+        """
+        segments = self.segments() - centre
+        middle, half = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
+        far = np.abs(middle)
+        size = np.abs(half)
+        seen = (far - size < radii.max() + margin) & (far + size > radii.min() - margin)
+        start, step = segments[seen, 0], 2.0 * half[seen]
+        arm = np.abs(start)
+        begun, begins = (np.abs(arm - radii[:, None]) < margin).nonzero()
         # |start + t step| = radius
+        squares = np.concatenate((radii - margin, radii + margin)) ** 2
         a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
-        root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
+        root = b * b - a * (arm * arm - squares[:, None])
         circle, line = ((root >= 0) & (a > 0)).nonzero()
         a, b, root = a[line], b[line], np.sqrt(root[circle, line])
         t = np.concatenate(((-b - root) / a, (-b + root) / a))
         on = ((t >= 0) & (t <= 1)).nonzero()[0]
         met = on % max(1, len(line))
-        place = start[line[met]] + t[on] * step[line[met]]
-        return np.arctan2(place.imag, place.real), circle[met]
-
-    def corners_near_circles(
-        self, centre: complex, radii: NDArray[np.float64], margin: float
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
-
-        Near is within ``margin`` (u) of the ``radii``, shape (R,).
-        """
-        arms = self.segments()[:, 0] - centre
-        circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
-        return np.arctan2(arms.imag, arms.real)[arm], circle
+        places = np.concatenate((start[line[met]] + t[on] * step[line[met]], start[begins]))
+        return places / np.abs(places), np.concatenate((circle[met] % len(radii), begun))
 
     def weight_on_rays(
         self, centre: complex, angles: NDArray[np.float64], start: float, end: float

@@ -157,14 +157,10 @@ def _roomiest_directions(
 
 def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
     """How many lines the arc of each radius in each direction meets or nearly meets, shape (radii, angles)."""
-    circles = np.concatenate((radii - _MARGIN, radii + _MARGIN))
-    # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
-    across, circle = board.sketch.obstacles.circle_crossings(centre, circles)
-    along, ring = board.sketch.obstacles.corners_near_circles(centre, radii, _MARGIN)
-    direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
-    gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    half_angle = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
-    angle, met = (gaps < half_angle[owner]).nonzero()
+    ways, owner = board.sketch.obstacles.met_near_circles(centre, radii, _MARGIN)
+    cosines = _WAYS.real[:, None] * ways.real + _WAYS.imag[:, None] * ways.imag
+    least = np.array([math.cos(0.5 * _sweep(radius) + _MARGIN / radius) for radius in radii.tolist()])
+    angle, met = (cosines > least[owner]).nonzero()
     count = np.bincount(owner[met] * _ANGLES.size + angle, minlength=len(radii) * _ANGLES.size)
     return np.minimum(count, 5).astype(float).reshape(len(radii), -1)
 
