@@ -74,7 +74,8 @@ class Obstacles:
     ) -> NDArray[np.float64]:
         """Weights (u) of the lines that each ray from a centre crosses between two distances, shape (A,)."""
         segments = self.segments() - centre
-        first, second = segments[:, 0], segments[:, 1]
+        seen = np.abs(segments[:, 0]) - np.abs(segments[:, 1] - segments[:, 0]) < end
+        first, second = segments[seen, 0], segments[seen, 1]
         way = np.exp(1j * angles)[:, None]
         # How far the ends are to the left of each ray; where the ray meets the line between them.
         low = way.real * first.imag - way.imag * first.real
@@ -82,7 +83,7 @@ class Obstacles:
         over = (low <= 0) != (high <= 0)
         place = (first.real * second.imag - first.imag * second.real) / np.where(over, high - low, 1.0)
         over &= (place > start) & (place < end)
-        result: NDArray[np.float64] = over @ np.array(self._weights)
+        result: NDArray[np.float64] = over @ np.array(self._weights)[seen]
         return result
 
     def seen_along(
