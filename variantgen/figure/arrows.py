@@ -201,8 +201,9 @@ def _crossing(
     middle = some.tail + 0.6 * some.length - half
     letter = np.array([some.head + _OFF, middle, middle])[..., None]
     covered = ((low[1:] < letter + 2 * half) & (high[1:] > letter)).sum(axis=2).min(axis=0)
-    result: NDArray[np.float64] = _CROSSED * crossed + _ON_LINE * np.maximum(shared, 0.0).sum(axis=1)
-    return result + _COVERED * np.minimum(covered, 3)
+    costs = _CROSSED * crossed + _ON_LINE * np.maximum(shared, 0.0).sum(axis=1)
+    result: NDArray[np.float64] = costs + _COVERED * np.minimum(covered, 3)
+    return result
 
 
 def _walled(board: Board, arrow: _Wanted, some: _Places) -> NDArray[np.float64] | float:
