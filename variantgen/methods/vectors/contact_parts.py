@@ -12,8 +12,9 @@ from variantgen.methods.groups.contact import ContactSide, NoSlipContact, contac
 from variantgen.methods.groups.contacts_of_scene import contact_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
-from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf, Word
 from variantgen.methods.vectors.diameter import beyond_centre, other_end
+from variantgen.methods.vectors.directions import on_paper
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
 from variantgen.methods.vectors.turning_speed import related, turning_speed
@@ -183,8 +184,9 @@ def enter_with_way(
     ahead = [(name, sign * way > 0) for name, (sign, _) in named if moving]
     other, along = next((found for found in ahead if found[1]), ahead[0] if ahead else (None, False))
     if other is not None:
-        own = VectorOf(book.vectors[group.point][-1].name)
-        book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, vector=own, other=other)
+        own = book.vectors[group.point][-1]
+        facts: dict[str, Fact] = {"vector": VectorOf(own.name), "other": other, "way": Word(on_paper(own.angle.exact))}
+        book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, **facts)
 
 
 def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Parts) -> None:

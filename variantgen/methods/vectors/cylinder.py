@@ -61,6 +61,8 @@ def _along(book: Book, group: ExtendingLink) -> Known:
     assert isinstance(driver, Extension)
     rate = float(driver.rates(book.order)[0])
     if rate == 0:
+        if book.order == 2 and book.relative[group.point, _link(group)]:
+            book.say("cylinder.uniform", False)
         return ()
     size = amount(book, template, book.letter, book.measure)
     name = as_stated(Name(book.letter, group.point, part="rel"), size)

@@ -218,6 +218,7 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
             continue
         rate = float(driver.rates(book.order)[0])
         if rate == 0:
+            _say_uniform(book, group)
             return ()
         size = amount(book, template, book.letter, book.measure)
         name = as_stated(name, size)
@@ -228,6 +229,15 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
         angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
         return (book.term(name, size, angle, "given", point=Point(point)),)
     return ()
+
+
+def _say_uniform(book: Book, group: SlidingPair) -> None:
+    """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
+    point = group.path.point
+    if book.order == 2 and book.relative[point, group.carrier]:
+        whole = Name(book.letter, point, part="rel")
+        key = "relative.uniform" if group.path.line is not None else "relative.uniform_circle"
+        book.say(key, False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
 
 
 def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
