@@ -118,11 +118,15 @@ def _is_uniform(book: Book, side: ContactSide) -> bool:
 
 
 def say_sum(book: Book, side: ContactSide, key: str = "sum") -> None:
-    """The pole formula for the point at the contact, on the tangent; a ``balance`` where the sum is zero."""
+    """The pole formula for the point at the contact, on the tangent or along the thread, which has no radius.
+
+    The ``key`` is a ``balance`` where the sum is zero.
+    """
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
     facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
-    book.say(f"contact.{key}_{book.letter}", **facts)
+    file = "rope" if side.radial is None else "contact"
+    book.say(f"{file}.{key}_{book.letter}", **facts)
 
 
 def centre_parts(book: Book, side: ContactSide) -> Parts:

@@ -233,11 +233,10 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
 
 def _say_uniform(book: Book, group: SlidingPair) -> None:
     """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
-    point = group.path.point
-    if book.order == 2 and book.relative[point, group.carrier]:
-        whole = Name(book.letter, point, part="rel")
-        key = "relative.uniform" if group.path.line is not None else "relative.uniform_circle"
-        book.say(key, False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
+    if book.order == 2 and book.relative[(point := group.path.point), group.carrier]:
+        whole = Name("a", point, part="rel")
+        key = "uniform" if group.path.line is not None else "uniform_circle"
+        book.say(f"relative.{key}", False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
 
 
 def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
