@@ -43,7 +43,7 @@ def test_velocities_that_no_acceleration_depends_on(asked: list[str], output: bo
     # The yoke is in translation: there is no Coriolis acceleration to need the relative velocity.
     steps = solution(asking("scotch_yoke", "straight", asked)).steps
     assert ("relative.velocity" in headings(steps)) == output
-    assert sentences(steps).count("relative.compound") == 1
+    assert sentences(steps).count("relative.compound_translation") == 1
 
 
 def test_a_direction_that_only_the_drawing_has_is_left_out_where_nothing_is_projected() -> None:

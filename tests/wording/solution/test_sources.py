@@ -53,7 +53,7 @@ READINGS = [
         "K27",
         "relative_motion",
         ("v_rel_C", "omega_BD", "a_rel_C"),
-        ("relative.compound", "relative.zhukovsky"),
+        ("relative.compound", "relative.zhukovsky", "relative.coriolis_not_needed"),
         {
             "v_A": (200, 0.01),
             "v_B": (200, 0.01),

@@ -26,6 +26,7 @@ _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean someth
 # Sentences that say what the angle in the next line is.
 _OF_NEXT = (
     "position.drawn",
+    "position.law_angle",
     "position.perpendicular",
     "position.projections",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),

@@ -68,14 +68,20 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
     kept = _kept(book, terms, axes)
     if not kept:
         return Value(name, book.measure, 0.0)
-    sums = [axis.sum(1 if _is_positive(axis) else -1) for axis in kept]
+    sums = [axis.sum(1 if _is_positive(axis, squared=len(kept) > 1) else -1) for axis in kept]
     whole = sums[0] if len(sums) == 1 else hypotenuse(sums)
     return book.derive(name, book.measure, whole if divisor == 1 else Ratio(whole, Constant(float(divisor))))
 
 
-def _is_positive(axis: _Axis) -> bool:
-    """Whether a sum is written as it is, not with opposite signs: a single projection without a minus before it."""
-    return axis.parts[0].sign > 0 if len(axis.parts) == 1 else axis.total > 0
+def _is_positive(axis: _Axis, squared: bool) -> bool:
+    """Whether a sum is written as it is, not with opposite signs: projections of one sign without a minus before it.
+
+    Of a sum that is not ``squared`` and has several projections the number is positive.
+    """
+    first = axis.parts[0].sign
+    if len(axis.parts) == 1 or (squared and all(share.sign == first for share in axis.parts)):
+        return first > 0
+    return axis.total > 0
 
 
 def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Known:
