@@ -62,6 +62,8 @@ class PositionLines(Layout):
 
     def _taken(self, value: Value) -> Value:
         """A given value, one in another unit converted first, or the angle that a law of time gives."""
+        if value in self.printed.values():
+            return value
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
             if value.name is not None and value.name.of not in self.task.given:  # found by a law of time
                 self.say("law_angle", False, angle=value)

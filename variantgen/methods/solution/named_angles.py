@@ -71,7 +71,8 @@ def named(book: Book, share: Share, line: Fact | None = None) -> Share:
 
 def _is_of_corners(form: AngleForm) -> bool:
     """Whether two angles of a sum had to be worked out."""
-    return sum(isinstance(atom, Value) and atom.expression is not None for atom, _ in form.parts) > 1
+    expressions = [atom.expression for atom, _ in form.parts if isinstance(atom, Value)]
+    return sum(item is not None and not isinstance(item, Constant) for item in expressions) > 1
 
 
 def _corner(book: Book, form: AngleForm) -> Value | None:
