@@ -14,7 +14,7 @@ from variantgen.figure.equations.surroundings import distance_to_segment
 from variantgen.figure.ink import segments_of
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
-from variantgen.methods.steps.step_geometry import Corner, Foot
+from variantgen.methods.steps.step_geometry import Corner, MarkedFoot
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.quantity_symbols import Symbols
@@ -81,7 +81,7 @@ def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> N
                 sketch.occupy(second, -way)
 
 
-def _draw_foot(board: MotionBoard, foot: Foot) -> None:
+def _draw_foot(board: MotionBoard, foot: MarkedFoot) -> None:
     """The perpendicular to its foot with its letter and a right angle; its line where nothing is drawn of it."""
     sketch = board.sketch
     if not {foot.apex, *foot.line} <= {*board.shown} or foot.letter in sketch.at:
