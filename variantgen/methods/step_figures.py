@@ -24,6 +24,7 @@ _OF_EQUATIONS = {
 }
 _EQUATION = {1: "velocity_equation", 2: "acceleration_equation"}
 _OF_BODIES = ("velocity_centre", "velocity_projections", "acceleration_centre")
+_SPEEDS = ("velocity", "angular velocity")
 _NOTHING = 1e-9  # of the largest rate: a body in translation has no velocity centre
 _SAME = 0.02  # degrees: the angle that is drawn is the one that is printed
 
@@ -51,11 +52,23 @@ def step_figures(
         if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
             # The perpendicular is dropped in another part of the mechanism.
             own = goal = [f"position:{number}", *own]
-        # What is worked out without a figure is seen in the next one.
-        views.append(tuple(own or (goal[:1] if here.is_found and goal and ":" in goal[0] else ())))
+        # What is worked out without a figure is seen in the next one, velocities not in one of accelerations.
+        is_seen = here.is_found and goal and ":" in goal[0] and not (_finds_speeds(step) and _is_of(2, goal[0]))
+        views.append(tuple(own or (goal[:1] if is_seen else ())))
         for name in goal:
             marked[name] = marked.get(name, NOTHING_MARKED) + here
     return [replace(step, views=own) for step, own in zip(steps, views, strict=True)], marked
+
+
+def _finds_speeds(step: Step) -> bool:
+    """Whether a velocity or an angular velocity is worked out in a step."""
+    return any(isinstance(item, Derived) and item.value.measure in _SPEEDS for item in step.items)
+
+
+def _is_of(order: int, view: str) -> bool:
+    """Whether the figure of this name shows velocities (1) or accelerations (2)."""
+    kind = view.partition(":")[0]
+    return kind in (*_OF_EQUATIONS[order], _EQUATION[order])
 
 
 def _shows(task: Task, view: str, foot: MarkedFoot) -> bool:
