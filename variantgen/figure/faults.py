@@ -91,16 +91,16 @@ def short_arrows(drawing: Drawing) -> list[tuple[complex, complex]]:
 
 def misread_labels(drawing: Drawing) -> list[str]:
     """Names of arrows that stand nearer to another arrow than to their own; a leader shows what is named."""
-    arrows = {(start, tip) for label in drawing.labels if label.arrow for start, tip in [label.arrow]}
+    named = [label for label in drawing.labels if label.arrow is not None]
+    arrows = list(dict.fromkeys(label.arrow for label in named if label.arrow is not None))
+    segments = np.array(arrows, dtype=complex).reshape(-1, 2)
+    ends = np.array([[line.points[-1]] * 2 for line in leaders(drawing)], dtype=complex).reshape(-1, 2)
     found = []
-    for label in drawing.labels:
+    for label in named if len(arrows) > 1 else ():
         half = (0.5 * label.size[0], 0.5 * label.size[1])
-        ends = [np.array([[line.points[-1]] * 2]) for line in leaders(drawing)]
-        if label.arrow is None or any(gaps_to_box(label.at, half, end)[0] < 1.0 for end in ends):
-            continue
-        others = np.array([arrow for arrow in arrows if arrow != label.arrow], dtype=complex).reshape(-1, 2)
-        own = gaps_to_box(label.at, half, np.array([label.arrow]))[0]
-        if len(others) and float(np.min(gaps_to_box(label.at, half, others))) < own - 1e-6:
+        gaps = gaps_to_box(label.at, half, segments)
+        own = np.array([arrow == label.arrow for arrow in arrows])
+        if gaps[~own].min() < gaps[own].min() - 1e-6 and not (gaps_to_box(label.at, half, ends) < 1.0).any():
             found.append(to_plain(label.formula))
     return found
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Arc, Line, Path, Strokes
-from variantgen.figure.ink import segments_of
+from variantgen.figure.ink import segments_of, spaced
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
@@ -66,11 +67,16 @@ class Surroundings:
             else:
                 yield Path(tuple(run.tolist()), line.layer, light, dash=line.dash)
 
-    def _misses(self, chords: Places) -> bool:
-        """Whether lines lie far from everything (or are too short to be seen)."""
+    @cached_property
+    def _box(self) -> tuple[complex, complex]:
+        """Lower left and upper right corner of what is drawn."""
         outline = self.extent()
         low = complex(min(p.real for p in outline), min(p.imag for p in outline)) - STUB * (1 + 1j)
-        high = complex(max(p.real for p in outline), max(p.imag for p in outline)) + STUB * (1 + 1j)
+        return low, complex(max(p.real for p in outline), max(p.imag for p in outline)) + STUB * (1 + 1j)
+
+    def _misses(self, chords: Places) -> bool:
+        """Whether lines lie far from everything (or are too short to be seen)."""
+        low, high = self._box
         return bool(
             np.max(chords.real) < low.real
             or np.min(chords.real) > high.real
@@ -85,13 +91,7 @@ class Surroundings:
         step = max(_STEP, total / _MOST)
         counts = np.maximum(1, np.ceil(steps / step)).astype(int)
         corners = np.concatenate(([0], np.cumsum(counts)))
-        places = np.concatenate(
-            [
-                start + (end - start) * np.arange(n) / n
-                for start, end, n in zip(outline, outline[1:], counts, strict=False)
-            ]
-            + [outline[-1:]]
-        )
+        places = np.append(spaced(outline[:-1], np.diff(outline), counts), outline[-1])
         close = self._at_points(places, STUB)
         inside = close | self._on_bodies(places)
         edges = np.flatnonzero(np.diff(np.concatenate(([0], inside.astype(int), [0]))))
@@ -105,8 +105,9 @@ class Surroundings:
         return self._at_points(places, STUB) | self._on_bodies(places)
 
     def _at_points(self, places: Places, within: float) -> NDArray[np.bool_]:
-        own = np.array(self.points, dtype=complex)
-        found: NDArray[np.bool_] = np.any(np.abs(places[:, None] - own) <= within, axis=1)
+        found = np.zeros(len(places), dtype=bool)
+        for point in self.points:
+            found |= np.abs(places - point) <= within
         return found
 
     def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
@@ -124,8 +125,8 @@ def _distance(places: Places, start: complex, end: complex) -> NDArray[np.float6
     way = end - start
     if abs(way) < 1e-9:
         return np.abs(places - start)
-    part = np.clip(((places - start) * way.conjugate()).real / abs(way) ** 2, 0.0, 1.0)
-    found: NDArray[np.float64] = np.abs(places - start - part * way)
+    part = ((places - start) * way.conjugate()).real / abs(way) ** 2
+    found: NDArray[np.float64] = np.abs(places - start - np.minimum(np.maximum(part, 0.0), 1.0) * way)
     return found
 
 
