@@ -93,16 +93,18 @@ def misread_labels(drawing: Drawing) -> list[str]:
     """Names of arrows that stand nearer to another arrow than to their own; a leader shows what is named."""
     named = [label for label in drawing.labels if label.arrow is not None]
     arrows = list(dict.fromkeys(label.arrow for label in named if label.arrow is not None))
-    segments = np.array(arrows, dtype=complex).reshape(-1, 2)
+    if len(arrows) < 2:
+        return []
+    places = np.array([[label.at] for label in named])
+    half = 0.5 * np.array([label.size for label in named])
+    sides = half[:, :1], half[:, 1:]
+    gaps = gaps_to_box(places, sides, np.array(arrows))
+    mine = np.array([[arrow == label.arrow for arrow in arrows] for label in named])
+    misread = np.where(mine, np.inf, gaps).min(axis=1) < np.where(mine, gaps, np.inf).min(axis=1) - 1e-6
     ends = np.array([[line.points[-1]] * 2 for line in leaders(drawing)], dtype=complex).reshape(-1, 2)
-    found = []
-    for label in named if len(arrows) > 1 else ():
-        half = (0.5 * label.size[0], 0.5 * label.size[1])
-        gaps = gaps_to_box(label.at, half, segments)
-        own = np.array([arrow == label.arrow for arrow in arrows])
-        if gaps[~own].min() < gaps[own].min() - 1e-6 and not (gaps_to_box(label.at, half, ends) < 1.0).any():
-            found.append(to_plain(label.formula))
-    return found
+    if misread.any():
+        misread &= ~(gaps_to_box(places, sides, ends) < 1.0).any(axis=1)
+    return [to_plain(named[i].formula) for i in np.flatnonzero(misread)]
 
 
 def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:

@@ -103,8 +103,13 @@ def crosses(
     return result
 
 
-def gaps_to_box(place: complex, half_sides: tuple[float, float], segments: Segments) -> NDArray[np.float64]:
-    """Distance of each segment from a box (zero where they cross), shape (S,)."""
+def gaps_to_box(
+    place: complex | NDArray[np.complex128], half_sides: tuple[Sides, Sides], segments: Segments
+) -> NDArray[np.float64]:
+    """Distance of each segment from a box (zero where they cross), shape (S,).
+
+    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S).
+    """
     hx, hy = half_sides
     start, end = segments[:, 0] - place, segments[:, 1] - place
     step = end - start
@@ -112,7 +117,8 @@ def gaps_to_box(place: complex, half_sides: tuple[float, float], segments: Segme
     ends = np.array((start, end))
     outside = np.hypot(np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)).min(axis=0)
     square = step.real**2 + step.imag**2
-    from_corners = start - np.array([[hx + 1j * hy], [hx - 1j * hy], [-hx + 1j * hy], [-hx - 1j * hy]])
+    corners = np.array([hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy])
+    from_corners = start - (corners if corners.ndim > 1 else corners[:, None])
     part = -(from_corners * np.conj(step)).real / np.where(square > 0, square, 1.0)
     gaps = np.minimum(outside, np.abs(from_corners + np.minimum(np.maximum(part, 0), 1) * step).min(axis=0))
     return np.where(crosses(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,6 +58,11 @@ class FigureSubject:
     def least(self) -> float:
         """The length of the shortest vector, u."""
         return 0.0 if self.true_scale else LEAST
+
+    @cached_property
+    def poses(self) -> dict[str, float]:
+        """How the supports stand in the figure of the statement."""
+        return self.board(True).poses
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -111,16 +117,14 @@ class BodyBoard:
         """The board at a scale with the bodies on it."""
         # Only where there are supports it matters how they stand in the figure of the statement.
         held = fixed_points(self.subject.motion.scene) & set(self.points)
-        poses = self.subject.board(True).poses if held else {}
-        board = self.subject.board(False, scale, poses)
+        board = self.subject.board(False, scale, self.subject.poses if held else {})
         kept = self._surroundings(board.sketch.at, scale)
         whole = board.sketch
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)
-        for line in whole.lines:
-            for piece in kept.pieces(line):
-                board.sketch.add(piece)
-        for request in whole.requests:
-            if kept.names(request.own):
+        for piece in kept.pieces(whole.lines):
+            board.sketch.add(piece)
+        for request, named in zip(whole.requests, kept.named([r.own for r in whole.requests]), strict=True):
+            if named:
                 board.sketch.label(request)
         board.shown = tuple(name for name in board.shown if name in self.points)
         for rod in self._rods:
