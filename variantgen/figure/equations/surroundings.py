@@ -16,6 +16,7 @@ from variantgen.figure.ink import segments_of, spaced
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
+_JOINED = 4.5  # how near to a point what is joined to it there comes, u: the guide below a slider
 _LEAST = 6.0  # a shorter piece of a line away from all points only crosses the body, u
 _STEP = 0.35  # between the places of a line that are looked at, u
 _MOST = 4000  # of them
@@ -59,9 +60,18 @@ class Surroundings:
         counts = np.maximum(1, np.minimum(np.ceil(np.abs(steps) / _STEP), _MOST)).astype(int)
         # All places that are looked at, those of all lines in a row; where the corners are among them.
         places, at = spaced(corners, steps, counts), np.cumsum(counts) - counts
-        close = self._at_points(places, STUB)
-        inside = close | self._on_bodies(places)
+        starts = at[[0, *ends[:-1].tolist()]]
+        gaps = np.abs(places[:, None] - np.array(self.points, dtype=complex))
+        near, on_bodies = gaps <= STUB, self._on_bodies(places)
+        # A long line passes by the points that it is not joined to.
+        joined = np.minimum.reduceat(gaps, starts, axis=0) <= _JOINED
+        joined |= np.logical_and.reduceat(near.any(axis=1), starts)[:, None]
+        close = (near & joined.repeat(np.diff(starts, append=len(places)), axis=0)).any(axis=1)
+        inside, filled = close | on_bodies, near.any(axis=1) | on_bodies
         for line, first, end in zip(seen, [0, *ends[:-1].tolist()], ends.tolist(), strict=True):
+            if not isinstance(line, Strokes) and line.fill and filled[at[first:end]].all():
+                yield line._replace(weight=_light(line))
+                continue
             own = slice(at[first], at[end - 1] + 1)
             yield from _kept(line, places[own], at[first:end] - at[first], close[own], inside[own])
 
@@ -94,8 +104,15 @@ class Surroundings:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
         for member in self.members:
             for start, end in combinations(member, 2):
-                found |= _distance(places, start, end) <= _NEAR
+                found |= distance_to_segment(places, start, end) <= _NEAR
         return found
+
+
+def _light(line: Line) -> float:
+    """The weight of a line of the mechanism."""
+    if line.weight == 0:
+        return 0.0
+    return THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
 
 
 def _outline(line: Line) -> Places:
@@ -110,15 +127,11 @@ def _kept(
     line: Line, places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
 ) -> Iterator[Line]:
     """What is drawn of a line that has its ``corners`` at these numbers of its ``places``."""
-    light = THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
-    light = 0.0 if line.weight == 0 else light
+    light = _light(line)
     if isinstance(line, Strokes):
         kept = close[corners]
         if kept.any():
             yield Strokes(tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, light)
-        return
-    if line.fill and inside[corners].all():
-        yield line._replace(weight=light)
         return
     for run in _runs(places, corners, close, inside):
         if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
@@ -140,7 +153,7 @@ def _runs(
             yield places[np.concatenate(([first], within, [last]))]
 
 
-def _distance(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
+def distance_to_segment(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
     """From places to a segment."""
     way = end - start
     if abs(way) < 1e-9:
