@@ -16,7 +16,7 @@ from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
-from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, Foot, StepGeometry
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, MarkedFoot, StepGeometry
 
 _OF_EQUATIONS = {
     1: ("velocities", "body_velocities", "contact_velocities"),
@@ -58,7 +58,7 @@ def step_figures(
     return [replace(step, views=own) for step, own in zip(steps, views, strict=True)], marked
 
 
-def _shows(task: Task, view: str, foot: Foot) -> bool:
+def _shows(task: Task, view: str, foot: MarkedFoot) -> bool:
     """Whether the figure of a velocity centre, which has the cranks of its body, has the points of a perpendicular."""
     kind, _, body = view.partition(":")
     if kind == "coordinate_axes":
@@ -142,7 +142,7 @@ def _geometry(task: Task, step: Step) -> StepGeometry:
     return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain, tuple(_feet(task, step)))
 
 
-def _feet(task: Task, step: Step) -> Iterator[Foot]:
+def _feet(task: Task, step: Step) -> Iterator[MarkedFoot]:
     """The feet of perpendiculars that the sentences of a step name."""
     z = task.now.z
     for item in step.items:
@@ -162,11 +162,11 @@ def _feet(task: Task, step: Step) -> Iterator[Foot]:
             yield _foot(task, leg.end, apex, z[leg.start], z[along.end] - z[along.start], (leg.start,))
 
 
-def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> Foot:
+def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> MarkedFoot:
     """The foot of the perpendicular from a point to the line through a place."""
     way /= abs(way)
     place = start + ((task.now.z[apex] - start) * way.conjugate()).real * way
-    return Foot(letter, place * task.length_unit, apex, line)
+    return MarkedFoot(letter, place * task.length_unit, apex, line)
 
 
 def _named(step: Step) -> Iterator[Value]:

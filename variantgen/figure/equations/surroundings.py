@@ -15,6 +15,7 @@ from variantgen.figure.ink import segments_of
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
+_JOINED = 4.5  # how near to a point what is joined to it there comes, u: the guide below a slider
 _LEAST = 6.0  # a shorter piece of a line away from all points only crosses the body, u
 _STEP = 0.35  # between the places of a line that are looked at, u
 _MOST = 4000  # of them
@@ -49,6 +50,8 @@ class Surroundings:
         if isinstance(line, Strokes):
             middles = np.array([0.5 * (start + end) for start, end in line.segments], dtype=complex)
             kept = self._at_points(middles, STUB)
+            if not kept.all():
+                kept &= self._near_joined(middles)
             if kept.any():
                 yield Strokes(tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, light)
             return
@@ -92,8 +95,10 @@ class Surroundings:
             ]
             + [outline[-1:]]
         )
-        close = self._at_points(places, STUB)
-        inside = close | self._on_bodies(places)
+        close, on_bodies = self._at_points(places, STUB), self._on_bodies(places)
+        if not close.all():
+            close &= self._near_joined(places)
+        inside = close | on_bodies
         edges = np.flatnonzero(np.diff(np.concatenate(([0], inside.astype(int), [0]))))
         for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
             length = float(np.sum(np.abs(np.diff(places[first : last + 1]))))
@@ -109,17 +114,23 @@ class Surroundings:
         found: NDArray[np.bool_] = np.any(np.abs(places[:, None] - own) <= within, axis=1)
         return found
 
+    def _near_joined(self, places: Places) -> NDArray[np.bool_]:
+        """Which places of a long line are near a point that the line is joined to: it passes by the others."""
+        gaps = np.abs(places[:, None] - np.array(self.points, dtype=complex))
+        found: NDArray[np.bool_] = np.any((gaps <= STUB) & (gaps.min(axis=0) <= _JOINED), axis=1)
+        return found
+
     def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
         found = np.zeros(len(places), dtype=bool)
         for centre, radius in self.rims:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
         for member in self.members:
             for start, end in combinations(member, 2):
-                found |= _distance(places, start, end) <= _NEAR
+                found |= distance_to_segment(places, start, end) <= _NEAR
         return found
 
 
-def _distance(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
+def distance_to_segment(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
     """From places to a segment."""
     way = end - start
     if abs(way) < 1e-9:

@@ -133,8 +133,15 @@ def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
 
 def _named(book: Book, axes: tuple[_Axis, _Axis]) -> tuple[_Axis, _Axis]:
     """The axes with names for angles that are long sums."""
-    first, second = (replace(axis, parts=tuple(named(book, share) for share in axis.parts)) for axis in axes)
+    first, second = (
+        replace(axis, parts=tuple(named(book, share, _line(axis)) for share in axis.parts)) for axis in axes
+    )
     return first, second
+
+
+def _line(axis: _Axis) -> VectorOf | None:
+    """The vector along an axis."""
+    return None if axis.along is None else VectorOf(axis.along.name)
 
 
 def _oblique(terms: Sequence[Term], axis: Value) -> int:

@@ -81,12 +81,9 @@ def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
 def _seen(book: Book, group: SlidingPair) -> SlidingPair:
     """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
     point_path, hidden = group.carrier_path, book.task.form.figure.hidden
-    if (
-        point_path is None
-        or point_path.point not in hidden
-        or not point_path.straight
-        or not is_translating(book, group.carrier)
-    ):
+    if point_path is None or point_path.point not in hidden:
+        return group
+    if not (point_path.straight and is_translating(book, group.carrier)):
         return group
     shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
     return replace(group, carrier_path=replace(point_path, point=next(shown, point_path.point)))
@@ -219,6 +216,7 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
             continue
         rate = float(driver.rates(book.order)[0])
         if rate == 0:
+            _say_uniform(book, group)
             return ()
         size = amount(book, template, book.letter, book.measure)
         name = as_stated(name, size)
@@ -229,6 +227,14 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
         angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
         return (book.term(name, size, angle, "given", point=Point(point)),)
     return ()
+
+
+def _say_uniform(book: Book, group: SlidingPair) -> None:
+    """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
+    if book.order == 2 and book.relative[(point := group.path.point), group.carrier]:
+        whole = Name("a", point, part="rel")
+        key = "uniform" if group.path.line is not None else "uniform_circle"
+        book.say(f"relative.{key}", False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
 
 
 def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
