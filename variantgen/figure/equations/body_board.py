@@ -30,6 +30,7 @@ _BODY_WIDE, _BODY_HIGH = 50.0, 40.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
+_HEAD = 1.5  # end of an arrow that no hinge may hide, u
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
 _SAMPLES = np.linspace(0.0, 1.0, 12)
@@ -154,9 +155,10 @@ def draw_vectors(
     ``others`` are the places of arrows drawn before; where these arrows are is added to them. Returns their starts and
     tips.
     """
+    hinges = [at for at in (board.sketch.at[name] for name in board.shown) if abs(at - place) > _LANE]
     found: list[tuple[complex, complex]] = []
     for name, vector, weight in sorted(named, key=lambda item: -abs(item[1])):
-        start = place + _lane(place, vector, others)
+        start = place + _lane(place, vector, others, hinges)
         board.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head_of(vector))
         board.sketch.label(along_arrow(name, start, start + vector))
         others += (start + vector * (0.25 + 0.75 * _SAMPLES)).tolist()
@@ -164,17 +166,19 @@ def draw_vectors(
     return found
 
 
-def _lane(place: complex, vector: complex, others: Sequence[complex]) -> complex:
-    """The least shift across a vector with which it does not lie on the arrows drawn before."""
-    if not others:
+def _lane(place: complex, vector: complex, others: Sequence[complex], hinges: Sequence[complex]) -> complex:
+    """The least shift across a vector with which it lies on no arrow drawn before and its head on no hinge."""
+    if not others and not hinges:
         return 0j
     side = 1j * vector / abs(vector)
-    known = np.array(others)
+    known, supports = np.array(others, dtype=complex), np.array(hinges, dtype=complex)
     best = (-1.0, 0j)
     for lane in _LANES:
         shift = lane * _LANE * side
         tips = place + shift + vector * np.array([0.5, 0.75, 1.0])
-        free = float(np.min(np.abs(known[:, None] - tips)))
+        free = float(np.min(np.abs(known[:, None] - tips), initial=math.inf))
+        head = tips[-1] - _HEAD * vector / abs(vector) * np.array([0.0, 1.0])
+        free = min(free, float(np.min(np.abs(supports[:, None] - head), initial=math.inf)))
         if free > 0.8 * _LANE:
             return shift
         best = max(best, (free, shift), key=lambda item: item[0])
