@@ -27,7 +27,7 @@ from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
@@ -80,7 +80,7 @@ class HandCalculation:
         return found
 
     def own_errors(self, variant: Variant, motion: Motion, place: int) -> Array:
-        """The errors of one variant by its own steps, shape (answers,); infinite where they do not lead to the answer."""
+        """The errors of one variant by its own steps, shape (answers,); infinite where these lead to another answer."""
         try:
             worked = RepeatableCalculation.of(task_of(variant, motion, place, self._asked))
         except NOT_APPLICABLE:
