@@ -154,7 +154,7 @@ def _runs(
 
 
 def distance_to_segment(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
-    """From places to a segment."""
+    """Distances from places of shape (N,) to a segment, shape (N,)."""
     way = end - start
     if abs(way) < 1e-9:
         return np.abs(places - start)

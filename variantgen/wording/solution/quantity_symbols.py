@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
+from variantgen.mechanism.joints.slot import Slot
 from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
@@ -131,8 +132,11 @@ class Symbols:
         return symbol
 
     def _is_carried(self, name: Name) -> bool:
-        """Whether a vector about a point of a body is that of its place under another point, which slides on it."""
-        for template in (*self.form.joints, *self.form.drivers):
+        """Whether a vector about a point of a body is that of its place under another point, in a straight slot of it.
+
+        About the centre of a round slot it is that of the point itself, whose distance is constant.
+        """
+        for template in (template for template in self.form.joints if template.component is Slot):
             members = self.form.bodies.get(template.fields.get("body", ""), ())
             if template.fields.get("point") == name.of and name.about in members and name.of not in members:
                 return True
