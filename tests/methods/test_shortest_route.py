@@ -63,7 +63,7 @@ def test_an_identity_is_used_as_one() -> None:
 
 
 def test_collinear_vectors_are_subtracted_before_they_are_projected() -> None:
-    assert "v_C/B = (220 − 121) · cos" in solved("sleeve_on_crank", "", "146")[0]
+    assert "v_C′/B = (220 − 121) · cos" in solved("sleeve_on_crank", "", "146")[0]
 
 
 def test_a_normal_component_that_vanishes_is_named_once() -> None:

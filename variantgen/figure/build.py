@@ -141,7 +141,7 @@ def _excess(sketch: Sketch) -> float:
 
 
 def _draw_mechanism(board: Board, radii: Sequence[float], marks: bool) -> None:
-    """The mechanism, and what has its place by it; ``radii`` (u) are those of the discs."""
+    """The mechanism with what has its place by it, given angles and arrows; ``radii`` (u) are those of the discs."""
     sketch, form, given = board.sketch, board.form, board.given
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
@@ -164,14 +164,14 @@ def _draw_mechanism(board: Board, radii: Sequence[float], marks: bool) -> None:
     for joint in board.scene.joints:
         if not _seeks_room(joint):
             _draw_symbol(board, joint)
-
-
-def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
-    """Data, names of discs and points, and what seeks room; labels are only asked for."""
-    form = board.form
     for driver in board.scene.drivers if marks else ():
         if not _seeks_room(driver):
             _draw_symbol(board, driver)
+
+
+def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """Dimensions, names of discs and points, and what seeks room; labels are only asked for."""
+    form = board.form
     for length in form.figure.lengths:
         if length.name in board.given:
             draw_length(board, length)
