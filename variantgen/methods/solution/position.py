@@ -118,18 +118,25 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
 def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[Item]:
     """Move lines of points that the statement does not show to the step that needs them first: it names the points.
 
-    Returns the lines that stay: also those which another line that stays is computed from.
+    What says what a line is goes with it. Returns the lines that stay: also those which another line that stays is
+    computed from.
     """
     shown = shown_points(task.variant, task.asked)
     stay: list[Item] = []
+    moved: tuple[Step, int] | None = None  # where the next line went
     for item in reversed(items):
+        if moved is not None and _is_of_next(item):
+            moved[0].items.insert(moved[1], item)
+            continue
+        moved = None
         if isinstance(item, Derived) and _is_of_others(item.value, shown) and not _reads(stay, item.value):
             goal = next((step for step in steps if _reads(step.items, item.value)), None)
             if goal is not None:
                 first = next(i for i, later in enumerate(goal.items) if _reads([later], item.value))
                 # Nothing comes between a vector equation and its projections.
                 equation = any(isinstance(earlier, VectorLine) for earlier in goal.items[:first])
-                goal.items.insert(0 if equation else first, item)
+                moved = goal, 0 if equation else first
+                goal.items.insert(moved[1], item)
                 continue
         stay.insert(0, item)
     return stay
