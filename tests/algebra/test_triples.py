@@ -53,6 +53,6 @@ def test_a_solution_computes_with_the_fractions() -> None:
     text = str(explain(one_variant("sleeve_on_crank", data, seed="146"), language="en"))
     text = text.replace("\N{NO-BREAK SPACE}", " ")
     assert "arcsin((50 − 40) / 26) = 22.62°" in text
-    assert "a_B cos ψ = a^n_A sin ψ + a^τ_A cos ψ" in text
+    assert "a_B cos ψ = (a_A)_n sin ψ + (a_A)_t cos ψ" in text
     # 1210 * 5 + 120 * 12 = 7490, over 12: 624.2.
     assert "a_B = (1210 · 5/13 + 120 · 12/13) / (12/13) = 624.2 cm/s²" in text

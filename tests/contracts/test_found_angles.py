@@ -55,14 +55,13 @@ def rates(columns: list[list[complex]], known: list[complex]) -> list[float]:
 
 def three_rod_plate(data: Mapping[str, float], z: Places, w: float, e: float, across: complex) -> dict[str, float]:
     """Answers of the plate on three rods, in cm and s; ``w`` and ``e`` of OA with their signs."""
-    along = z["E"] - z["O"]
-    oa = data["OA"] * turned(along, data["φ"], z["A"] - z["O"])
+    oa = data["OA"] * turned(z["E"] - z["O"], data["φ"], z["A"] - z["O"])
     ab = data["AB"] * turned(-oa, data["∠OAB"], z["B"] - z["A"])
-    dc = data["CD"] * turned(z["O"] - z["D"], data["∠ODC"], z["C"] - z["D"])
-    ef = data["EF"] * turned(-along, data["∠OEF"], z["F"] - z["E"])
-    b = oa + ab
-    bc = data["OD"] * (z["D"] - z["O"]) / abs(z["D"] - z["O"]) + dc - b
-    bf = data["OE"] * along / abs(along) + ef - b
+    bc = data["BC"] * turned(-ab, data["∠ABC"], z["C"] - z["B"])
+    cf = data["BC"] * turned(-bc, radians(60), z["F"] - z["C"])
+    dc = -data["CD"] * turned(-bc, data["∠BCD"], z["D"] - z["C"])
+    ef = -data["EF"] * turned(-cf, data["∠CFE"], z["E"] - z["F"])
+    bf = bc + cf
     # Unknown: AB, plate, CD, EF. v_C = v_B + i w BC, v_F = v_B + i w BF.
     columns = [[1j * ab, 1j * bc, -1j * dc, 0], [1j * ab, 1j * bf, 0, -1j * ef]]
     rod, plate, cd, last = rates(columns, [-1j * w * oa] * 2)

@@ -198,14 +198,14 @@ def test_outputs_for_programs(name: str, built: tuple[str, Path]) -> None:
 
 
 def printed(row: dict[str, str], language: str) -> str:
-    """Four significant digits, with the decimal mark of the language and a true minus; a sense is 1 or -1."""
+    """Four significant digits, or fewer where they are all, with the mark of the language; a sense is 1 or -1."""
     value = float(row["value"])
     if row["quantity"].endswith(".sense"):
         return f"{value:.0f}".replace("-", "\N{MINUS SIGN}")
     exact = Decimal(repr(value))
     rounded = exact.quantize(Decimal(1).scaleb(exact.adjusted() - 3), ROUND_HALF_UP) if value else Decimal(0)
     text = f"{rounded:f}" if len(rounded.as_tuple().digits) < 5 else f"{rounded:.3e}"
-    text = f"{Decimal(text):f}"
+    text = f"{exact.normalize() if Decimal(text) == exact else Decimal(text):f}"
     return text.replace("-", "\N{MINUS SIGN}").replace(".", "," if language == "ru" else ".")
 
 

@@ -181,7 +181,7 @@ def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> Non
         seen = inspect_labels(drawing)
         assert not seen.overlaps
         assert not seen.outside
-        assert drawing.width < 125  # the letters of English are wider: (a_C/B)_n
+        assert drawing.width < 125  # the letters of English are wider: (a_C′/B)_n
         assert drawing.height < 120
 
 
@@ -248,8 +248,8 @@ def test_the_end_of_a_rod_has_the_vectors_of_its_equation(order: int, relative: 
         ("scotch_yoke", "oblique", 1, {"v_A", "v_B", "v_rel A"}, {"v_A′"}),
         # The parts of transport motion are those of the solution: about a fixed axis, about a moving pole.
         ("slotted_rocker", "swinging", 2, {"(a_A′)_t", "a_Cor A"}, {"a_A′", "a_B"}),
-        ("sleeve_on_crank", "", 1, {"v_B", "v_C/B", "v_rel C"}, {"v_C′", "v_D"}),
-        ("sleeve_on_crank", "", 2, {"a_B", "(a_C/B)_n", "(a_C/B)_t", "a_Cor C"}, {"a_C′"}),
+        ("sleeve_on_crank", "", 1, {"v_B", "v_C′/B", "v_rel C"}, {"v_C′", "v_D"}),
+        ("sleeve_on_crank", "", 2, {"a_B", "(a_C′/B)_n", "(a_C′/B)_t", "a_Cor C"}, {"a_C′"}),
         ("arc_yoke", "", 2, {"(a_rel A)_t"}, {"a_rel A"}),
         ("triangle_plate", "scalene", 2, {"α", "a_B", "a_D"}, {"α_ABD"}),
         # A wheel held by its rim has the contact as its pole; a rod led by cranks has the velocity of its first hinge.

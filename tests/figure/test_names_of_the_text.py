@@ -144,3 +144,15 @@ def test_a_plan_takes_vectors_apart_as_the_text_does(name: str, form: str, lang:
                     size = sizes.get(term, math.inf) / max(sizes[t] for t in sizes if t.lstrip("(")[0] == whole[0])
                     other = shown(name, form, lang, ("graphical",), "3")[1]
                     assert size < SHORT or term in other[view], (view, term)
+
+
+@pytest.mark.parametrize("lang", ["en", "ru"])
+def test_a_contact_at_rest_has_one_letter(lang: str) -> None:
+    """Of two gears in plane motion the text calls the contact with the fixed gear P_2: so does the figure."""
+    text, written = shown("planetary_train", "two_planets", lang, ())
+    blocks = [block for section in text.sections for block in section.blocks if isinstance(block, Paragraph)]
+    said = {to_plain(part) for block in blocks for part in block.text if not isinstance(part, str)}
+    assert "P_2" in said
+    letters = set().union(*written.values())
+    assert "P_2" in letters
+    assert "K" not in letters

@@ -165,8 +165,9 @@ def test_lines_follow_from_lines_before_and_nothing_comes_twice(sense: int, turn
 @pytest.mark.parametrize(("name", "form"), catalogue(), ids=[f"{n}-{f.name}" for n, f in catalogue()])
 def test_the_lines_of_families_follow_from_lines_before(name: str, form: Form) -> None:
     for each in drawn_tasks(name, form, 2):
-        seen: set[int] = set()
-        for item in worked(each, "length direction coordinates").items:
+        geometry = worked(each, "length direction coordinates")
+        seen = set(map(id, geometry.printed.values()))
+        for item in geometry.items:
             if isinstance(item, Derived) and item.value.expression is not None:
                 assert all(v.expression is None or id(v) in seen for v in parts(item.value.expression)), item.value
                 seen.add(id(item.value))

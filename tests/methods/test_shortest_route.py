@@ -63,7 +63,7 @@ def test_an_identity_is_used_as_one() -> None:
 
 
 def test_collinear_vectors_are_subtracted_before_they_are_projected() -> None:
-    assert "v_C/B = (220 − 121) · cos" in solved("sleeve_on_crank", "", "146")[0]
+    assert "v_C′/B = (220 − 121) · cos" in solved("sleeve_on_crank", "", "146")[0]
 
 
 def test_a_normal_component_that_vanishes_is_named_once() -> None:
@@ -103,7 +103,7 @@ def test_the_rod_of_a_roller_cam_in_translation() -> None:
 def test_a_flat_follower_takes_the_projection_of_the_centre() -> None:
     text, found = solved("cam_disc", "flat", "181")  # OC = 20, phi = 50 deg, omega = 6, epsilon = 2
     assert found["v_D"] == pytest.approx(6 * 20 * sin(radians(50)), rel=1e-7)
-    assert "have equal components across this face" in text
+    assert "have equal components perpendicular to this face" in text
     assert "v_D = v_C sin φ = " in text
     assert "relative motion" not in text
 

@@ -43,7 +43,7 @@ def test_velocities_that_no_acceleration_depends_on(asked: list[str], output: bo
     # The yoke is in translation: there is no Coriolis acceleration to need the relative velocity.
     steps = solution(asking("scotch_yoke", "straight", asked)).steps
     assert ("relative.velocity" in headings(steps)) == output
-    assert sentences(steps).count("relative.compound") == 1
+    assert sentences(steps).count("relative.compound_translation") == 1
 
 
 def test_a_direction_that_only_the_drawing_has_is_left_out_where_nothing_is_projected() -> None:
@@ -54,8 +54,9 @@ def test_a_direction_that_only_the_drawing_has_is_left_out_where_nothing_is_proj
 
 
 def test_axes_and_origin_are_told_once_where_they_are_needed() -> None:
-    plate = sentences(solution(asking("guided_plate", "", ["v_C"])).steps)
-    assert plate.count("position.axes") == 1
+    by_coordinates = solution(asking("guided_plate", "", ["v_C"]), ("coordinates",))
+    plate = sentences(by_coordinates.steps)
+    assert plate.count("position.axes_and_rays") == 1
     assert plate.count("position.origin_by") == 1  # the guides cross there, no point has a letter
     gears = sentences(solution(asking("planetary_pair", "outside", ["omega_gear1"])).steps)
     assert not any(key.startswith(("position.axes", "position.origin")) for key in gears)

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from variantgen.families.quantities import Quantity
 from variantgen.families.units import UNITS
 from variantgen.outputs.documents.sheet_data import points_text
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
@@ -26,6 +27,17 @@ EN, RU = load_language("en"), load_language("ru")
 )  # fmt: skip
 def test_four_significant_digits_without_exponents(value: float, text: str) -> None:
     assert round_text(value, 4) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (15.0, "15"), (136.0, "136"), (-0.5, "\N{MINUS SIGN}0,5"), (2.75, "2,75"), (0.0, "0"), (-0.0, "0"),
+        (14.999999999999998, "15"), (136.04, "136,0"), (15.001, "15,00"), (1234.5, "1235"), (20000.0, "20000"),
+    ],
+)  # fmt: skip
+def test_a_short_decimal_is_an_answer_without_zeros_after_it(value: float, text: str) -> None:
+    assert RU.answer(Quantity("v", "A"), value).text == text
 
 
 @given(st.floats(1e-6, 1e6))

@@ -16,7 +16,7 @@ _CODE = re.compile(r"\{%.*?%\}|\{\{.*?\}\}|\{#.*?#\}", re.DOTALL)
 
 
 @dataclass(frozen=True)
-class Term:
+class GlossaryTerm:
     """A thing by its key, the word for it in one language, and a pattern of words that are avoided."""
 
     key: str
@@ -25,17 +25,17 @@ class Term:
 
 
 @cache
-def terms(language: str) -> tuple[Term, ...]:
+def terms(language: str) -> tuple[GlossaryTerm, ...]:
     """The terms of a language; none where it has no glossary."""
     path = templates_dir() / "glossary" / f"{language}.toml"
     tables = read_toml(path) if path.is_file() else {}
     return tuple(
-        Term(key, table["use"], re.compile(rf"(?<!\w)(?:{'|'.join(table['avoid'])})(?!\w)", re.IGNORECASE))
+        GlossaryTerm(key, table["use"], re.compile(rf"(?<!\w)(?:{'|'.join(table['avoid'])})(?!\w)", re.IGNORECASE))
         for key, table in tables.items()
     )
 
 
-def avoided_words(text: str, language: str) -> Iterator[tuple[str, Term]]:
+def avoided_words(text: str, language: str) -> Iterator[tuple[str, GlossaryTerm]]:
     """The avoided words of a text with the terms that have another word for the same."""
     for term in terms(language):
         for found in term.avoided.finditer(text):

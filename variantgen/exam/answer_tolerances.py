@@ -99,6 +99,12 @@ class AnswerTolerances:
         new = [i for i, key in enumerate(keys) if key not in self._errors]
         if new:
             table = hand_errors([variants[i] for i in new], asked, motion, [places[i] for i in new])
+            # Steps of another variant may be a poor way for this one: its screens knew other answers, or none.
+            for column in np.flatnonzero(np.any(table > variants[0].form.screens.ceiling, axis=0)).tolist():
+                i = new[column]
+                own = _calculation(variants[i], asked).own_errors(variants[i], motion, places[i])
+                by_own = _relative(own[:, None], [variants[i]], asked, motion, [places[i]])
+                table[:, column] = np.minimum(table[:, column], by_own[:, 0])
             self._errors.update((keys[i], column) for i, column in zip(new, table.T, strict=True))
         return _at_least(np.stack([self._errors[key] for key in keys], axis=1), self.tolerance.floor)
 
@@ -116,7 +122,22 @@ def _at_least(errors: Array, floor: float) -> Array:
 
 def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Array:
     """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
-    errors = _calculation(variants[0], asked).errors(variants, motion, places)
+    table = _relative(
+        _calculation(variants[0], asked).errors(variants, motion, places), variants, asked, motion, places
+    )
+    if np.any(~np.isfinite(table)):
+        sensitivities = _sensitivity(variants, asked, motion.take(np.array(places, dtype=int)))
+        by_data = np.where(
+            np.isfinite(sensitivities), _OF_DATA * sensitivities, 0.0
+        )  # no number where a change of data leads nowhere
+        table = np.where(np.isfinite(table), table, by_data)
+    return table
+
+
+def _relative(
+    errors: Array, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
+) -> Array:
+    """Errors in printed units as relative ones (of an angle in radians), shape (answers, N)."""
     chosen = np.array(places, dtype=int)
     found = []
     for quantity, error in zip(asked, errors, strict=True):
@@ -128,14 +149,7 @@ def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: 
             usual = (value > 0) & np.isfinite(value)
             relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)
         found.append(relative)
-    table = np.array(found)
-    if np.any(~np.isfinite(table)):
-        sensitivities = _sensitivity(variants, asked, motion.take(chosen))
-        by_data = np.where(
-            np.isfinite(sensitivities), _OF_DATA * sensitivities, 0.0
-        )  # no number where a change of data leads nowhere
-        table = np.where(np.isfinite(table), table, by_data)
-    return table
+    return np.array(found)
 
 
 def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion) -> Array:

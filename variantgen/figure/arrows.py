@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
+from variantgen.figure.obstacles import lanes_met
 from variantgen.figure.placement.label_requests import along_arrow, label_size
 from variantgen.figure.placement.labels import GAP
 from variantgen.wording.formula import Symbol
@@ -20,6 +22,8 @@ _WEIGHTS = (0.75, MEDIUM)
 _SHORTER = np.array([1.0, 0.8, 0.65])
 _LANES = np.array([0.0, 3.0, -3.0, 4.4, -4.4, 6.2, -6.2, 8.4, -8.4, 11.0, -11.0])  # aside of the point, u
 _SLIDES = np.array([0.0, 3.0, 6.5, 10.0, -3.5, -7.0, -10.5, -14.0])  # along it, u
+# Places that are compared at once, the first and the one past the last, and how many lanes they are in.
+_ROUNDS = ((0, 1, 1), (1, 64, len(_LANES)), (64, None, len(_LANES)))
 _HALF_LANE = 0.8  # half the width of the paper that an arrow takes, u
 _ROOT = 4.5  # part of an arrow at its point that may lie on what meets there, u
 _FAR = 28.0  # from the point: farther lines meet no arrow, u
@@ -63,25 +67,38 @@ class _Wanted:
     letters: tuple[float, float]
 
 
-class _Grid:
-    """Places of an arrow: lanes aside, in each the same slides and lengths.
+class _Places:
+    """Places where an arrow may lie, shape (P,) each: number and distance aside of the lane, tail and head along it."""
 
-    ``lanes`` have the shape (L, 1), ``tails`` (where the arrow begins, along its way) and costs (L, P), all else (P,).
-    """
-
-    def __init__(self, arrow: _Wanted, lanes: NDArray[np.float64], slides: NDArray[np.float64]) -> None:
-        self.lanes = lanes[:, None]
-        self.slides = np.repeat(slides, len(_SHORTER))
-        self.lengths = arrow.length * np.tile(_SHORTER, len(slides))
-        self.shortness = np.tile(_SHORT, len(slides))
+    def __init__(self, arrow: _Wanted, number: NDArray[np.intp], along: NDArray[np.float64]) -> None:
+        self.number, self.lane = number, _LANES[number]
         # In the lane of the point itself an arrow begins at its symbol.
-        self.tails = np.where(self.lanes == 0, arrow.start, self.slides)
-        self.heads = self.tails + self.lengths
+        self.tail = along[0] + (self.lane == 0) * arrow.start
+        self.length = along[1]
+        self.head = self.tail + self.length
 
     def parts(self, arrow: _Wanted, part: float) -> NDArray[np.complex128]:
-        """The point of each arrow at a part of its length, shape (L, P)."""
-        result: NDArray[np.complex128] = arrow.centre + arrow.way * (self.tails + part * self.lengths + 1j * self.lanes)
+        """The point of each arrow at a part of its length."""
+        result: NDArray[np.complex128] = arrow.centre + arrow.way * (self.tail + part * self.length + 1j * self.lane)
         return result
+
+
+@cache
+def _every_place(length: float) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """Number of the lane, shape (P,); tail along it, length and cost where nothing is in the way, shape (3, P).
+
+    The cheapest are the first: distance from the point costs, and shortness.
+    """
+    shape = (len(_LANES), len(_SLIDES), len(_SHORTER))
+    number, slide, short = (every.ravel() for every in np.indices(shape))
+    # In the lane of the point an arrow begins at the point.
+    kept = (number > 0) | (slide == 0)
+    number, slide, short = number[kept], slide[kept], short[kept]
+    tail, own = _SLIDES[slide], length * _SHORTER[short]
+    costs = (number > 0) * (_BESIDE + _ASIDE * np.abs(_LANES[number])) + _SLID * np.abs(tail) + _SHORT[short]
+    costs = costs + _ALONG * np.maximum(0.0, np.maximum(tail, -tail - own))
+    order = np.argsort(costs, kind="stable")
+    return number[order], np.array([tail, own, costs])[:, order]
 
 
 def draw_arrows(
@@ -99,16 +116,20 @@ def draw_arrows(
     """
     sketch = board.sketch
     centre = sketch.at[point] if place is None else place
+    given = [
+        (way, symbol, length, weight)
+        for way, symbol, length, weight in zip(ways, symbols, _LENGTHS, _WEIGHTS, strict=True)
+        if way and symbol is not None
+    ]
     drawn: list[tuple[complex, complex]] = []
     reserved: list[tuple[complex, complex]] = []
-    for way, symbol, length, weight in zip(ways, symbols, _LENGTHS, _WEIGHTS, strict=True):
-        if way == 0 or symbol is None:
-            continue
+    for way, symbol, length, weight in given:
         start = sketch.symbol_radius.get(point, 1.1) if place is None else 0.0
         arrow = _Wanted(centre, way, length, start, root, label_size(symbol))
         foot, tip = _roomiest(board, arrow, drawn, reserved)
         drawn.append((foot, tip))
-        reserved += _place_of_letters(board, foot, tip, arrow.letters)
+        if len(drawn) < len(given):
+            reserved += _place_of_letters(board, foot, tip, arrow.letters)
         sketch.arrow(foot, tip, Layer.VECTOR, weight=weight)
         sketch.label(along_arrow(symbol, foot, tip))
         sketch.occupy(point, tip - sketch.at[point])
@@ -122,29 +143,25 @@ def directed(rate: float, way: complex) -> complex:
 def _roomiest(
     board: Board, arrow: _Wanted, drawn: Sequence[tuple[complex, complex]], reserved: Sequence[tuple[complex, complex]]
 ) -> tuple[complex, complex]:
-    """Foot and tip of the arrow that costs least; the first of those that cost the same.
+    """Foot and tip of the arrow that costs least; of those that cost the same the one nearer to its point.
 
     ``drawn`` are the arrows of the point so far, ``reserved`` the diagonals of the boxes that their letters need.
     """
-    # Most arrows begin at their point: what costs less than any place beside it is not compared with the others.
-    for lanes, slides in ((_LANES[:1], _SLIDES[:1]), (_LANES, _SLIDES)):
-        grid = _Grid(arrow, lanes, slides)
-        costs = _far(grid) + _crossing(board, arrow, grid, reserved) + _walled(board, arrow, grid)
-        costs += _confused(arrow, grid, drawn) + _OFF_DISC * _off_disc(board, arrow, grid)
-        lane, place = divmod(int(np.argmin(costs)), len(grid.slides))
-        if costs[lane, place] < _BESIDE:
+    numbers, places = _every_place(arrow.length)
+    lines = board.sketch.obstacles.seen_along(arrow.centre, arrow.way, _FAR, reserved)
+    best, found = math.inf, (arrow.centre, arrow.centre)
+    # Most arrows begin at their point, most others near it: what cannot be cheaper is not compared.
+    for first, last, lanes in _ROUNDS:
+        if best <= places[2, first]:
             break
-    foot = arrow.centre + arrow.way * complex(grid.tails[lane, place], lanes[lane])
-    return foot, foot + float(grid.lengths[place]) * arrow.way
-
-
-def _far(grid: _Grid) -> NDArray[np.float64]:
-    """Cost of the distance from the point, and of shortness."""
-    along = np.maximum(0.0, np.maximum(grid.slides, -grid.slides - grid.lengths))
-    costs = np.where(grid.lanes == 0, 0.0, _BESIDE + _ASIDE * np.abs(grid.lanes)) + _ALONG * along
-    costs = costs + _SLID * np.abs(grid.slides) + grid.shortness
-    result: NDArray[np.float64] = np.where((grid.lanes == 0) & (grid.slides != 0), np.inf, costs)
-    return result
+        some = _Places(arrow, numbers[first:last], places[:2, first:last])
+        costs = places[2, first:last] + _crossing(arrow, lines, _LANES[:lanes], some) + _walled(board, arrow, some)
+        costs += _confused(arrow, some, drawn) + _OFF_DISC * _off_disc(board, arrow, some)
+        at = int(costs.argmin())
+        if costs[at] < best:
+            best, foot = float(costs[at]), arrow.centre + arrow.way * complex(some.tail[at], some.lane[at])
+            found = foot, foot + float(some.length[at]) * arrow.way
+    return found
 
 
 def _place_of_letters(
@@ -164,69 +181,68 @@ def _place_of_letters(
 
 
 def _crossing(
-    board: Board, arrow: _Wanted, grid: _Grid, reserved: Sequence[tuple[complex, complex]]
+    arrow: _Wanted, lines: NDArray[np.complex128], lanes: NDArray[np.float64], some: _Places
 ) -> NDArray[np.float64]:
-    """Cost of the lines under each arrow and just beyond its head, and under its letters."""
+    """Cost of the ``lines`` (seen along the arrow) under each arrow and just beyond its head, and under its letters.
+
+    ``lanes`` are those of the places.
+    """
     way, letters = arrow.way, arrow.letters
     across = 0.5 * (letters[0] * abs(way.imag) + letters[1] * abs(way.real))
     half = 0.5 * (letters[0] * abs(way.real) + letters[1] * abs(way.imag))
-    own, beside, count = grid.lanes[:, 0], _OFF + across, len(grid.lanes)
-    lanes = np.concatenate((own, own, own + beside, own - beside))
-    widths = np.repeat((_HALF_LANE, across, across, across), count)
-    low, high = board.sketch.obstacles.lanes_met(arrow.centre, way, lanes, widths, _FAR, reserved)
-    begin = np.where(grid.lanes == 0, np.maximum(grid.tails, arrow.root), grid.tails - 0.6)
-    end = grid.heads + _PAST
-    shared = np.minimum(high[:count, None], end[..., None]) - np.maximum(low[:count, None], begin[..., None])
-    met = np.minimum((shared >= 0).sum(axis=2), 4)
-    costs: NDArray[np.float64] = _CROSSED * met + _ON_LINE * np.maximum(shared, 0.0).sum(axis=2)
-    middle = grid.tails + 0.6 * grid.lengths
-    spots = [(grid.heads + _OFF, grid.heads + _OFF + 2 * half), *[(middle - half, middle + half)] * 2]
-    covered = [
-        np.sum((low[i : i + count, None] < last[..., None]) & (high[i : i + count, None] > first[..., None]), axis=2)
-        for i, (first, last) in zip((count, 2 * count, 3 * count), spots, strict=True)
-    ]
-    best: NDArray[np.float64] = np.minimum(np.min(covered, axis=0), 3)
-    return costs + _COVERED * best
+    beside = _OFF + across
+    # The lanes of the arrows, and those of letters before them and on both sides.
+    strips = np.concatenate((lanes, lanes, lanes + beside, lanes - beside))
+    met = lanes_met(lines, strips, np.repeat((_HALF_LANE, across, across, across), len(lanes)))
+    low, high = (ends.reshape(4, len(lanes), -1).take(some.number, axis=1) for ends in met)
+    begin = np.where(some.lane == 0, np.maximum(some.tail, arrow.root), some.tail - 0.6)
+    shared = np.minimum(high[0], (some.head + _PAST)[:, None]) - np.maximum(low[0], begin[:, None])
+    crossed = np.minimum((shared >= 0).sum(axis=1), 4)
+    middle = some.tail + 0.6 * some.length - half
+    letter = np.array([some.head + _OFF, middle, middle])[..., None]
+    covered = ((low[1:] < letter + 2 * half) & (high[1:] > letter)).sum(axis=2).min(axis=0)
+    costs = _CROSSED * crossed + _ON_LINE * np.maximum(shared, 0.0).sum(axis=1)
+    result: NDArray[np.float64] = costs + _COVERED * np.minimum(covered, 3)
+    return result
 
 
-def _walled(board: Board, arrow: _Wanted, grid: _Grid) -> NDArray[np.float64]:
+def _walled(board: Board, arrow: _Wanted, some: _Places) -> NDArray[np.float64] | float:
     """Cost of arrows on the hatched side of a wall."""
-    costs = np.zeros(grid.tails.shape)
-    for start, end, away in board.sketch.walls:
-        long = abs(end - start)
-        if long < _LONG_WALL:
-            continue
-        behind = np.zeros(grid.tails.shape, dtype=bool)
-        for part in (0.4, 1.0):
-            step = grid.parts(arrow, part) - start
-            along, depth = (step * np.conj((end - start) / long)).real, (step * np.conj(away)).real
-            behind |= (along > 0) & (along < long) & (depth > 0.2) & (depth < _BEHIND)
-        costs += _WALL * behind
+    walls = [(start, end, away) for start, end, away in board.sketch.walls if abs(end - start) >= _LONG_WALL]
+    if not walls:
+        return 0.0
+    parts = np.array([some.parts(arrow, 0.4), some.parts(arrow, 1.0)])
+    costs: NDArray[np.float64] = np.zeros(len(some.tail))
+    for start, end, away in walls:
+        # From the middle of the wall: along it, and behind it.
+        seen = (parts - 0.5 * (start + end)) * (1j * away.conjugate())
+        behind = (np.abs(seen.real) < 0.5 * abs(end - start)) & (seen.imag > 0.2) & (seen.imag < _BEHIND)
+        costs += _WALL * behind.any(axis=0)
     return costs
 
 
-def _off_disc(board: Board, arrow: _Wanted, grid: _Grid) -> NDArray[np.float64]:
+def _off_disc(board: Board, arrow: _Wanted, some: _Places) -> NDArray[np.float64]:
     """Of how many discs with the point inside an arrow is outside."""
-    found = np.zeros(grid.tails.shape)
+    found = np.zeros(len(some.tail))
     for disc in board.form.figure.discs:
         radii = board.discs.get(disc.body, []) if disc.body else []
         at = board.sketch.at[disc.centre]
         if radii and abs(arrow.centre - at) < max(radii) - 1.0:
-            found += np.abs(grid.parts(arrow, 0.5) - at) > max(radii)
+            found += np.abs(some.parts(arrow, 0.5) - at) > max(radii)
     return found
 
 
-def _confused(arrow: _Wanted, grid: _Grid, drawn: Sequence[tuple[complex, complex]]) -> NDArray[np.float64]:
+def _confused(arrow: _Wanted, some: _Places, drawn: Sequence[tuple[complex, complex]]) -> NDArray[np.float64]:
     """Cost of arrows that would read as one with another arrow of the point."""
-    costs = np.zeros(grid.tails.shape)
+    costs = np.zeros(len(some.tail))
     for foot, tip in drawn:
         first, last = ((end - arrow.centre) / arrow.way for end in (foot, tip))
         cosine = ((last - first) / abs(last - first)).real
         if abs(cosine) > _PARALLEL:
-            aside = np.abs(grid.lanes - 0.5 * (first + last).imag)
+            aside = np.abs(some.lane - 0.5 * (first + last).imag)
             costs += (_DOUBLE if cosine < 0 else _IN_LINE) * (aside < _TOLD_APART)
             if cosine < 0:
                 # Tail to tail, a little aside, two opposite arrows still look like one: side by side they do not.
-                shared = np.minimum(grid.heads, first.real) - np.maximum(grid.tails, last.real)
+                shared = np.minimum(some.head, first.real) - np.maximum(some.tail, last.real)
                 costs += _TAIL_TO_TAIL * ((aside < _PLAINLY_APART) & (shared < _SIDE_BY_SIDE))
     return costs

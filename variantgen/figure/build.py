@@ -119,19 +119,29 @@ def _fitted(
         sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
         board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
         board.poses.update(poses)
-        _draw(board, [r * scale for r in radii], marks)
-        if marks and _has_axes(asked):
-            draw_axes(board)
-        low, high = sketch.corners()
-        excess = max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
-        if excess <= 1 or kept:
+        on_paper = [r * scale for r in radii]
+        _draw_mechanism(board, on_paper, marks)
+        if kept or _excess(sketch) <= 1:
+            _draw_data(board, on_paper, marks)
+            if marks and _has_axes(asked):
+                draw_axes(board)
+        excess = _excess(sketch)
+        if kept or excess <= 1:
             return board
-        # Walls and guides reach beyond the mechanism: it is drawn smaller.
+        # Walls, guides and ropes, seldom data, reach beyond the paper: it is all drawn smaller.
         scale *= 0.98 / excess
 
 
-def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
-    """Everything but the labels; ``radii`` (u) are those of the discs."""
+def _excess(sketch: Sketch) -> float:
+    """How many times a drawing is larger than the room for everything but labels."""
+    if not sketch.lines:
+        return 0.0
+    low, high = sketch.corners()
+    return max((high - low).real / _WIDEST, (high - low).imag / _HIGHEST)
+
+
+def _draw_mechanism(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """The mechanism with what has its place by it, given angles and arrows; ``radii`` (u) are those of the discs."""
     sketch, form, given = board.sketch, board.form, board.given
     for disc, radius in zip(form.figure.discs, radii, strict=True):
         if disc.arc:
@@ -157,11 +167,16 @@ def _draw(board: Board, radii: Sequence[float], marks: bool) -> None:
     for driver in board.scene.drivers if marks else ():
         if not _seeks_room(driver):
             _draw_symbol(board, driver)
+
+
+def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
+    """Dimensions, names of discs and points, and what seeks room; labels are only asked for."""
+    form = board.form
     for length in form.figure.lengths:
-        if length.name in given:
+        if length.name in board.given:
             draw_length(board, length)
     for disc, radius in zip(form.figure.discs, radii, strict=True):
-        if disc.name in given:
+        if disc.name in board.given:
             concentric = [r for other, r in zip(form.figure.discs, radii, strict=True) if other.centre == disc.centre]
             draw_radius(board, disc, radius, concentric)
         draw_disc_name(board, disc, radius)

@@ -91,18 +91,20 @@ def short_arrows(drawing: Drawing) -> list[tuple[complex, complex]]:
 
 def misread_labels(drawing: Drawing) -> list[str]:
     """Names of arrows that stand nearer to another arrow than to their own; a leader shows what is named."""
-    arrows = {(start, tip) for label in drawing.labels if label.arrow for start, tip in [label.arrow]}
-    found = []
-    for label in drawing.labels:
-        half = (0.5 * label.size[0], 0.5 * label.size[1])
-        ends = [np.array([[line.points[-1]] * 2]) for line in leaders(drawing)]
-        if label.arrow is None or any(gaps_to_box(label.at, half, end)[0] < 1.0 for end in ends):
-            continue
-        others = np.array([arrow for arrow in arrows if arrow != label.arrow], dtype=complex).reshape(-1, 2)
-        own = gaps_to_box(label.at, half, np.array([label.arrow]))[0]
-        if len(others) and float(np.min(gaps_to_box(label.at, half, others))) < own - 1e-6:
-            found.append(to_plain(label.formula))
-    return found
+    named = [label for label in drawing.labels if label.arrow is not None]
+    arrows = list(dict.fromkeys(label.arrow for label in named if label.arrow is not None))
+    if len(arrows) < 2:
+        return []
+    places = np.array([[label.at] for label in named])
+    half = 0.5 * np.array([label.size for label in named])
+    sides = half[:, :1], half[:, 1:]
+    gaps = gaps_to_box(places, sides, np.array(arrows))
+    mine = np.array([[arrow == label.arrow for arrow in arrows] for label in named])
+    misread = np.where(mine, np.inf, gaps).min(axis=1) < np.where(mine, gaps, np.inf).min(axis=1) - 1e-6
+    ends = np.array([[line.points[-1]] * 2 for line in leaders(drawing)], dtype=complex).reshape(-1, 2)
+    if misread.any():
+        misread &= ~(gaps_to_box(places, sides, ends) < 1.0).any(axis=1)
+    return [to_plain(named[i].formula) for i in np.flatnonzero(misread)]
 
 
 def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:

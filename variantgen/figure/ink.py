@@ -28,6 +28,14 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
     return list(pairwise((line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()))
 
 
+def spaced(starts: Segments, steps: Segments, counts: NDArray[np.intp]) -> Segments:
+    """Places at equal distances on segments, from the start of each, so many on each; without their ends; (P,)."""
+    ends = counts.cumsum()
+    part = np.arange(ends[-1]) - (ends - counts).repeat(counts)
+    result: Segments = starts.repeat(counts) + part / counts.repeat(counts) * steps.repeat(counts)
+    return result
+
+
 def _directions(start: float, sweep: float, count: int) -> NDArray[np.complex128]:
     """Unit vectors along an arc, at the ends of its parts."""
     if start == 0 and sweep == math.tau:
@@ -95,18 +103,22 @@ def crosses(
     return result
 
 
-def gaps_to_box(place: complex, half_sides: tuple[float, float], segments: Segments) -> NDArray[np.float64]:
-    """Distance of each segment from a box (zero where they cross), shape (S,)."""
+def gaps_to_box(
+    place: complex | NDArray[np.complex128], half_sides: tuple[Sides, Sides], segments: Segments
+) -> NDArray[np.float64]:
+    """Distance of each segment from a box (zero where they cross), shape (S,).
+
+    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S).
+    """
     hx, hy = half_sides
     start, end = segments[:, 0] - place, segments[:, 1] - place
     step = end - start
-    gaps = np.full(len(segments), np.inf)
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
-    for point in (start, end):
-        outside = np.maximum(np.abs(point.real) - hx, 0) + 1j * np.maximum(np.abs(point.imag) - hy, 0)
-        gaps = np.minimum(gaps, np.abs(outside))
-    length = np.where(np.abs(step) > 0, np.abs(step), 1.0)
-    for corner in (hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy):
-        part = np.clip(((corner - start) * np.conj(step)).real / length**2, 0, 1)
-        gaps = np.minimum(gaps, np.abs(start + part * step - corner))
+    ends = np.array((start, end))
+    outside = np.hypot(np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)).min(axis=0)
+    square = step.real**2 + step.imag**2
+    corners = np.array([hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy])
+    from_corners = start - (corners if corners.ndim > 1 else corners[:, None])
+    part = -(from_corners * np.conj(step)).real / np.where(square > 0, square, 1.0)
+    gaps = np.minimum(outside, np.abs(from_corners + np.minimum(np.maximum(part, 0), 1) * step).min(axis=0))
     return np.where(crosses(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)

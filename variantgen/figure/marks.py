@@ -193,9 +193,8 @@ def _roomiest_radius(board: Board, point: str, radius: float, begin: float, lett
 
 def _lines_on_rays(board: Board, centre: complex, angles: NDArray[np.float64], end: float) -> NDArray[np.float64]:
     """Cost of the lines that rays from a centre cross before a distance, or nearly cross (a rim beside one)."""
-    crossed, *beside = (
-        board.sketch.obstacles.weight_on_rays(centre, angles + turn, 0.0, end) for turn in (0.0, -_NEARLY, _NEARLY)
-    )
+    rays = np.concatenate((angles, angles - _NEARLY, angles + _NEARLY))
+    crossed, *beside = board.sketch.obstacles.weight_on_rays(centre, rays, 0.0, end).reshape(3, -1)
     total: NDArray[np.float64] = _CROSSED * crossed + _NEAR * np.maximum(*beside)
     return total
 

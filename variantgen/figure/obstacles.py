@@ -41,71 +41,78 @@ class Obstacles:
             self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
         return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
 
-    def circle_crossings(
-        self, centre: complex, radii: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) in which drawn lines cross circles about a centre; which circle: shape (K,) each."""
-        segments = self.segments()
-        start, step = segments[:, 0] - centre, segments[:, 1] - segments[:, 0]
+    def met_near_circles(
+        self, centre: complex, radii: NDArray[np.float64], margin: float
+    ) -> tuple[NDArray[np.complex128], NDArray[np.intp]]:
+        """Where lines come nearer than ``margin`` (u) to circles about a centre: directions (unit), which circle.
+
+        Shape (K,) each. A place is where a line gets nearer or farther than that, or where a segment begins in between:
+        so a line that runs along the circle (an arc about the same centre) is met too.
+        """
+        segments = self.segments() - centre
+        middle, half = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
+        far = np.abs(middle)
+        size = np.abs(half)
+        seen = (far - size < radii.max() + margin) & (far + size > radii.min() - margin)
+        start, step = segments[seen, 0], 2.0 * half[seen]
+        arm = np.abs(start)
+        begun, begins = (np.abs(arm - radii[:, None]) < margin).nonzero()
         # |start + t step| = radius
+        squares = np.concatenate((radii - margin, radii + margin)) ** 2
         a, b = step.real**2 + step.imag**2, start.real * step.real + start.imag * step.imag
-        root = (b * b - a * (start.real**2 + start.imag**2))[None, :] + a[None, :] * radii[:, None] ** 2
+        root = b * b - a * (arm * arm - squares[:, None])
         circle, line = ((root >= 0) & (a > 0)).nonzero()
         a, b, root = a[line], b[line], np.sqrt(root[circle, line])
         t = np.concatenate(((-b - root) / a, (-b + root) / a))
         on = ((t >= 0) & (t <= 1)).nonzero()[0]
         met = on % max(1, len(line))
-        place = start[line[met]] + t[on] * step[line[met]]
-        return np.arctan2(place.imag, place.real), circle[met]
-
-    def corners_near_circles(
-        self, centre: complex, radii: NDArray[np.float64], margin: float
-    ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Directions (rad) of beginnings of segments near circles about a centre, and which circle; shape (K,) each.
-
-        Near is within ``margin`` (u) of the ``radii``, shape (R,).
-        """
-        arms = self.segments()[:, 0] - centre
-        circle, arm = (np.abs(np.abs(arms) - radii[:, None]) < margin).nonzero()
-        return np.arctan2(arms.imag, arms.real)[arm], circle
+        places = np.concatenate((start[line[met]] + t[on] * step[line[met]], start[begins]))
+        return places / np.abs(places), np.concatenate((circle[met] % len(radii), begun))
 
     def weight_on_rays(
         self, centre: complex, angles: NDArray[np.float64], start: float, end: float
     ) -> NDArray[np.float64]:
         """Weights (u) of the lines that each ray from a centre crosses between two distances, shape (A,)."""
-        segments = (self.segments() - centre)[None, :, :] * np.exp(-1j * angles)[:, None, None]
-        low, high = segments[..., 0], segments[..., 1]
-        rise = high.imag - low.imag
-        over = (low.imag <= 0) != (high.imag <= 0)
-        place = low.real - low.imag * (high.real - low.real) / np.where(over, rise, 1.0)
-        result: NDArray[np.float64] = np.sum(self._weights * (over & (place > start) & (place < end)), axis=1)
+        segments = self.segments() - centre
+        seen = np.abs(segments[:, 0]) - np.abs(segments[:, 1] - segments[:, 0]) < end
+        first, second = segments[seen, 0], segments[seen, 1]
+        way = np.exp(1j * angles)[:, None]
+        # How far the ends are to the left of each ray; where the ray meets the line between them.
+        low = way.real * first.imag - way.imag * first.real
+        high = way.real * second.imag - way.imag * second.real
+        over = (low <= 0) != (high <= 0)
+        place = (first.real * second.imag - first.imag * second.real) / np.where(over, high - low, 1.0)
+        over &= (place > start) & (place < end)
+        result: NDArray[np.float64] = over @ np.array(self._weights)[seen]
         return result
 
-    def lanes_met(
-        self,
-        centre: complex,
-        way: complex,
-        lanes: NDArray[np.float64],
-        half_widths: NDArray[np.float64],
-        far: float,
-        further: Sequence[tuple[complex, complex]] = (),
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """From where to where each line (and each of ``further`` ones) runs in each lane, shape (L, S) each.
+    def seen_along(
+        self, centre: complex, way: complex, far: float, further: Sequence[tuple[complex, complex]] = ()
+    ) -> NDArray[np.complex128]:
+        """The segments (and ``further`` ones) near a centre as seen from there in a direction (unit), shape (S, 2).
 
-        A lane is the paper within a half width (shape (L,)) of a line through ``centre`` in the direction ``way``
-        (unit), moved to the left by ``lanes`` (shape (L,)); distances are along the way, lines farther than ``far`` are
-        left out. A line that is nowhere in a lane goes from infinity to minus infinity.
+        The direction is their real axis; along it and aside they are not farther than ``far`` (u).
         """
         every = np.concatenate((self.segments(), np.array(further, dtype=complex).reshape(-1, 2)))
-        local = (every - centre) * way.conjugate()
-        low, high = np.min(local.imag, axis=1), np.max(local.imag, axis=1)
-        near = (np.max(local.real, axis=1) > -far) & (np.min(local.real, axis=1) < far)
-        local = local[near & (high >= np.min(lanes - half_widths)) & (low <= np.max(lanes + half_widths))]
-        start, step = local[:, 0], local[:, 1] - local[:, 0]
-        rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
-        edges = lanes[:, None] + np.array((-1.0, 1.0))[:, None, None] * half_widths[:, None]
-        first, last = np.sort((edges - start.imag) / rise, axis=0)
-        first, last = np.maximum(first, 0.0), np.minimum(last, 1.0)
-        ends = np.sort(start.real + np.array((first, last)) * step.real, axis=0)
-        within = first <= last
-        return np.where(within, ends[0], np.inf), np.where(within, ends[1], -np.inf)
+        local: NDArray[np.complex128] = (every - centre) * way.conjugate()
+        middle, half = 0.5 * (local[:, 0] + local[:, 1]), 0.5 * (local[:, 1] - local[:, 0])
+        near = np.abs(middle.real) - np.abs(half.real) < far
+        near &= np.abs(middle.imag) - np.abs(half.imag) < far
+        return local[near]
+
+
+def lanes_met(
+    lines: NDArray[np.complex128], lanes: NDArray[np.float64], half_widths: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """From where to where segments (shape (S, 2)) run in each lane along the real axis, shape (L, S) each.
+
+    A lane is the paper within a half width of a line parallel to the axis, which is moved to the left by ``lanes``;
+    shape (L,) both. A line that is nowhere in a lane goes from infinity to minus infinity.
+    """
+    start, step = lines[:, 0], lines[:, 1] - lines[:, 0]
+    rise = np.where(np.abs(step.imag) > 1e-9, step.imag, 1e-9)
+    middle, half = (lanes[:, None] - start.imag) / rise, half_widths[:, None] / np.abs(rise)
+    first, last = np.maximum(middle - half, 0.0), np.minimum(middle + half, 1.0)
+    one, other = start.real + first * step.real, start.real + last * step.real
+    within = first <= last
+    return np.where(within, np.minimum(one, other), np.inf), np.where(within, np.maximum(one, other), -np.inf)

@@ -204,8 +204,9 @@ def _surrounds(corners: Sequence[complex], place: complex) -> bool:
 
 def _box(points: Sequence[complex]) -> tuple[complex, complex]:
     """Lower left and upper right corner of the box about points."""
-    x, y = [p.real for p in points], [p.imag for p in points]
-    return complex(min(x), min(y)), complex(max(x), max(y))
+    every = np.array(points)
+    x, y = every.real, every.imag
+    return complex(x.min(), y.min()), complex(x.max(), y.max())
 
 
 def _extent(line: Line) -> list[complex]:

@@ -16,7 +16,7 @@ from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
-from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, Foot, StepGeometry
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, MarkedFoot, StepGeometry
 
 _OF_EQUATIONS = {
     1: ("velocities", "body_velocities", "contact_velocities"),
@@ -24,6 +24,7 @@ _OF_EQUATIONS = {
 }
 _EQUATION = {1: "velocity_equation", 2: "acceleration_equation"}
 _OF_BODIES = ("velocity_centre", "velocity_projections", "acceleration_centre")
+_SPEEDS = ("velocity", "angular velocity")
 _NOTHING = 1e-9  # of the largest rate: a body in translation has no velocity centre
 _SAME = 0.02  # degrees: the angle that is drawn is the one that is printed
 
@@ -51,14 +52,26 @@ def step_figures(
         if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
             # The perpendicular is dropped in another part of the mechanism.
             own = goal = [f"position:{number}", *own]
-        # What is worked out without a figure is seen in the next one.
-        views.append(tuple(own or (goal[:1] if here.is_found and goal and ":" in goal[0] else ())))
+        # What is worked out without a figure is seen in the next one, velocities not in one of accelerations.
+        is_seen = here.is_found and goal and ":" in goal[0] and not (_finds_speeds(step) and _is_of(2, goal[0]))
+        views.append(tuple(own or (goal[:1] if is_seen else ())))
         for name in goal:
             marked[name] = marked.get(name, NOTHING_MARKED) + here
     return [replace(step, views=own) for step, own in zip(steps, views, strict=True)], marked
 
 
-def _shows(task: Task, view: str, foot: Foot) -> bool:
+def _finds_speeds(step: Step) -> bool:
+    """Whether a velocity or an angular velocity is worked out in a step."""
+    return any(isinstance(item, Derived) and item.value.measure in _SPEEDS for item in step.items)
+
+
+def _is_of(order: int, view: str) -> bool:
+    """Whether the figure of this name shows velocities (1) or accelerations (2)."""
+    kind = view.partition(":")[0]
+    return kind in (*_OF_EQUATIONS[order], _EQUATION[order])
+
+
+def _shows(task: Task, view: str, foot: MarkedFoot) -> bool:
     """Whether the figure of a velocity centre, which has the cranks of its body, has the points of a perpendicular."""
     kind, _, body = view.partition(":")
     if kind == "coordinate_axes":
@@ -142,7 +155,7 @@ def _geometry(task: Task, step: Step) -> StepGeometry:
     return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain, tuple(_feet(task, step)))
 
 
-def _feet(task: Task, step: Step) -> Iterator[Foot]:
+def _feet(task: Task, step: Step) -> Iterator[MarkedFoot]:
     """The feet of perpendiculars that the sentences of a step name."""
     z = task.now.z
     for item in step.items:
@@ -162,11 +175,11 @@ def _feet(task: Task, step: Step) -> Iterator[Foot]:
             yield _foot(task, leg.end, apex, z[leg.start], z[along.end] - z[along.start], (leg.start,))
 
 
-def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> Foot:
+def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> MarkedFoot:
     """The foot of the perpendicular from a point to the line through a place."""
     way /= abs(way)
     place = start + ((task.now.z[apex] - start) * way.conjugate()).real * way
-    return Foot(letter, place * task.length_unit, apex, line)
+    return MarkedFoot(letter, place * task.length_unit, apex, line)
 
 
 def _named(step: Step) -> Iterator[Value]:

@@ -14,9 +14,9 @@ from decimal import Decimal
 from functools import cache
 from math import isfinite
 
-from variantgen.algebra.decimals import rounded_to_digits
+from variantgen.algebra.decimals import rounded, rounded_to_digits
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
@@ -69,8 +69,10 @@ class Language:
         return self.written(round_text(value, digits))
 
     def answer(self, quantity: Quantity, value: float) -> Number:
-        """The value of an answer; a sense is a whole number."""
-        return self.rounded(value, 1 if quantity.component == "sense" else ANSWER_DIGITS)
+        """The value of an answer as it is recorded; a short decimal has no zeros after it: 15, as in the steps."""
+        value, digits = recorded(quantity, value), 1 if quantity.component == "sense" else ANSWER_DIGITS
+        exact = isfinite(value) and rounded(value, digits) == value
+        return self.decimal(Decimal(repr(value + 0.0))) if exact else self.rounded(value, digits)
 
     def unit(self, measured: Unit) -> UnitText:
         """A unit as it is printed."""

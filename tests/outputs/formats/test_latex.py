@@ -60,10 +60,11 @@ def key_rows(folder: Path) -> list[dict[str, str]]:
 
 
 def four_digits(value: str, mark: str) -> str:
-    """A number as a key prints it: four significant digits, a true minus."""
+    """A number as a key prints it: four significant digits, or fewer where they are all, a true minus."""
     number = Decimal(value)
     rounded = number.quantize(Decimal(1).scaleb(number.adjusted() - 3))
     rounded = rounded.quantize(Decimal(1).scaleb(rounded.adjusted() - 3)) if rounded else rounded
+    rounded = rounded.normalize() if rounded == number else rounded
     return f"{rounded:f}".replace(".", mark).replace("-", "−")
 
 

@@ -25,8 +25,8 @@ def test_the_centre_is_told_to_move_with_or_against_the_contact(form: str) -> No
     for i, variant in enumerate(variants):
         text = str(explain(variant, language="en")).replace("\n", " ")
         with_contact = (complex(motion.v["O"][i]) * complex(motion.v["N"][i]).conjugate()).real > 0
-        assert ("v⃗_O points the same way as v⃗_N." in text) == with_contact, variant.printed
-        assert ("v⃗_O points opposite to v⃗_N." in text) != with_contact, variant.printed
+        assert ("v⃗_O points the same way as v⃗_N, " in text) == with_contact, variant.printed
+        assert ("v⃗_O points opposite to v⃗_N, " in text) != with_contact, variant.printed
         against += not with_contact
     assert against
 
@@ -53,7 +53,8 @@ def test_an_unknown_vector_gets_its_sense_before_its_equation(name: str, form: s
     for variant in variants_of(name, form, 6)[0]:
         text = str(explain(variant, language="en", depth=depth))
         said = re.sub(r"\s+", " ", text)
-        assert len(re.findall(r"so (it|\(?a⃗\S*) points (to the (left|right)|up|down)", said)) == count
+        sense = r"(?:so|shows that) \(?[va]⃗[^.:]* points (?:to the (?:left|right)|up|down)"
+        assert len(re.findall(sense, said)) == count
         assert not re.search("assumed|minus sign", said)
 
 
@@ -103,3 +104,36 @@ def test_statements_and_solutions_call_a_cord_the_same(name: str, form: str, lan
     output = statement(variant, asked_quantities(variant), load_language(language)).text
     assert word in "".join(part for part in output if isinstance(part, str)).lower()
     assert word in str(explain(variant, language=language)).lower()
+
+
+def test_the_senses_at_two_contacts_are_said() -> None:
+    """The cord passes over a fixed pulley: where it leaves the movable one it goes down when the load goes up."""
+    variants, motion, _ = variants_of("movable_pulley", "two_loads", 8)
+    for i, variant in enumerate(variants):
+        text = re.sub(r"\s+", " ", str(explain(variant, language="en")))
+        at_d, at_g = ("downwards" if complex(motion.v[load][i]).imag > 0 else "upwards" for load in "AB")
+        assert f"v⃗_D points {at_d}, v⃗_G points {at_g}; both are perpendicular to DG" in text, variant.printed
+
+
+def test_of_a_uniform_relative_motion_it_is_said_what_is_zero() -> None:
+    assert "so a⃗_rel M = (a⃗_rel M)_n" in text_of("parallelogram_with_disc", "moving_point")
+    uniform = 0
+    for variant in variants_of("hydraulic_hoist", "boom", 30)[0]:
+        said = "there is no relative acceleration" in re.sub(r"\s+", " ", str(explain(variant, language="en")))
+        assert said == (variant.printed["w"] == 0), variant.printed
+        uniform += said
+    assert uniform
+
+
+@pytest.mark.parametrize(
+    ("name", "form"), [("parallelogram_with_disc", "moving_point"), ("ladder", "oblique"), ("guided_plate", "")]
+)
+def test_a_letter_of_an_angle_is_introduced(name: str, form: str) -> None:
+    named = 0
+    for variant in variants_of(name, form, 6)[0]:
+        text = str(explain(variant, language="en"))
+        for line in re.finditer(r"\n +([βγδλψ]) = ", text):
+            before = re.sub(r"\s+", " ", text[: line.start()])
+            assert before.count(f"{line[1]} is the acute angle") == 1, line[1]
+            named += 1
+    assert named

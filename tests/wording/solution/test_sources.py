@@ -47,26 +47,26 @@ READINGS = [
         ("three_rates.equations_omega", "three_rates.equations_epsilon"),
         {"ω_AB z": (3, 5e-4), "ω_BC z": (-4, 5e-4), "α_AB z": (32, 5e-3), "α_BC z": (3, 5e-3)},
     ),
-    # v_rel = 2/sqrt(5), v_C/B = 1/sqrt(5), omega = 1/5, (a_C/B)_n = (1/5)^2 sqrt(5), a_rel = 6 sqrt(5)/25; l = 100 cm.
+    # v_rel = 2/sqrt(5), v_C′/B = 1/sqrt(5), omega = 1/5, (a_C′/B)_n = (1/5)^2 sqrt(5), a_rel = 6 sqrt(5)/25; l = 1 m.
     Reading(
         "sleeve_on_crank",
         "K27",
         "relative_motion",
         ("v_rel_C", "omega_BD", "a_rel_C"),
-        ("relative.compound", "relative.zhukovsky"),
+        ("relative.compound", "relative.zhukovsky", "relative.coriolis_not_needed"),
         {
             "v_A": (200, 0.01),
             "v_B": (200, 0.01),
             "v_C": (100, 0.01),
             "CB": (100 * sqrt(5), 0.01),
             "v_rel C": (200 / sqrt(5), 0.01),
-            "v_C/B": (100 / sqrt(5), 0.01),
+            "v_C′/B": (100 / sqrt(5), 0.01),
             "ω_BD": (0.2, 1e-4),
-            "(a_C/B)_n": (4 * sqrt(5), 0.01),
+            "(a_C′/B)_n": (4 * sqrt(5), 0.01),
             "a_B": (0, 0.01),
             "a_rel C": (24 * sqrt(5), 0.01),
         },
-        ("v⃗_C = v⃗_B + v⃗_C/B + v⃗_rel C",),
+        ("v⃗_C = v⃗_B + v⃗_C′/B + v⃗_rel C",),
     ),
     # The source rounds OD = 19.95 to 20; what follows from it (v_rel, omega_DB, a_rel, epsilon_DB) is exact here.
     Reading(

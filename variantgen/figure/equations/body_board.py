@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import mechanism
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest
-from variantgen.figure.ink import segments_of
+from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.placement.label_requests import along_arrow, around
@@ -30,8 +32,11 @@ _BODY_WIDE, _BODY_HIGH = 50.0, 40.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
+_HEAD = 1.5  # end of an arrow that no hinge may hide, u
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
+_FREE = 5.0  # distance of axes from all lines that is enough, u
+_AROUND = np.exp(1j * np.radians(np.arange(0, 360, 15)))
 _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 
@@ -54,6 +59,11 @@ class FigureSubject:
     def least(self) -> float:
         """The length of the shortest vector, u."""
         return 0.0 if self.true_scale else LEAST
+
+    @cached_property
+    def poses(self) -> dict[str, float]:
+        """How the supports stand in the figure of the statement."""
+        return self.board(True).poses
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -108,16 +118,14 @@ class BodyBoard:
         """The board at a scale with the bodies on it."""
         # Only where there are supports it matters how they stand in the figure of the statement.
         held = fixed_points(self.subject.motion.scene) & set(self.points)
-        poses = self.subject.board(True).poses if held else {}
-        board = self.subject.board(False, scale, poses)
+        board = self.subject.board(False, scale, self.subject.poses if held else {})
         kept = self._surroundings(board.sketch.at, scale)
         whole = board.sketch
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)
-        for line in whole.lines:
-            for piece in kept.pieces(line):
-                board.sketch.add(piece)
-        for request in whole.requests:
-            if kept.names(request.own):
+        for piece in kept.pieces(whole.lines):
+            board.sketch.add(piece)
+        for request, named in zip(whole.requests, kept.named([r.own for r in whole.requests]), strict=True):
+            if named:
                 board.sketch.label(request)
         board.shown = tuple(name for name in board.shown if name in self.points)
         for rod in self._rods:
@@ -154,9 +162,10 @@ def draw_vectors(
     ``others`` are the places of arrows drawn before; where these arrows are is added to them. Returns their starts and
     tips.
     """
+    hinges = [at for at in (board.sketch.at[name] for name in board.shown) if abs(at - place) > _LANE]
     found: list[tuple[complex, complex]] = []
     for name, vector, weight in sorted(named, key=lambda item: -abs(item[1])):
-        start = place + _lane(place, vector, others)
+        start = place + _lane(place, vector, others, hinges)
         board.sketch.arrow(start, start + vector, Layer.SLIDER, weight, head_of(vector))
         board.sketch.label(along_arrow(name, start, start + vector))
         others += (start + vector * (0.25 + 0.75 * _SAMPLES)).tolist()
@@ -164,17 +173,19 @@ def draw_vectors(
     return found
 
 
-def _lane(place: complex, vector: complex, others: Sequence[complex]) -> complex:
-    """The least shift across a vector with which it does not lie on the arrows drawn before."""
-    if not others:
+def _lane(place: complex, vector: complex, others: Sequence[complex], hinges: Sequence[complex]) -> complex:
+    """The least shift across a vector with which it lies on no arrow drawn before and its head on no hinge."""
+    if not others and not hinges:
         return 0j
     side = 1j * vector / abs(vector)
-    known = np.array(others)
+    known, supports = np.array(others, dtype=complex), np.array(hinges, dtype=complex)
     best = (-1.0, 0j)
     for lane in _LANES:
         shift = lane * _LANE * side
         tips = place + shift + vector * np.array([0.5, 0.75, 1.0])
-        free = float(np.min(np.abs(known[:, None] - tips)))
+        free = float(np.min(np.abs(known[:, None] - tips), initial=math.inf))
+        head = tips[-1] - _HEAD * vector / abs(vector) * np.array([0.0, 1.0])
+        free = min(free, float(np.min(np.abs(supports[:, None] - head), initial=math.inf)))
         if free > 0.8 * _LANE:
             return shift
         best = max(best, (free, shift), key=lambda item: item[0])
@@ -192,19 +203,23 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
     """Thin arrows from one place beside a point, clear of its vectors, with their letters."""
     if not axes:
         return
-    drawn = np.array([p for path in board.sketch.lines for s in _ends(path) for p in s], dtype=complex)
-    ways = np.exp(1j * np.radians(np.arange(0, 360, 15)))
-    best = (-math.inf, place)
+    drawn = np.concatenate([_along(line) for line in board.sketch.lines])
     low, high = board.sketch.corners()
-    for radius in (0.55 * longest, 0.8 * longest, 1.05 * longest):
-        for way in ways.tolist():
-            origin = place + radius * way
-            arms = np.concatenate([origin + _SAMPLES * (_AXIS + 3.0) * axis for axis, _ in axes])
-            free = min(5.0, float(np.min(np.abs(arms[:, None] - drawn)))) - 0.08 * radius
-            # Best within the box of what is drawn: the figure does not grow.
-            out = np.maximum(arms.real - high.real, low.real - arms.real).max(initial=0.0)
-            out += np.maximum(arms.imag - high.imag, low.imag - arms.imag).max(initial=0.0)
-            best = max(best, (free - 0.15 * out, origin), key=lambda item: item[0])
+    arms = np.concatenate([_SAMPLES * (_AXIS + 3.0) * axis for axis, _ in axes])
+    radii = np.repeat((0.55 * longest, 0.8 * longest, 1.05 * longest), len(_AROUND))
+    origins = place + radii * np.tile(_AROUND, 3)
+    # Best within the box of what is drawn: the figure does not grow.
+    ends = origins[:, None] + arms
+    out = np.maximum(ends.real - high.real, low.real - ends.real).max(axis=1, initial=0.0)
+    out += np.maximum(ends.imag - high.imag, low.imag - ends.imag).max(axis=1, initial=0.0)
+    costs = 0.08 * radii + 0.15 * out
+    best = (-math.inf, place)
+    # The best are asked first how far they are from all lines: most of the others cannot be better.
+    for at in costs.argsort(kind="stable").tolist():
+        if best[0] >= _FREE - costs[at]:
+            break
+        free = min(_FREE, float(np.abs(ends[at][:, None] - drawn).min()))
+        best = max(best, (free - costs[at], complex(origins[at])), key=lambda item: item[0])
     origin = best[1]
     for axis, letter in axes:
         board.sketch.arrow(origin, origin + _AXIS * axis, Layer.MARK, THIN, 1.8)
@@ -212,9 +227,9 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
             board.sketch.label(around(Symbol(board.language.axis(letter)), origin + _AXIS * axis, 0.3))
 
 
-def _ends(line: Line) -> Iterable[tuple[complex, complex]]:
-    """Pieces of a line, short enough to stand for all its places."""
-    for start, end in segments_of(line, 0.5):
-        count = max(1, int(abs(end - start) / 3.0))
-        for i in range(count):
-            yield start + (end - start) * i / count, start + (end - start) * (i + 1) / count
+def _along(line: Line) -> NDArray[np.complex128]:
+    """Places along a line, so near to each other that they stand for all."""
+    segments = np.array(segments_of(line, 0.5), dtype=complex)
+    steps = segments[:, 1] - segments[:, 0]
+    counts = np.maximum(1, (np.abs(steps) / 3.0).astype(int))
+    return np.append(spaced(segments[:, 0], steps, counts), segments[:, 1])

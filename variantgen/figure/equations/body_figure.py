@@ -223,7 +223,8 @@ class BodyFigure:
         for name, contact in self._touching.items():
             if name not in board.shown:
                 board.sketch.at[name] = scale * contact.place
-                draw_dot(board, board.sketch.at[name], name)
+                letter = self._letter(contact.place) if contact.rests else name
+                draw_dot(board, board.sketch.at[name], letter)
         for name, vector in self._vectors.items():
             if name not in self._touching:
                 draw_point(board, name)

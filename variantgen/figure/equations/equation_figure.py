@@ -9,6 +9,8 @@ from functools import partial
 from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.equations.body_board import (
+    HIGH,
+    WIDE,
     BodyBoard,
     FigureSubject,
     draw_axes,
@@ -17,16 +19,18 @@ from variantgen.figure.equations.body_board import (
     sizes,
 )
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
+from variantgen.figure.equations.surroundings import largest
 from variantgen.figure.motion.motion_board import MotionBoard, named_together
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
-from variantgen.wording.formula import to_plain
+from variantgen.wording.formula import Formula, to_plain
 
 LONGEST = 27.0  # length of the longest vector, u
 _NOTHING = 1e-9  # of the longest vector: there is none
 # Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
 _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
+_SHARE = 0.75  # of the room for a figure that its vectors have
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 
 
@@ -86,8 +90,10 @@ def _drawn(
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
-    lengths, lengthened = sizes([abs(vector) for _, vector in together], longest, bodies.subject.least)
-    drawn = [length * vector / abs(vector) for length, (_, vector) in zip(lengths, together, strict=True)]
+    drawn, lengthened = _tips(together, longest, bodies.subject.least)
+    if (room := largest([0j, *drawn], _SHARE * WIDE, _SHARE * HIGH)) < 1.0:  # they would leave none for the bodies
+        longest *= room
+        drawn, lengthened = _tips(together, longest, bodies.subject.least)
     scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
     board = bodies.drawn(scale)
     draw_point(board, equation.point)
@@ -104,6 +110,12 @@ def _drawn(
     draw_geometry(board, bodies.subject, named.symbols, most_angles)
     draw_axes(board, at, [(axis.way, axis.letter) for axis in equation.axes if axis.letter], longest)
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def _tips(named: Sequence[tuple[Formula, complex]], longest: float, least: float) -> tuple[list[complex], bool]:
+    """The vectors as they are drawn (u), and whether any is lengthened to be seen."""
+    lengths, lengthened = sizes([abs(vector) for _, vector in named], longest, least)
+    return [size * vector / abs(vector) for size, (_, vector) in zip(lengths, named, strict=True)], lengthened
 
 
 def _draw_parallelogram(board: MotionBoard, at: complex, equation: PointEquation, scale: float) -> None:

@@ -6,11 +6,15 @@ import cmath
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.equations.surroundings import distance_to_segment
+from variantgen.figure.ink import segments_of
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
-from variantgen.methods.steps.step_geometry import Corner, Foot
+from variantgen.methods.steps.step_geometry import Corner, MarkedFoot
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.quantity_symbols import Symbols
@@ -22,6 +26,7 @@ _SQUARE = 3.2  # side of the mark of a right angle, u
 _NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
 _LEAST = math.radians(4)  # a smaller one not at all
 _SAME = math.radians(1)
+_ON_LINE = 1.0  # from a line that is a side of an angle, u
 _RIGHT = math.radians(0.01)
 MOST_ANGLES = 4  # in a figure
 
@@ -76,7 +81,7 @@ def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> N
                 sketch.occupy(second, -way)
 
 
-def _draw_foot(board: MotionBoard, foot: Foot) -> None:
+def _draw_foot(board: MotionBoard, foot: MarkedFoot) -> None:
     """The perpendicular to its foot with its letter and a right angle; its line where nothing is drawn of it."""
     sketch = board.sketch
     if not {foot.apex, *foot.line} <= {*board.shown} or foot.letter in sketch.at:
@@ -109,9 +114,14 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
 def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
     """Thin lines along the sides of an angle that nothing lies on."""
     sketch = board.sketch
+    drawn = [piece for line in sketch.lines for piece in segments_of(line, 0.5)]
     for side in corner.sides:
-        if not sketch.is_taken(key, side, math.radians(2)):
-            end = sketch.at[key] + _REFERENCE * side / abs(side)
+        way = side / abs(side)
+        places = np.array([sketch.at[key] + part * _ARC * way for part in (0.6, 0.8, 1.0)], dtype=np.complex128)
+        gaps = np.array([distance_to_segment(places, *piece) for piece in drawn])
+        seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
+        if not (seen and sketch.is_taken(key, side, math.radians(2))):
+            end = sketch.at[key] + _REFERENCE * way
             sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
 
 

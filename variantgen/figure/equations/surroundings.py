@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from functools import cached_property
+from itertools import chain, combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Arc, Line, Path, Strokes
-from variantgen.figure.ink import segments_of
+from variantgen.figure.ink import segments_of, spaced
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
+_JOINED = 4.5  # how near to a point what is joined to it there comes, u: the guide below a slider
 _LEAST = 6.0  # a shorter piece of a line away from all points only crosses the body, u
 _STEP = 0.35  # between the places of a line that are looked at, u
 _MOST = 4000  # of them
@@ -37,76 +39,63 @@ class Surroundings:
         found = [*self.points, *(place for member in self.members for place in member)]
         return found + [c + r * way for c, r in self.rims for way in (1, 1j, -1, -1j)]
 
-    def names(self, own: Iterable[complex]) -> bool:
-        """Whether a label that names one of these places belongs to what is drawn."""
-        places = np.array(list(own), dtype=complex)
-        return bool(np.mean(self._at_points(places, 1.0) | self._on_bodies(places)) > 0.5)
+    def named(self, owns: Sequence[Sequence[complex]]) -> list[bool]:
+        """Which labels, of those that name these places, belong to what is drawn: most of their places lie there."""
+        if not owns:
+            return []
+        places, sizes = np.array([place for own in owns for place in own]), np.array([len(own) for own in owns])
+        inside = self._at_points(places, 1.0) | self._on_bodies(places)
+        shares = np.add.reduceat(inside.astype(float), np.cumsum(sizes) - sizes) / sizes
+        return [bool(share > 0.5) for share in shares]
 
-    def pieces(self, line: Line) -> Iterator[Line]:
-        """What of a line lies in the surroundings, lighter than in the figure of a statement."""
-        light = THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
-        light = 0.0 if line.weight == 0 else light
-        if isinstance(line, Strokes):
-            middles = np.array([0.5 * (start + end) for start, end in line.segments], dtype=complex)
-            kept = self._at_points(middles, STUB)
-            if kept.any():
-                yield Strokes(tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, light)
+    def pieces(self, lines: Sequence[Line]) -> Iterator[Line]:
+        """What of lines lies in the surroundings, in their order, lighter than in the figure of a statement."""
+        seen = [line for line in lines if not self._misses(line)]
+        if not seen:
             return
-        chords = np.array(segments_of(line, _SAGITTA), dtype=complex)
-        if self._misses(chords):
-            return
-        filled = bool(line.fill)
-        if filled and bool(np.all(self._is_inside(chords[:, 0]))):
-            yield line._replace(weight=light)
-            return
-        outline = np.append(chords[:, 0], chords[-1, 1])
-        for run in self._runs(outline):
-            if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
-                yield line._replace(weight=light)
-            else:
-                yield Path(tuple(run.tolist()), line.layer, light, dash=line.dash)
+        outlines = [_outline(line) for line in seen]
+        corners, ends = np.concatenate(outlines), np.cumsum([len(outline) for outline in outlines])
+        steps = np.diff(corners, append=0.0)
+        steps[ends - 1] = 0.0
+        counts = np.maximum(1, np.minimum(np.ceil(np.abs(steps) / _STEP), _MOST)).astype(int)
+        # All places that are looked at, those of all lines in a row; where the corners are among them.
+        places, at = spaced(corners, steps, counts), np.cumsum(counts) - counts
+        starts = at[[0, *ends[:-1].tolist()]]
+        gaps = np.abs(places[:, None] - np.array(self.points, dtype=complex))
+        near, on_bodies = gaps <= STUB, self._on_bodies(places)
+        # A long line passes by the points that it is not joined to.
+        joined = np.minimum.reduceat(gaps, starts, axis=0) <= _JOINED
+        joined |= np.logical_and.reduceat(near.any(axis=1), starts)[:, None]
+        close = (near & joined.repeat(np.diff(starts, append=len(places)), axis=0)).any(axis=1)
+        inside, filled = close | on_bodies, near.any(axis=1) | on_bodies
+        for line, first, end in zip(seen, [0, *ends[:-1].tolist()], ends.tolist(), strict=True):
+            if not isinstance(line, Strokes) and line.fill and filled[at[first:end]].all():
+                yield line._replace(weight=_light(line))
+                continue
+            own = slice(at[first], at[end - 1] + 1)
+            yield from _kept(line, places[own], at[first:end] - at[first], close[own], inside[own])
 
-    def _misses(self, chords: Places) -> bool:
-        """Whether lines lie far from everything (or are too short to be seen)."""
+    @cached_property
+    def _box(self) -> tuple[complex, complex]:
+        """Lower left and upper right corner of what is drawn."""
         outline = self.extent()
         low = complex(min(p.real for p in outline), min(p.imag for p in outline)) - STUB * (1 + 1j)
-        high = complex(max(p.real for p in outline), max(p.imag for p in outline)) + STUB * (1 + 1j)
-        return bool(
-            np.max(chords.real) < low.real
-            or np.min(chords.real) > high.real
-            or np.max(chords.imag) < low.imag
-            or np.min(chords.imag) > high.imag
-        )
+        return low, complex(max(p.real for p in outline), max(p.imag for p in outline)) + STUB * (1 + 1j)
 
-    def _runs(self, outline: Places) -> Iterator[Places]:
-        """The runs of an outline that are drawn: corners and ends."""
-        steps = np.abs(np.diff(outline))
-        total = float(np.sum(steps))
-        step = max(_STEP, total / _MOST)
-        counts = np.maximum(1, np.ceil(steps / step)).astype(int)
-        corners = np.concatenate(([0], np.cumsum(counts)))
-        places = np.concatenate(
-            [
-                start + (end - start) * np.arange(n) / n
-                for start, end, n in zip(outline, outline[1:], counts, strict=False)
-            ]
-            + [outline[-1:]]
-        )
-        close = self._at_points(places, STUB)
-        inside = close | self._on_bodies(places)
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], inside.astype(int), [0]))))
-        for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
-            length = float(np.sum(np.abs(np.diff(places[first : last + 1]))))
-            if length > _LEAST or (close[first : last + 1].any() and length > 0):
-                within = corners[(corners > first) & (corners < last)]
-                yield places[np.concatenate(([first], within, [last]))]
-
-    def _is_inside(self, places: Places) -> NDArray[np.bool_]:
-        return self._at_points(places, STUB) | self._on_bodies(places)
+    def _misses(self, line: Line) -> bool:
+        """Whether a line lies far from everything (or is too short to be seen)."""
+        if isinstance(line, Arc):
+            ends = [line.centre + line.radius * way for way in (1 + 1j, -1 - 1j)]
+        else:
+            ends = list(line.points) if isinstance(line, Path) else list(chain.from_iterable(line.segments))
+        low, high = self._box
+        x, y = [place.real for place in ends], [place.imag for place in ends]
+        return max(x) < low.real or min(x) > high.real or max(y) < low.imag or min(y) > high.imag
 
     def _at_points(self, places: Places, within: float) -> NDArray[np.bool_]:
-        own = np.array(self.points, dtype=complex)
-        found: NDArray[np.bool_] = np.any(np.abs(places[:, None] - own) <= within, axis=1)
+        found = np.zeros(len(places), dtype=bool)
+        for point in self.points:
+            found |= np.abs(places - point) <= within
         return found
 
     def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
@@ -115,17 +104,62 @@ class Surroundings:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
         for member in self.members:
             for start, end in combinations(member, 2):
-                found |= _distance(places, start, end) <= _NEAR
+                found |= distance_to_segment(places, start, end) <= _NEAR
         return found
 
 
-def _distance(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
-    """From places to a segment."""
+def _light(line: Line) -> float:
+    """The weight of a line of the mechanism."""
+    if line.weight == 0:
+        return 0.0
+    return THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
+
+
+def _outline(line: Line) -> Places:
+    """The corners of a line in a row; of strokes their middles, each for itself."""
+    if isinstance(line, Strokes):
+        return np.array([0.5 * (start + end) for start, end in line.segments], dtype=complex)
+    chords = segments_of(line, _SAGITTA)
+    return np.array([start for start, _ in chords] + [chords[-1][1]], dtype=complex)
+
+
+def _kept(
+    line: Line, places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
+) -> Iterator[Line]:
+    """What is drawn of a line that has its ``corners`` at these numbers of its ``places``."""
+    light = _light(line)
+    if isinstance(line, Strokes):
+        kept = close[corners]
+        if kept.any():
+            yield Strokes(tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, light)
+        return
+    for run in _runs(places, corners, close, inside):
+        if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
+            yield line._replace(weight=light)
+        else:
+            yield Path(tuple(run.tolist()), line.layer, light, dash=line.dash)
+
+
+def _runs(
+    places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
+) -> Iterator[Places]:
+    """The runs of a line that are drawn: corners and ends."""
+    edges = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0, append=0)).tolist()
+    for first, after in zip(edges[::2], edges[1::2], strict=True):
+        last = after - 1
+        length = float(np.abs(np.diff(places[first:after])).sum())
+        if length > _LEAST or (close[first:after].any() and length > 0):
+            within = corners[(corners > first) & (corners < last)]
+            yield places[np.concatenate(([first], within, [last]))]
+
+
+def distance_to_segment(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
+    """Distances from places of shape (N,) to a segment, shape (N,)."""
     way = end - start
     if abs(way) < 1e-9:
         return np.abs(places - start)
-    part = np.clip(((places - start) * way.conjugate()).real / abs(way) ** 2, 0.0, 1.0)
-    found: NDArray[np.float64] = np.abs(places - start - part * way)
+    part = ((places - start) * way.conjugate()).real / abs(way) ** 2
+    found: NDArray[np.float64] = np.abs(places - start - np.minimum(np.maximum(part, 0.0), 1.0) * way)
     return found
 
 

@@ -18,17 +18,19 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
 from variantgen.wording.solution.quantity_symbols import Symbols
 
-CENTRE = "P"  # a contact at rest bears the letter of the velocity centre
-
 
 @dataclass(frozen=True)
 class ContactPoint:
-    """A point of a body about ``centre`` where it touches another or a thread: its place (m) and velocity (m/s)."""
+    """A point of a body about ``centre`` where it touches another or a thread: its place (m) and velocity (m/s).
+
+    One that ``rests`` on something fixed, and is no point of the mechanism, bears the letter of the velocity centre.
+    """
 
     place: complex
     velocity: complex
     body: str
     centre: str
+    rests: bool
 
 
 def contact_points(task: Task, now: Instant, shown: Collection[str], body: str = "") -> dict[str, ContactPoint]:
@@ -39,12 +41,13 @@ def contact_points(task: Task, now: Instant, shown: Collection[str], body: str =
     needed = task.needed.bodies
     found: dict[str, ContactPoint] = {}
     for contact in contacts_of_scene(task).values():
-        for side in (contact.first, contact.second):
+        for side, other in contact.ways:
             if not side.lever or side.name in (*shown, *found) or side.body not in ([body] if body else needed):
                 continue
             place = place_of(task, side) * task.length_unit
             swing = 1j * now.omega[side.body] * (place - now.z[side.centre])
-            found[side.name] = ContactPoint(place, now.v[side.centre] + swing, side.body, side.centre)
+            rests = other.is_rest and side.name not in task.scene.points
+            found[side.name] = ContactPoint(place, now.v[side.centre] + swing, side.body, side.centre, rests)
     return found
 
 
@@ -52,7 +55,7 @@ def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: 
     """Add dots with letters and velocities (``scale`` u per m/s)."""
     sketch = board.sketch
     for name, contact in found.items():
-        if name == CENTRE:
+        if contact.rests:
             continue  # drawn as the centre
         key = f"contact {name}"
         place = sketch.at[key] = sketch.scale * contact.place
@@ -60,7 +63,7 @@ def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: 
         board.vector(key, scale * contact.velocity, symbols.letter(Name("v", name)), MEDIUM)
 
 
-def draw_dot(board: Board, place: complex, name: str) -> None:
+def draw_dot(board: Board, place: complex, name: str | Symbol) -> None:
     """Add a dot with the letter of a point that the mechanism is not drawn with (``place`` in u)."""
     board.sketch.circle(place, DOT, Layer.HINGE, fill="ink")
-    board.sketch.label(around(Symbol(name), place, DOT))
+    board.sketch.label(around(Symbol(name) if isinstance(name, str) else name, place, DOT))

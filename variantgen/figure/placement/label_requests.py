@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import LETTER
 from variantgen.figure.lettering import typeset
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import Formula, Measured, Number
 
 Places = NDArray[np.complex128]
 Costs = NDArray[np.float64]
@@ -65,6 +65,8 @@ _AROUND_COSTS = (
 ).ravel()
 _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
 _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
+# A level leader that ends before a number reads as its minus sign.
+_AS_MINUS = np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
 # leader is better.
@@ -111,7 +113,8 @@ def far_from(request: LabelRequest) -> tuple[Places, Costs]:
     """Candidates far from what is named, which need a leader, with their distances as costs: shape (P,) each."""
     support = _support(request.box, _FAR_WAYS)
     places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
-    costs = _FAR_RINGS[:, None] + 0.01 * np.arange(24)[None, :]
+    is_number = isinstance(request.formula, Number | Measured)
+    costs = _FAR_RINGS[:, None] + (0.01 * np.arange(24) + is_number * _AS_MINUS)[None, :]
     return places.ravel(), costs.ravel()
 
 

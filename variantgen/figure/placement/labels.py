@@ -114,9 +114,10 @@ def _add_misleading(
 
     The best few of each label are asked first; where one of them stays better than all others, nothing else matters.
     """
-    order = np.lexsort((costs, owner))
+    # Owners ascend, and no candidate costs as much as one owner counts here: in this order too they ascend.
+    order = np.argsort(owner * 1e6 + costs, kind="stable")
     rank = np.empty(len(order), dtype=np.intp)
-    rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner[order])
+    rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
     first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
     costs[first] += misleading_costs(requests, strangers, places[first], owner[first], occupancy)
     asked = np.zeros(len(costs), dtype=bool)

@@ -57,13 +57,17 @@ def draw_arcs(board: Board, body: str, rates: Sequence[tuple[Symbol, float]], ab
 
     Their centre is the fixed point of the body, or what ``sketch.at`` has under the key ``about``.
     """
+    if not rates:
+        return
     sketch = board.sketch
     pivot = about or board.centre_of_rotation(body)
     radii = _radii(board, body, pivot)
     own = tuple(board.discs[body]) if any(d.body == body and d.centre == pivot for d in board.form.figure.discs) else ()
     taken: list[float] = []
+    # The same for both arcs of a body: the second is too far from the first to meet it.
+    costs = _costs_of_arcs(board, pivot, radii)
     for formula, rate in rates:
-        radius, middle = _roomiest_arc(board, pivot, radii, formula, taken)
+        radius, middle = _roomiest_arc(board, pivot, radii, costs, formula, taken)
         turn = math.copysign(_sweep(radius), rate)
         taken.append(middle)
         arc = sketch.arc_arrow(sketch.at[pivot], radius, middle - turn / 2, turn)
@@ -111,16 +115,30 @@ def _on_plate(board: Board, body: str, middle: str) -> NDArray[np.float64]:
     return np.clip(room * np.array(_OF_PLATE), *_ON_PLATE)
 
 
+def _costs_of_arcs(board: Board, pivot: str, radii: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What arcs of each radius in each direction cost without their letters, shape (radii, angles)."""
+    centre = board.sketch.at[pivot]
+    costs = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - board.sketch.freedom(pivot, _ANGLES))
+    costs = costs + _CROSSED * _crossed(board, centre, radii)
+    return costs + _ON_DISC * _on_other_discs(board, centre, centre + _WAYS * radii[:, None])
+
+
 def _roomiest_arc(
-    board: Board, pivot: str, radii: NDArray[np.float64], formula: Symbol, taken: Sequence[float]
+    board: Board,
+    pivot: str,
+    radii: NDArray[np.float64],
+    costs: NDArray[np.float64],
+    formula: Symbol,
+    taken: Sequence[float],
 ) -> tuple[float, float]:
     """Radius and direction of the middle of the arc that crosses least, with letters that cover least.
 
-    It is not mistaken for another one: the arcs of one body (``taken`` directions) never lie side by side. A less usual
-    radius is tried only where no arc of the radii before it is free.
+    ``costs`` are those of the arcs without letters. It is not mistaken for another one: the arcs of one body (``taken``
+    directions) never lie side by side. A less usual radius is tried only where no arc of the radii before it is free.
     """
     best = (math.inf, 0.0, 0.0)
-    for number, (radius, cost, angle) in enumerate(_roomiest_directions(board, pivot, radii, formula, taken)):
+    directions = _roomiest_directions(board, pivot, radii, costs, formula, taken)
+    for number, (radius, cost, angle) in enumerate(directions):
         if best[0] < _FREE:
             break
         best = min(best, (cost + _UNUSUAL * number, radius, angle))
@@ -128,7 +146,12 @@ def _roomiest_arc(
 
 
 def _roomiest_directions(
-    board: Board, pivot: str, radii: NDArray[np.float64], formula: Symbol, taken: Sequence[float]
+    board: Board,
+    pivot: str,
+    radii: NDArray[np.float64],
+    costs: NDArray[np.float64],
+    formula: Symbol,
+    taken: Sequence[float],
 ) -> Iterable[tuple[float, float, float]]:
     """Radius, cost and direction of the best arc of each radius.
 
@@ -139,11 +162,9 @@ def _roomiest_directions(
     half_width, half_height = (0.5 * side for side in label_size(formula))
     places = centre + _WAYS * (radii[:, None] + 1.0 + half_width * _ACROSS + half_height * _ALONG)
     middles = centre + _WAYS * radii[:, None]
-    costs = _ANGLE_COSTS + _CLOSE * np.maximum(0.0, _ROOM - sketch.freedom(pivot, _ANGLES))
     for other in taken:
         gap = np.abs(np.remainder(_ANGLES - other + math.pi, math.tau) - math.pi)
         costs = costs + _TOGETHER * (gap < _APART)
-    costs = costs + _CROSSED * _crossed(board, centre, radii) + _ON_DISC * _on_other_discs(board, centre, middles)
     costs = costs + _STRANGER * _near_other_arcs(board, places, middles)
     # What the letters would cover is asked only of the arcs that are best without it.
     best = costs.argsort(axis=1, kind="stable")[:, :_FINALISTS]
@@ -157,14 +178,10 @@ def _roomiest_directions(
 
 def _crossed(board: Board, centre: complex, radii: NDArray[np.float64]) -> NDArray[np.float64]:
     """How many lines the arc of each radius in each direction meets or nearly meets, shape (radii, angles)."""
-    circles = np.concatenate((radii - _MARGIN, radii + _MARGIN))
-    # A line that runs between the two circles without crossing either (an arc about the same centre) counts too.
-    across, circle = board.sketch.obstacles.circle_crossings(centre, circles)
-    along, ring = board.sketch.obstacles.corners_near_circles(centre, radii, _MARGIN)
-    direction, owner = np.concatenate((across, along)), np.concatenate((circle % len(radii), ring))
-    gaps = np.abs(np.remainder(direction - _ANGLES[:, None] + math.pi, math.tau) - math.pi)
-    half_angle = np.array([0.5 * _sweep(radius) + _MARGIN / radius for radius in radii.tolist()])
-    angle, met = (gaps < half_angle[owner]).nonzero()
+    ways, owner = board.sketch.obstacles.met_near_circles(centre, radii, _MARGIN)
+    cosines = _WAYS.real[:, None] * ways.real + _WAYS.imag[:, None] * ways.imag
+    least = np.array([math.cos(0.5 * _sweep(radius) + _MARGIN / radius) for radius in radii.tolist()])
+    angle, met = (cosines > least[owner]).nonzero()
     count = np.bincount(owner[met] * _ANGLES.size + angle, minlength=len(radii) * _ANGLES.size)
     return np.minimum(count, 5).astype(float).reshape(len(radii), -1)
 

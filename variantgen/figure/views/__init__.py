@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from functools import cache
 from inspect import signature
 from types import ModuleType
 
@@ -27,6 +28,7 @@ def is_of_parts(name: str) -> bool:
     return "which" in signature(view(name).draw).parameters
 
 
+@cache
 def view(name: str) -> ModuleType:
     """The module of one kind. Raises InputError for an unknown name."""
     if name not in view_names():

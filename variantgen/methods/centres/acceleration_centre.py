@@ -24,6 +24,9 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
     """Write down the acceleration of a further point of a body whose motion is known: ``a_B = BQ sqrt(...)``."""
     name = Name("a", point)
     vector(book, pole)
+    if ("Q", body) not in book.centres:
+        with book.step("acceleration_centre.centre", "acceleration_centre", body=Body(body)):
+            centre_of(book, body, pole)
     with book.step("acceleration_centre.point", "acceleration_centre", body=Body(body), point=Point(point)):
         centre = centre_of(book, body, pole)
         facts: dict[str, Fact] = {"point": Point(point), "centre": centre.fact, "vector": VectorOf(name)}

@@ -106,8 +106,8 @@ def _with_size(book: Book, term: Term, centre: Centre, known: Known, far: str) -
     axis = book.geometry.direction(start, end)
     facts: dict[str, Fact] = {"start": Point(start), "end": Point(end), "segment": Segment(far, point)}
     facts |= {"vector": VectorOf(term.name), "known": VectorOf(Name("v", far)), "ray": centre.segment(point)}
+    at_far, (own,) = (named_shares(book, terms, axis, facts["segment"]) for terms in (known, (term,)))
     book.say("coupled.equal", False, **facts)
-    at_far, (own,) = named_shares(book, known, axis), named_shares(book, (term,), axis)
     book.items.append(Projection((), at_far, (own,), axis))
     whole = ordered_sum(signed(at_far))
     size = book.derive(term.name, "velocity", whole if own.factor is None else whole / own.factor)

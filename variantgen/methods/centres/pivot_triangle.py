@@ -24,6 +24,7 @@ from variantgen.methods.solution.rays import Centre, CentreRay
 from variantgen.methods.steps.step import Derived, Segment, Term, triangle
 
 _SHARP = 0.2  # of OP: a shorter AP is no good difference of OP and OA
+_FAR = 2.0  # rods: from arms that are longer the angles of the thin triangle ABP come with few digits
 
 
 def solve(book: Book, centre: Centre, terms: tuple[Term, Term], rays: tuple[Value, Value], place: complex) -> bool:
@@ -36,6 +37,9 @@ def solve(book: Book, centre: Centre, terms: tuple[Term, Term], rays: tuple[Valu
     if not o or not c or o == c or book.geometry.stated(o, c) is None or not all(link.is_sharp for link in links):
         return False
     if links[0].is_between != links[1].is_between:  # the triangles OCP and ABP have different angles at P
+        return False
+    z = book.task.now.z
+    if book.task.order == 2 and max(abs(place - z[a]), abs(place - z[b])) > _FAR * abs(z[a] - z[b]):
         return False
     angles = [link.angle(centre, other.pivot) for link, other in zip(links, links[::-1], strict=True)]
     if not any(_is_given(angle) for angle in angles):

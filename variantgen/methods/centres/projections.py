@@ -69,7 +69,8 @@ def _equate(book: Book, pole: str, path: Term, facts: dict[str, Fact]) -> None:
     way = path.angle if between(path.angle.exact, axis.exact) < 90.0 else Geometry.turned(path.angle, 180.0)
     path = Term(path.name, None, way, path.way)
     book.say("projections.theorem", False, **facts)
-    first, second = named_shares(book, known, axis), named(book, _share(path, axis))
+    segment = Segment(pole, point)
+    first, second = named_shares(book, known, axis, segment), named(book, _share(path, axis), segment)
     line = Sentence("projections.same_sign", {"start": Point(start), "end": Point(end)})
     book.items.append(Projection((line,), first, (second,)))
     speed, beside = ordered_sum(signed(first)), second.factor

@@ -16,14 +16,17 @@ _SHORT = 2  # parts of a sum that is written out where it stands
 
 
 def angle_sum(angle: Value) -> AngleForm:
-    """A direction or angle taken apart; one that is no sum is its own part, but a given right angle is a number."""
+    """A direction or angle taken apart; one that is no sum is its own part, but a given right angle is a number.
+
+    A direction that only the drawing shows and an angle that the sheet prints have nothing but their number.
+    """
     kind = "" if angle.name is None else angle.name.kind
     if kind == "parameter" and angle.exact % 90.0 == 0:
         return AngleForm((), angle.exact)
     if angle.expression is None and kind in ("", "direction", "angle"):
         return AngleForm((), tidy(angle.exact))
     found = None if angle.expression is None or kind == "parameter" else _sum(angle.expression)
-    if found is None or (kind == "direction" and isinstance(angle.expression, Constant)):
+    if found is None or (kind in ("direction", "angle") and isinstance(angle.expression, Constant)):
         return AngleForm(((angle, 1.0),))
     turns = round((angle.exact - _number(found)) / 360.0)
     return found.turned(360.0 * turns)

@@ -21,6 +21,7 @@ from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
 from variantgen.methods.geometry.position_lines import PositionLines
+from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
@@ -43,16 +44,17 @@ class Geometry(PositionLines):
         self.unnamed_radii = UnnamedRadii()
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
-        plan = task.form.plan
-        self.read({name: self._placed(name) for name in (*plan.placing, *plan.together, *plan.later)})
+        plan, ways = task.form.plan, placed_by_angles(task.form)
+        order = (*plan.placing, *(ways or plan.together), *plan.later)
+        self.read({name: self._placed(name, ways.get(name)) for name in order})
         self._ways = ShortestPaths(self, self.places)
 
-    def _placed(self, point: str) -> LocatedPoint:
-        """The point as its construction tells it; the module has the stem of the construction."""
+    def _placed(self, point: str, way: Way | None) -> LocatedPoint:
+        """The point as its construction tells it, whose stem the module has; or by another way."""
         template = self.task.form.points[point]
-        stem = template.component.__module__.rpartition(".")[2]
+        stem, fields = way or (template.component.__module__.rpartition(".")[2], template.fields)
         module = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}")
-        found: LocatedPoint = module.Derivation(self, point, template.fields)
+        found: LocatedPoint = module.Derivation(self, point, fields)
         return found
 
     # What is known.

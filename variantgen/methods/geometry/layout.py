@@ -13,7 +13,7 @@ from variantgen.algebra.normal_form import summed
 from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
-from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, degrees, normal_angle
+from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, corner_name, degrees, normal_angle
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.lines import Lines
 from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Ray
@@ -25,7 +25,10 @@ _AXES = {"+x": 0.0, "+y": 90.0, "-x": 180.0, "-y": -90.0}
 
 
 class Layout:
-    """The given geometry of one variant; ``places`` are its points in the order in which they can be placed."""
+    """The given geometry of one variant; ``places`` are its points in the order in which they can be placed.
+
+    ``printed`` are the angles of the position that the sheet prints, by their three points, the corner in the middle.
+    """
 
     def __init__(self, task: Task) -> None:
         self.task = task
@@ -36,6 +39,7 @@ class Layout:
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
+        self.printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
 
     def read(self, places: Mapping[str, LocatedPoint]) -> None:
         """Note what the constructions, the conditions and the figure give."""
@@ -74,19 +78,34 @@ class Layout:
         """Whether a direction is a base: only the drawing shows it."""
         return any(base.parts[0][0] == (start, end) for base in self._bases.values())
 
+    def _printed_angle(self, start: str, at: str, end: str) -> Value:
+        """An angle that the sheet prints although the position decides it: known, and rounded like all others."""
+        size = abs(normal_angle(self.bearing(at, end) - self.bearing(at, start)))
+        return Value(corner_name(at, start, end), "angle", size, Constant(size, "angle"))
+
     def _read_marks(self, newest: str) -> None:
-        """Angles that the figure shows between a known ray and another one, with the newest point."""
+        """Angles that the figure or the sheet gives between a known ray and another one, with the newest point."""
         for mark in self.task.form.figure.angles:
-            points = {mark.at, mark.start, mark.end} - _AXES.keys()
-            if newest not in points or not points <= self.places.keys() or mark.name not in self.task.given:
-                continue
-            known = self._side(mark.at, mark.start)
-            if known is None or self.data(mark.at, mark.end) is not None:
-                continue
-            turn = normal_angle(self.bearing(mark.at, mark.end) - self.number(known))
-            size = AngleForm(((mark.name, 1.0),))
-            if abs(abs(turn) - self.number(size)) < _SAME:
-                self._lines.add(mark.at, mark.end, known.plus(size, 1.0 if turn > 0 else -1.0))
+            if mark.name in self.task.given:
+                self._read_angle(newest, mark.at, mark.start, mark.end, mark.name)
+        for (start, at, end), angle in self.printed.items():
+            for known, other in ((start, end), (end, start)):
+                self._read_angle(newest, at, known, other, angle)
+
+    def _read_angle(self, newest: str, at: str, start: str, end: str, angle: Atom) -> None:
+        """The direction of the second side of an angle by that of the first."""
+        points = {at, start, end} - _AXES.keys()
+        if newest not in points or not points <= self.places.keys():
+            return
+        known = self._side(at, start)
+        if known is None and isinstance(angle, Value) and start in self.places[at].neighbours():
+            known = self.form(at, start)  # of a triangle
+        if known is None or self.data(at, end) is not None:
+            return
+        turn = normal_angle(self.bearing(at, end) - self.number(known))
+        size = AngleForm(((angle, 1.0),))
+        if abs(abs(turn) - self.number(size)) < _SAME:
+            self._lines.add(at, end, known.plus(size, 1.0 if turn > 0 else -1.0))
 
     def _side(self, at: str, start: str) -> AngleForm | None:
         if start in _AXES:

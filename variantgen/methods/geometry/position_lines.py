@@ -61,8 +61,12 @@ class PositionLines(Layout):
         return value
 
     def _taken(self, value: Value) -> Value:
-        """A given value; one in another unit is converted first."""
+        """A given value, one in another unit converted first, or the angle that a law of time gives."""
+        if value in self.printed.values():
+            return value
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
+            if value.name is not None and value.name.of not in self.task.given:  # found by a law of time
+                self.say("law_angle", False, angle=value)
             self.items.append(Derived(value))
         return value
 

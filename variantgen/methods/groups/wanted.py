@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import fields
 
+from variantgen.families.quantities import Quantity
 from variantgen.methods.groups.group import ContactGroup, Group, RollingContactPole, RollingWheel, SlidingPair
 from variantgen.methods.linkage.problem import Task
 
@@ -31,6 +32,24 @@ def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) ->
             if body in shape.bodies and not alone and _leads_on(task, body, shape.bodies, shape.points):
                 return True
     return False
+
+
+def is_last_sought(task: Task, point: str, known: Collection[str]) -> bool:
+    """Whether the relative acceleration of a point is all that is still to be found: then no rotation leads on.
+
+    ``known`` are the points whose accelerations are found.
+    """
+
+    def is_settled(quantity: Quantity) -> bool:
+        match quantity.kind:
+            case "a":
+                return quantity.point in known
+            case "a_rel":
+                return quantity.target == point
+            case kind:
+                return kind == "a_cor"
+
+    return all(is_settled(quantity) for quantity in task.asked if quantity.order == 2)
 
 
 def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection[str]) -> bool:

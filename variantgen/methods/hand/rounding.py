@@ -27,7 +27,7 @@ from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, cut, printed_data
+from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.variant import Variant, solve_variants
@@ -76,18 +76,22 @@ class HandCalculation:
                     if not left.any():
                         return found
             for i in np.flatnonzero(left).tolist():
-                found[:, i] = self._alone(variants[i], motion, places[i], cut(data, slice(i, i + 1)), exact[:, i])
+                found[:, i] = self.own_errors(variants[i], motion, places[i])
         return found
 
-    def _alone(self, variant: Variant, motion: Motion, place: int, data: Numbers, exact: Array) -> Array:
-        """The errors of a variant by its own steps; infinite for an answer to which they do not lead."""
+    def own_errors(self, variant: Variant, motion: Motion, place: int) -> Array:
+        """The errors of one variant by its own steps, shape (answers,); infinite where these lead to another answer."""
         try:
             worked = RepeatableCalculation.of(task_of(variant, motion, place, self._asked))
         except NOT_APPLICABLE:
             return np.full(len(self._asked), np.inf)
-        pairs = zip(self._asked, worked.repeat(data)[:, 0], exact, strict=True)
-        right = [bool(_equals_solver(quantity, found, number)) or number == 0 for quantity, found, number in pairs]
-        return np.where(right, worked.errors(data)[:, 0], np.inf)
+        length, data = variant.family.length_unit, printed_data(self._form, [variant])
+        with np.errstate(all="ignore"):
+            right = []
+            for quantity, found in zip(self._asked, worked.repeat(data)[:, 0], strict=True):
+                exact = quantity.unit(length).from_si(quantity.value(motion)[place])
+                right.append(bool(_equals_solver(quantity, found, exact)) or exact == 0)
+            return np.where(right, worked.errors(data)[:, 0], np.inf)
 
     def _models(self) -> Iterator[_Model]:
         """The steps of the model variants, worked out one after the other as they are needed.

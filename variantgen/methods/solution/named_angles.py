@@ -9,7 +9,7 @@ from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
 from variantgen.methods.geometry.angles import AngleForm, between, corner_name, form_of
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Derived, Share
+from variantgen.methods.steps.step import Derived, Fact, Share, VectorOf
 from variantgen.variants.printed_data import shown_points
 
 _RIGHT = 90.0  # degrees
@@ -32,8 +32,11 @@ def note_sum(book: Book, angle: Value, same: Value | None = None) -> None:
     book.named_angles.setdefault(_key(angle_sum(angle if same is None else same)), angle)
 
 
-def named(book: Book, share: Share) -> Share:
-    """A projection whose angle, if it is a long sum or one of corners, has a name: a corner of the figure, a letter."""
+def named(book: Book, share: Share, line: Fact | None = None) -> Share:
+    """A projection whose angle, if it is a long sum or one of corners, has a name: a corner of the figure, a letter.
+
+    ``line`` is the axis in words, a segment or a vector: a letter is said to be the acute angle with it.
+    """
     found = renamed(book, share)
     if found is not share or share.angle is None:
         return found
@@ -58,6 +61,9 @@ def named(book: Book, share: Share) -> Share:
     if is_short(form):
         return share
     angle = valued(book.geometry.letter(), form)
+    if line is not None:
+        key = "axes.angle" if share.function == "cos" else "axes.angle_across"
+        book.say(key, False, angle=angle, vector=VectorOf(share.term.name), line=line)
     book.items.append(Derived(angle))
     note_sum(book, angle)
     return replace(share, angle=angle)
@@ -65,7 +71,8 @@ def named(book: Book, share: Share) -> Share:
 
 def _is_of_corners(form: AngleForm) -> bool:
     """Whether two angles of a sum had to be worked out."""
-    return sum(isinstance(atom, Value) and atom.expression is not None for atom, _ in form.parts) > 1
+    expressions = [atom.expression for atom, _ in form.parts if isinstance(atom, Value)]
+    return sum(item is not None and not isinstance(item, Constant) for item in expressions) > 1
 
 
 def _corner(book: Book, form: AngleForm) -> Value | None:

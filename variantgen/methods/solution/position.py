@@ -22,10 +22,12 @@ from variantgen.methods.steps.step import (
 )
 from variantgen.variants.printed_data import shown_points
 
+_PARTS = {"x": "real", "y": "imag"}  # of a complex number
 _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean something only with axes
 # Sentences that say what the angle in the next line is.
 _OF_NEXT = (
     "position.drawn",
+    "position.law_angle",
     "position.perpendicular",
     "position.projections",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
@@ -92,8 +94,10 @@ def _origin(task: Task, items: Iterable[Item]) -> list[Sentence]:
     at = next((point for point in shown if abs(task.now.z[point]) < near), None)
     if at is not None:
         return [Sentence("position.origin", {"at": Point(at)}, detail=False)]
-    zeros: list[Fact] = [Name("x", point) for point in points if abs(task.now.z[point].real) < near]
-    zeros += [Name("y", point) for point in points if abs(task.now.z[point].imag) < near]
+    zeros: list[Fact] = []
+    for axis in ("x", "y"):  # of points that are met, else of any
+        zero = [Name(axis, point) for point in shown if abs(getattr(task.now.z[point], _PARTS[axis])) < near]
+        zeros += [name for name in zero if name.of in points] or zero
     return [Sentence("position.origin_by", {"zeros": tuple(zeros)}, detail=False)] if len(zeros) > 1 else []
 
 

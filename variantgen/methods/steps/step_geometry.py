@@ -24,7 +24,7 @@ class Corner:
 
 
 @dataclass(frozen=True, slots=True)
-class Foot:
+class MarkedFoot:
     """The foot of a perpendicular under a ``letter`` of its own: its place (m), the point from which it is dropped.
 
     ``line`` are the points of the figure on the line to which it is dropped, one or two.
@@ -62,7 +62,7 @@ class StepGeometry:
     corners: tuple[Corner, ...] = ()
     segments: tuple[tuple[str, str], ...] = ()
     chain: ChainGraph | None = None
-    feet: tuple[Foot, ...] = ()
+    feet: tuple[MarkedFoot, ...] = ()
 
     @property
     def is_found(self) -> bool:

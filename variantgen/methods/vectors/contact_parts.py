@@ -12,8 +12,9 @@ from variantgen.methods.groups.contact import ContactSide, NoSlipContact, contac
 from variantgen.methods.groups.contacts_of_scene import contact_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
-from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf, Word
 from variantgen.methods.vectors.diameter import beyond_centre, other_end
+from variantgen.methods.vectors.directions import on_paper
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
 from variantgen.methods.vectors.turning_speed import related, turning_speed
@@ -117,11 +118,15 @@ def _is_uniform(book: Book, side: ContactSide) -> bool:
 
 
 def say_sum(book: Book, side: ContactSide, key: str = "sum") -> None:
-    """The pole formula for the point at the contact, on the tangent; a ``balance`` where the sum is zero."""
+    """The pole formula for the point at the contact, on the tangent or along the thread, which has no radius.
+
+    The ``key`` is a ``balance`` where the sum is zero.
+    """
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
     facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
-    book.say(f"contact.{key}_{book.letter}", **facts)
+    file = "rope" if side.radial is None else "contact"
+    book.say(f"{file}.{key}_{book.letter}", **facts)
 
 
 def centre_parts(book: Book, side: ContactSide) -> Parts:
@@ -183,8 +188,9 @@ def enter_with_way(
     ahead = [(name, sign * way > 0) for name, (sign, _) in named if moving]
     other, along = next((found for found in ahead if found[1]), ahead[0] if ahead else (None, False))
     if other is not None:
-        own = VectorOf(book.vectors[group.point][-1].name)
-        book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, vector=own, other=other)
+        own = book.vectors[group.point][-1]
+        facts: dict[str, Fact] = {"vector": VectorOf(own.name), "other": other, "way": Word(on_paper(own.angle.exact))}
+        book.say(f"contact.{'way' if along else 'against'}_{book.letter}", True, **facts)
 
 
 def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Parts) -> None:

@@ -32,6 +32,8 @@ def solve_extending_link(book: Book, group: ExtendingLink) -> None:
     with book.step(f"cylinder.{book.measure}", view, body=Body(group.body), **facts):
         if not book.has_said("cylinder.compound", **facts):
             book.say("cylinder.compound", **facts)
+        if book.order == 2 and _rate(book, group) == 0 and book.relative[point, _link(group)]:
+            book.say("cylinder.uniform", False)
         book.say(f"cylinder.sum_{book.letter}")
         start = len(book.items)
         known, turn = about_pole(book, point, group.pivot, group.body)
@@ -54,12 +56,17 @@ def _link(group: ExtendingLink) -> str:
     return f"{group.base}{group.point}"
 
 
+def _rate(book: Book, group: ExtendingLink) -> float:
+    """How fast the cylinder becomes longer, or its rate does."""
+    driver = book.task.scene.drivers[group.driver]
+    assert isinstance(driver, Extension)
+    return float(driver.rates(book.order)[0])
+
+
 def _along(book: Book, group: ExtendingLink) -> Known:
     """The given vector along the cylinder."""
-    driver = book.task.scene.drivers[group.driver]
     template: ComponentTemplate = book.task.form.drivers[group.driver]
-    assert isinstance(driver, Extension)
-    rate = float(driver.rates(book.order)[0])
+    rate = _rate(book, group)
     if rate == 0:
         return ()
     size = amount(book, template, book.letter, book.measure)

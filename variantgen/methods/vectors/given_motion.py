@@ -33,7 +33,9 @@ def enter_given_motion(book: Book) -> None:
 
     Raises LookupError for a driver of a kind that neither this step nor a group knows.
     """
-    with book.step(f"given.{book.measure}") as made:
+    points = [point for driver in book.task.scene.drivers if (point := driven_point(driver))]
+    one = {"point": Point(points[0])} if len(points) == 1 else {}
+    with book.step(f"given.{book.measure}{'_of' if one else ''}", **one) as made:
         for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
             if body := driven_body(driver):
                 value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)

@@ -68,14 +68,20 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
     kept = _kept(book, terms, axes)
     if not kept:
         return Value(name, book.measure, 0.0)
-    sums = [axis.sum(1 if _is_positive(axis) else -1) for axis in kept]
+    sums = [axis.sum(1 if _is_positive(axis, squared=len(kept) > 1) else -1) for axis in kept]
     whole = sums[0] if len(sums) == 1 else hypotenuse(sums)
     return book.derive(name, book.measure, whole if divisor == 1 else Ratio(whole, Constant(float(divisor))))
 
 
-def _is_positive(axis: _Axis) -> bool:
-    """Whether a sum is written as it is, not with opposite signs: a single projection without a minus before it."""
-    return axis.parts[0].sign > 0 if len(axis.parts) == 1 else axis.total > 0
+def _is_positive(axis: _Axis, squared: bool) -> bool:
+    """Whether a sum is written as it is, not with opposite signs: projections of one sign without a minus before it.
+
+    Of a sum that is not ``squared`` and has several projections the number is positive.
+    """
+    first = axis.parts[0].sign
+    if len(axis.parts) == 1 or (squared and all(share.sign == first for share in axis.parts)):
+        return first > 0
+    return axis.total > 0
 
 
 def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Known:
@@ -127,8 +133,15 @@ def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
 
 def _named(book: Book, axes: tuple[_Axis, _Axis]) -> tuple[_Axis, _Axis]:
     """The axes with names for angles that are long sums."""
-    first, second = (replace(axis, parts=tuple(named(book, share) for share in axis.parts)) for axis in axes)
+    first, second = (
+        replace(axis, parts=tuple(named(book, share, _line(axis)) for share in axis.parts)) for axis in axes
+    )
     return first, second
+
+
+def _line(axis: _Axis) -> VectorOf | None:
+    """The vector along an axis."""
+    return None if axis.along is None else VectorOf(axis.along.name)
 
 
 def _oblique(terms: Sequence[Term], axis: Value) -> int:

@@ -17,7 +17,7 @@ from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair
-from variantgen.methods.groups.wanted import is_rate_wanted, leads_on
+from variantgen.methods.groups.wanted import is_last_sought, is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
 from variantgen.methods.vectors import constant_distance
@@ -81,12 +81,9 @@ def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
 def _seen(book: Book, group: SlidingPair) -> SlidingPair:
     """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
     point_path, hidden = group.carrier_path, book.task.form.figure.hidden
-    if (
-        point_path is None
-        or point_path.point not in hidden
-        or not point_path.straight
-        or not is_translating(book, group.carrier)
-    ):
+    if point_path is None or point_path.point not in hidden:
+        return group
+    if not (point_path.straight and is_translating(book, group.carrier)):
         return group
     shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
     return replace(group, carrier_path=replace(point_path, point=next(shown, point_path.point)))
@@ -96,8 +93,9 @@ def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
     # Where no velocity is asked, the step of the velocities may not be written.
     anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
-    if anew or not book.has_said("relative.compound", **facts):
-        book.say("relative.compound", **facts)
+    compound = "relative.compound_translation" if is_translating(book, group.carrier) else "relative.compound"
+    if anew or not book.has_said(compound, **facts):
+        book.say(compound, **facts)
     if not is_translating(book, group.carrier):
         _say_parts(book, group)
         book.say(f"relative.sum_{book.letter}")
@@ -218,6 +216,7 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
             continue
         rate = float(driver.rates(book.order)[0])
         if rate == 0:
+            _say_uniform(book, group)
             return ()
         size = amount(book, template, book.letter, book.measure)
         name = as_stated(name, size)
@@ -228,6 +227,14 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
         angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
         return (book.term(name, size, angle, "given", point=Point(point)),)
     return ()
+
+
+def _say_uniform(book: Book, group: SlidingPair) -> None:
+    """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
+    if book.order == 2 and book.relative[(point := group.path.point), group.carrier]:
+        whole = Name("a", point, part="rel")
+        key = "uniform" if group.path.line is not None else "uniform_circle"
+        book.say(f"relative.{key}", False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
 
 
 def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:
@@ -256,7 +263,8 @@ def _wanted(book: Book, group: SlidingPair, sides: _Sides) -> list[Term | None]:
     # On a carrier in translation there is no Coriolis acceleration, on a straight path no normal one.
     leading = not is_translating(book, group.carrier) or group.path.line is None
     relative = sides.relative if asked or (leading and book.order < task.order) else None
-    turn = sides.turn if sides.turn and is_rate_wanted(task, book.order, group.carrier, {point}) else None
+    last = book.order == 2 and is_last_sought(task, point, book.vectors)
+    turn = None if last or not is_rate_wanted(task, book.order, group.carrier, {point}) else sides.turn
     # The vector of the point itself follows from the rate of its body.
     sought = any(q.target == point and q.kind == book.letter for q in task.asked)
     known = {group.own_pole} if sought else {point, group.own_pole}

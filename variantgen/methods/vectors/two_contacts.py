@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.algebra.expression import Constant, Total, Value
+from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.contact import ContactSide, contact_name, letter_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Body, Fact, Point, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Segment, VectorOf, Word
 from variantgen.methods.vectors.contact_parts import (
     Parts,
     enter_rate,
@@ -24,6 +25,7 @@ from variantgen.methods.vectors.contact_parts import (
     signed_sum,
     views_of,
 )
+from variantgen.methods.vectors.directions import on_paper
 from variantgen.methods.vectors.points import vector
 
 
@@ -60,6 +62,8 @@ def _enter_two(
     still = next((side for side, part in zip(sides, parts, strict=True) if not part[0]), None)
     key = "by_rest" if still is not None else "by_two"
     facts: dict[str, Fact] = {"body": Body(group.body), "first": names[0], "second": names[1]}
+    ways = [Word(on_paper(degrees(sides[0].line * (sign or 1)))) for sign, _ in parts]
+    facts |= {"first_way": ways[0], "second_way": ways[1], "segment": Segment(sides[0].name, sides[1].name)}
     contact = letter_of(book, still or sides[1], still is not None)
     facts |= {"contact": contact, "centre": Point(group.point)}
     book.say(f"contact.{key}_{book.letter}", False, **facts)

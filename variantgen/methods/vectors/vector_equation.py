@@ -87,12 +87,13 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
     if book.graphics is not None:
         return book.graphics.solve(book, left, right, wanted)
     free = unknowns((*left, *right))
-    found = []
+    axes = []
     for letter, term in zip(AXES, wanted, strict=False):
         other = next((item for item in free if item is not term), None)
-        axis = _axis(term, other)
-        found.append(_projected(book, left, right, term, axis, other, letter))
-    return found
+        axes.append((term, _axis(term, other), other, letter))
+    for term, axis, other, _ in axes:  # an angle has one name on both axes, of which either may be the first to need it
+        named_shares(book, (*left, *right), axis, _axis_line(book, term, axis, other))
+    return [_projected(book, left, right, *axis) for axis in axes]
 
 
 def _axis(term: Term, other: Term | None) -> Value:
@@ -110,7 +111,8 @@ def _projected(
     book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
-    sides = [named_shares(book, side, axis) for side in (left, right)]
+    line = _axis_line(book, term, axis, other)
+    sides = [named_shares(book, side, axis, line) for side in (left, right)]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
     for side, items in zip((-1, 1), sides, strict=True):
@@ -195,9 +197,9 @@ def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
     return tuple(found)
 
 
-def named_shares(book: Book, terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
-    """The same, to be written: angles that are long sums have a name, with a line."""
-    return tuple(named(book, share) for share in shares(terms, axis))
+def named_shares(book: Book, terms: Sequence[Term], axis: Value, line: Fact | None = None) -> tuple[Share, ...]:
+    """The same, to be written: angles that are long sums have a name, with a line; ``line`` is the axis in words."""
+    return tuple(named(book, share, line) for share in shares(terms, axis))
 
 
 def share_of(term: Term, axis: Value) -> Share | None:
@@ -217,19 +219,28 @@ def share_of(term: Term, axis: Value) -> Share | None:
 
 def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:
     """How the axis is described: along a line of the figure or across the other unknown vector, or along the wanted."""
+    line = _axis_line(book, term, axis, other)
     if other is None:
         return Sentence("axes.along", {"vector": VectorOf(term.name)})
-    segment = other.way.facts.get("segment")
-    if other.way.key == "ways.across" and isinstance(segment, Segment) and not segment.centre_of:
-        ahead = book.geometry.vector(segment.start, segment.end) * cmath.rect(1.0, -math.radians(axis.exact))
-        ends = (segment.start, segment.end) if ahead.real > 0 else (segment.end, segment.start)
-        facts: dict[str, Fact] = {"start": Point(ends[0]), "end": Point(ends[1]), "vector": VectorOf(other.name)}
+    if isinstance(line, Segment):
+        facts: dict[str, Fact] = {"start": Point(line.start), "end": Point(line.end), "vector": VectorOf(other.name)}
         return Sentence("axes.on_line", {**facts, "axis": AxisOf(letter)})
     side = on_paper(axis.exact)
     return Sentence(
         f"axes.{side}" if side in QUARTERS else "axes.across",
         {"vector": VectorOf(other.name), "side": Word(side), "axis": AxisOf(letter)},
     )
+
+
+def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segment | VectorOf | None:
+    """The line of the axis: the wanted vector, or the segment that the other unknown vector is across, its way."""
+    if other is None:
+        return VectorOf(term.name)
+    segment = other.way.facts.get("segment")
+    if other.way.key != "ways.across" or not isinstance(segment, Segment) or segment.centre_of:
+        return None
+    ahead = book.geometry.vector(segment.start, segment.end) * cmath.rect(1.0, -math.radians(axis.exact))
+    return segment if ahead.real > 0 else Segment(segment.end, segment.start)
 
 
 def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> list[Sentence]:

@@ -76,7 +76,7 @@ def append_block(blocks: list[Block], block: Block) -> None:
 
 
 def both_sides(first: FormulaLine, second: FormulaLine) -> FormulaLines:
-    """The two sides of an equation in numbers, each with its result; on one line where the first is a number itself."""
+    """The two sides of an equation in numbers, each with its result; on one line where the first is one quantity."""
     if len(first.pieces) > 1:
         return FormulaLines((first, second))
     (_, start), *end = second.pieces

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from variantgen.errors import VariantgenError
-from variantgen.families.quantities import Quantity, recorded
+from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
@@ -128,7 +128,7 @@ def _answer(
     for position, (quantity, value) in enumerate(values):
         unit = language.unit(quantity.unit(variant.family.length_unit))
         symbol = language.quantity(quantity, variant.form.symbols)
-        number = language.rounded(value, digits) if digits else language.answer(quantity, recorded(quantity, value))
+        number = language.rounded(value, digits) if digits else language.answer(quantity, value)
         exact = None if digits else surd(value)
         parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
     return (*parts, ".")

@@ -116,7 +116,9 @@ class Formulas:
             case Ratio(above, below):
                 return Fraction(self._written(above, numbers), self._written(below, numbers))
             case Raised(base, exponent):
-                return Power(self._written(base, numbers), exponent)
+                # The square of a negative number is that of its magnitude.
+                bare = without_sign(base) if numbers and exponent % 2 == 0 else base
+                return Power(self._written(bare, numbers), exponent)
             case SquareRoot(inner):
                 return Root(self._written(inner, numbers))
             case Magnitude(inner):

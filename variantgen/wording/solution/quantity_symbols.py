@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
+from variantgen.mechanism.joints.slot import Slot
 from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
@@ -121,13 +122,25 @@ class Symbols:
         carried = self.language.carrying(name.of) if "tr" in words else (Index(name.of),)
         before, point = carried[:-1], carried[-1]
         if name.about:
-            point = self.language.relative_to(point.text, name.about)
+            end = self.language.carrying(name.of)[-1] if self._is_carried(name) else point
+            point = self.language.relative_to(end.text, name.about)
         spoken = self._words(name._replace(part=" ".join(word for word in words if word != "tr")))
         symbol = Symbol(self.language.letter(name.kind), (*before, *spoken, point, *axes))
         for word in words:
             if word in _COMPONENTS:
                 symbol = self.language.with_component(symbol, word)
         return symbol
+
+    def _is_carried(self, name: Name) -> bool:
+        """Whether a vector about a point of a body is that of its place under another point, in a straight slot of it.
+
+        About the centre of a round slot it is that of the point itself, whose distance is constant.
+        """
+        for template in (template for template in self.form.joints if template.component is Slot):
+            members = self.form.bodies.get(template.fields.get("body", ""), ())
+            if template.fields.get("point") == name.of and name.about in members and name.of not in members:
+                return True
+        return False
 
     def _words(self, name: Name) -> tuple[Index, ...]:
         """What an index says of a compound motion: relative, transport, Coriolis."""

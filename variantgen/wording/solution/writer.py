@@ -113,7 +113,7 @@ class Writer:
             case Projection():
                 return self._projection(item)
             case Balance(left, right):
-                return both_sides(self._side(left), self._side(right))
+                return both_sides(self._side(left, by_symbol=True), self._side(right))
             case LinearSystem():
                 return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
             case EquationLine(left, right, numeric):
@@ -264,9 +264,11 @@ class Writer:
         right = self.formulas.printed(system.right[row])
         return FormulaLine((("", self._sum(terms)), (_EQUALS, right)))
 
-    def _side(self, value: Value) -> FormulaLine:
-        """A sum in numbers with its result."""
+    def _side(self, value: Value, by_symbol: bool = False) -> FormulaLine:
+        """A sum in numbers with its result; ``by_symbol`` a single quantity by its symbol: its number is known."""
         assert value.expression is not None
+        if by_symbol and isinstance(value.expression, Value) and value.expression.name is not None:
+            return FormulaLine((("", self.formulas.symbol(value.expression)),))
         written, result = self.formulas.numeric(value.expression), self.formulas.printed(value)
         if written == result:
             return FormulaLine((("", result),))
