@@ -60,7 +60,7 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
         "Directions:",
         "Given:",
         "Determine:",
-        "1. Position",
+        "1. Geometry",
         "Answer:",
         "Check",
     ):
@@ -72,9 +72,9 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("table", "has", "lacks"),
     [
-        ('[solutions]\ndepth = "answers"\n', ["Answer:"], ["1. Position", "Check", "Fig. 2"]),
-        ('[solutions]\ndepth = "short"\n', ["Answer:", "1. Position", "Fig. 2"], ["Directions:"]),
-        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Положение", "Рис. 1. Механизм", "см/с"], ["Answer"]),
+        ('[solutions]\ndepth = "answers"\n', ["Answer:"], ["1. Geometry", "Check", "Fig. 2"]),
+        ('[solutions]\ndepth = "short"\n', ["Answer:", "1. Geometry", "Fig. 2"], ["Directions:"]),
+        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Геометрия", "Рис. 1. Механизм", "см/с"], ["Answer"]),
     ],
 )
 def test_depth_and_language(table: str, has: list[str], lacks: list[str], tmp_path: Path) -> None:
