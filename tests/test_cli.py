@@ -213,7 +213,7 @@ def test_show_says_what_is_wrong_with_a_figure(
 
 
 @pytest.mark.parametrize(
-    ("lang", "words"), [("en", ["1. Position", "Answer:", "Check."]), ("ru", ["1. Положение", "Ответ:", "Проверка."])]
+    ("lang", "words"), [("en", ["1. Geometry", "Answer:", "Check."]), ("ru", ["1. Геометрия", "Ответ:", "Проверка."])]
 )
 def test_solve_explains(lang: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", "four_bar", "--seed", "3", "--explain", "--lang", lang]) == 0

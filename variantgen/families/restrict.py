@@ -163,7 +163,9 @@ def _outside(chosen: Parameter, said: Any, grids: Sequence[Parameter]) -> list[P
     meant = [
         other.name
         for other in UNITS.values()
-        if other.measures == unit.measures and _within(other.to_si(value), low, high)
+        if other.measures == unit.measures
+        and other.is_metric == unit.is_metric
+        and _within(other.to_si(value), low, high)
     ]
     remedy = "take a value in it, or widen it in a family of your own (show and solve take any value)"
     if meant and not isinstance(said, str):

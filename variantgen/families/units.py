@@ -29,6 +29,11 @@ class Unit:
     measures: str
     turn: float = 1.0
 
+    @property
+    def is_metric(self) -> bool:
+        """Whether the unit is not made of inches or feet."""
+        return self.name.partition("/")[0] not in ("in", "ft")
+
     def to_si(self, value: Decimal) -> float:
         """A printed value in SI, rounded once (twice for degrees and rpm)."""
         return float(value * self.factor) * self.turn
