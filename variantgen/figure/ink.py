@@ -29,7 +29,7 @@ def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, co
 
 
 def spaced(starts: Segments, steps: Segments, counts: NDArray[np.intp]) -> Segments:
-    """Places at equal distances on segments, from the start of each, so many on each, without their ends, shape (P,)."""
+    """Places at equal distances on segments, so many on each, from its start and without its end, shape (P,)."""
     ends = counts.cumsum()
     part = np.arange(ends[-1]) - (ends - counts).repeat(counts)
     result: Segments = starts.repeat(counts) + part / counts.repeat(counts) * steps.repeat(counts)
