@@ -124,7 +124,7 @@ def not_met_again(items: Sequence[Any], found: Any) -> list[Any]:
             continue
         if item.value.name not in met:
             unused.append(item.value)
-        met |= names_in(item.value.expression) | names_in(item.law)
+        met |= names_in(item.value.expression) | names_in(getattr(item, "law", None))
     return unused
 
 
