@@ -113,6 +113,26 @@ def settings(arguments: argparse.Namespace) -> dict[str, str]:
     return found
 
 
+def wanted_variant(arguments: argparse.Namespace) -> Variant:
+    """The variant of ``show`` and ``solve``: of a family or a scene, by its seed, form, settings and units.
+
+    Raises InputError where there is none.
+    """
+    from variantgen.families.folders import family_folders
+    from variantgen.single import one_variant
+
+    return one_variant(
+        arguments.family,
+        settings(arguments),
+        arguments.seed,
+        arguments.form,
+        arguments.ask,
+        family_folders(arguments.families),
+        arguments.nice,
+        arguments.units,
+    )
+
+
 def at_least_one(option: str, value: int) -> int:
     """A positive whole number; InputError otherwise."""
     if value < 1:

@@ -9,6 +9,7 @@ from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import LETTER, Drawing
+from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.lettering import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
@@ -95,14 +96,14 @@ class SolutionFigures:
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language)
         kind, _, which = name.partition(":")
-        further: dict[str, object] = {}
+        drawn: Drawing
         if which:
-            further |= {"which": which, "geometry": self._geometry.get(name, NOTHING_MARKED)}
-        if not kind.endswith("_plan"):
-            further["true_scale"] = self._true_scale
-        drawn: Drawing = view(kind).draw(
-            self.variant, *self._place, self._shown, self.language, self._vectors, **further
-        )
+            marked = self._geometry.get(name, NOTHING_MARKED)
+            subject = FigureSubject(self.variant, *self._place, self._shown, self.language, marked, self._true_scale)
+            drawn = view(kind).draw(subject, self._vectors, which)
+        else:
+            scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}
+            drawn = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, **scaled)
         return drawn
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:

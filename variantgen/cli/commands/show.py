@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
+from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -45,23 +45,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the problem or write its page. Raises InputError where it cannot be read or solved."""
-    from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import answers, asked_quantities, one_variant, solution_document
+    from variantgen.single import answers, asked_quantities, solution_document
     from variantgen.wording.language import load_language
     from variantgen.wording.plain import plain_problem
 
-    folders = family_folders(arguments.families)
-    variant = one_variant(
-        arguments.family,
-        settings(arguments),
-        arguments.seed,
-        arguments.form,
-        arguments.ask,
-        folders,
-        arguments.nice,
-        arguments.units,
-    )
+    variant = wanted_variant(arguments)
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import say
-from variantgen.cli.options import add_choice, add_explaining, add_language, explained, settings
+from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -33,23 +33,12 @@ def run(arguments: argparse.Namespace) -> int:
     """
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
-    from variantgen.families.folders import family_folders
     from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import answers, one_variant, solution_document
+    from variantgen.single import answers, solution_document
     from variantgen.wording.language import load_language
 
     load_language(arguments.lang)
-    folders = family_folders(arguments.families)
-    variant = one_variant(
-        arguments.family,
-        settings(arguments),
-        arguments.seed,
-        arguments.form,
-        arguments.ask,
-        folders,
-        arguments.nice,
-        arguments.units,
-    )
+    variant = wanted_variant(arguments)
     document = solution_document(variant, arguments.ask)
     if arguments.json:
         try:
