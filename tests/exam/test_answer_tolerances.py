@@ -15,7 +15,8 @@ from benchmarks.sheets import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.builder import build
 from variantgen.errors import InputError
-from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam import answer_tolerances
+from variantgen.exam.answer_tolerances import AnswerTolerances, hand_errors
 from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.tolerance import Tolerance
@@ -102,6 +103,24 @@ def test_no_variant_needs_more_than_the_ceiling_or_lets_a_mistake_pass() -> None
             assert not touched.any() or (distance[:, i] > needed[:, i])[touched].any()
             assert [name in own for own in named[i]] == list(distance[:, i] <= needed[:, i])
     assert any(names for own in named for names in own)
+
+
+def test_no_tolerance_beyond_the_ceiling_is_larger_than_the_own_steps_need(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Steps of another variant may lead to an answer by a triangle that is thin in this one."""
+    family = restrict(load_family("four_bar"), None, None, ("crank",))
+    form = family.forms["crank"]
+    variants = draw(family, None, [("fewer", i) for i in range(400)], screening=AnswerTolerances())
+    asked, motion = read_ask(form, ["v_B", "omega_AB", "epsilon_AB"]), solve_variants(variants, 2)
+    errors = hand_errors(variants, asked, motion, range(400))
+    needed = AnswerTolerances().tolerances(variants, asked, motion, range(400))
+    beyond = np.flatnonzero(np.any(errors > form.screens.ceiling, axis=0)).tolist()
+    assert beyond
+    for i in beyond:
+        form.remembered.clear()
+        monkeypatch.setattr(answer_tolerances, "_models", lambda variant, asked: lambda count: [variant])
+        own = hand_errors([variants[i]], asked, motion, [i])[:, 0]
+        assert np.all(needed[:, i] <= np.maximum(0.01, own + 1e-3))
+    assert np.max(needed) < np.max(errors)
 
 
 def test_without_the_screen_of_mistakes_more_is_drawn() -> None:
