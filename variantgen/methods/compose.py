@@ -30,6 +30,7 @@ from variantgen.methods.vectors.point_vectors import point_vectors
 Made = TypeVar("Made")
 
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
+_LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
@@ -122,6 +123,8 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     measured = WHOLE[name].digits
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
+    if name == _LINK_BY_LINK:
+        ordered = used_lines(ordered, found.values())
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     if not measured:
         steps = read_again(steps, found.values())
