@@ -55,7 +55,9 @@ def natural_answers(task: Task) -> dict[str, Value]:
 
 def _by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, str], Made]) -> Made:
     """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
-    failures = (*NOT_APPLICABLE, VerificationError) if _is_own_scene(task) else NOT_APPLICABLE
+    failures: tuple[type[Exception], ...] = NOT_APPLICABLE
+    if _is_own_scene(task):
+        failures += (VerificationError,)
     try:
         return make(Book(task, style=choice.style), choice.whole)
     except failures:
