@@ -23,6 +23,7 @@ from variantgen.mechanism.relative import relative_motion
 from variantgen.variants.variant import Variant, solve_variants
 
 _NOTHING = 1e-11  # of the largest number of a column: what is smaller is rounding
+_OPPOSITE = -180 + 1e-9  # degrees: below it an angle is that of the other side but for rounding
 _SIGNIFICANT = 10  # digits, more than anyone measures
 _IN_TABLES = ("v", "a", "omega", "epsilon", "v_rel", "a_rel", "a_cor", "P", "Q", "mu")
 
@@ -30,7 +31,7 @@ Number = float | None  # None: there is none, as of the direction of nothing or 
 
 
 @dataclass(frozen=True)
-class Table:
+class ResultTable:
     """Numbers of several things in printed units: ``columns`` are names with units, ``rows`` are by a thing's name."""
 
     title: str
@@ -50,13 +51,13 @@ def all_values(variant: Variant) -> list[dict[str, Any]]:
     return [_value(quantity, motion, variant.family.length_unit) for quantity in asked]
 
 
-def everything(variant: Variant) -> list[Table]:
+def everything(variant: Variant) -> list[ResultTable]:
     """The tables of a variant that can be solved."""
     motion, length = _motion(variant), variant.family.length_unit
     others = [_value(q, motion, length) for q in _asked(variant) if q.kind not in _IN_TABLES]
     found = [_points(motion, length), _bodies(motion, length), _relative(motion, length)]
     found += [
-        Table(
+        ResultTable(
             "others",
             (("value", name),),
             {item["quantity"]: (item["value"],) for item in others if item["unit"] == name},
@@ -82,7 +83,7 @@ def _value(quantity: Quantity, motion: Motion, length: str) -> dict[str, Any]:
     return {"quantity": quantity.name, "value": shown, "unit": own.name}
 
 
-def _points(motion: Motion, length: str) -> Table:
+def _points(motion: Motion, length: str) -> ResultTable:
     """Places and vectors of all points."""
     columns, rows = [("x", length), ("y", length)], {}
     tables = {"v": motion.v, "a": motion.a} if motion.a else {"v": motion.v}
@@ -98,10 +99,10 @@ def _points(motion: Motion, length: str) -> Table:
             x, y = (_unit(order, length).from_si(part) for part in _parts(table[point]))
             row += [abs(complex(x, y)), x, y, _direction(complex(x, y))]
         rows[point] = tuple(row)
-    return Table("points", tuple(columns), rows)
+    return ResultTable("points", tuple(columns), rows)
 
 
-def _bodies(motion: Motion, length: str) -> Table:
+def _bodies(motion: Motion, length: str) -> ResultTable:
     """The line of the first two points, rates, centres."""
     columns = [("length", length), ("angle", "deg"), ("omega", "rad/s")]
     columns += [("epsilon", "rad/s^2")] if motion.epsilon else []
@@ -123,10 +124,10 @@ def _bodies(motion: Motion, length: str) -> Table:
             row.append(None if row[-1] is None else float(np.degrees(slope)))
         name = body if body == "".join(members[:2]) else f"{body} ({' to '.join(members[:2])})"
         rows[name] = tuple(row)
-    return Table("bodies", tuple(columns), rows)
+    return ResultTable("bodies", tuple(columns), rows)
 
 
-def _relative(motion: Motion, length: str) -> Table:
+def _relative(motion: Motion, length: str) -> ResultTable:
     """Motion of points along the bodies on which they slide."""
     columns = [("v_rel", _unit(1, length).name), ("v_rel.angle", "deg")]
     if motion.a:
@@ -141,7 +142,7 @@ def _relative(motion: Motion, length: str) -> Table:
             if vector is not None:
                 row += [_unit(order, length).from_si(abs(complex(vector[0]))), _direction(complex(vector[0]))]
         rows[f"{path.point} on {path.body}"] = tuple(row)
-    return Table("relative motion", tuple(columns), rows)
+    return ResultTable("relative motion", tuple(columns), rows)
 
 
 def _unit(order: int, length: str) -> Unit:
@@ -154,14 +155,16 @@ def _parts(values: Any) -> tuple[float, float]:
 
 
 def _direction(vector: complex) -> Number:
-    return float(np.degrees(np.angle(vector))) if vector else None
+    """The angle from the x axis in degrees, above -180."""
+    angle = float(np.degrees(np.angle(vector)))
+    return None if not vector else angle + 360.0 if angle < _OPPOSITE else angle
 
 
 def _place(centre: CentrePosition, length: str) -> list[Number]:
     return [unit(length).from_si(part) for part in _parts(centre.z)] if centre.finite[0] else [None, None]
 
 
-def _without_rounding(table: Table) -> Table:
+def _without_rounding(table: ResultTable) -> ResultTable:
     """The table with zeros in the place of what is nothing beside the other numbers of its unit."""
     largest: dict[str, float] = {}
     for (_, own), column in zip(table.columns, zip(*table.rows.values(), strict=True), strict=True):
@@ -172,8 +175,10 @@ def _without_rounding(table: Table) -> Table:
         for (name, own), number in zip(table.columns, row, strict=True):
             if number is not None and abs(number) <= _NOTHING * largest[own]:
                 nothing.add(name)
-                number = 0.0
-            number = None if number is None else float(f"{number:.{_SIGNIFICANT}g}")
-            yield None if name.removesuffix(".angle") in nothing and name.endswith(".angle") else number
+            whole, _, part = name.rpartition(".")
+            if number is None or (part == "angle" and whole in nothing):
+                yield None
+            else:
+                yield 0.0 if name in nothing else float(f"{number:.{_SIGNIFICANT}g}")
 
-    return Table(table.title, table.columns, {name: tuple(cleaned(row)) for name, row in table.rows.items()})
+    return ResultTable(table.title, table.columns, {name: tuple(cleaned(row)) for name, row in table.rows.items()})

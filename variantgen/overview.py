@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
+from itertools import pairwise
 from typing import Any
 
 from variantgen.families.asking import read_ask
@@ -61,7 +62,7 @@ def _parameter(parameter: Parameter, form: Form, language: Language) -> dict[str
 
 def _step(values: Sequence[Decimal]) -> Decimal | None:
     """The step between values that follow each other evenly, at least three of them."""
-    steps = {b - a for a, b in zip(values, values[1:], strict=False)}
+    steps = {b - a for a, b in pairwise(values)}
     return steps.pop() if len(steps) == 1 and len(values) > 2 else None
 
 
@@ -90,13 +91,21 @@ def problem_table(family: Family, named: str = "") -> str:
         lines.append(f"ask = {_listed(q.name for q in read_ask(first))}")
     else:
         lines += [f"# ask.{name} = {_listed(form.ask)}" for name, form in family.forms.items()]
-    drawn = [p for p in first.parameters.values() if p.unit is not None and len(p.printed) > 1]
+    drawn = [
+        p for p in first.parameters.values() if p.unit is not None and len(p.printed) > 1 and _is_common(family, p)
+    ]
     for ranged in drawn[:1]:
         low, high = min(ranged.printed), max(ranged.printed)
         lines.append(f"# range = {{ {ranged.name} = [{_number(low)}, {_number(high)}] }}")
     for fixed in drawn[1:2]:
         lines.append(f"# set = {{ {fixed.name} = {_number(fixed.printed[len(fixed.printed) // 2])} }}")
     return "\n".join([*lines, f"points = {_POINTS}"])
+
+
+def _is_common(family: Family, parameter: Parameter) -> bool:
+    """Whether all forms draw the parameter from the same values."""
+    others = (form.parameters.get(parameter.name) for form in family.forms.values())
+    return all(other is not None and other.printed == parameter.printed for other in others)
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -14,7 +14,7 @@ from variantgen.cli.options import add_choice, add_explaining, add_language, exp
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from variantgen.everything import Table
+    from variantgen.everything import ResultTable
     from variantgen.exam.sheets import Answer
 
 _DIGITS = 5
@@ -65,7 +65,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     if not arguments.json:
         for name, item in document["parameters"].items():
-            say(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
+            say(
+                f"{name} = {item['value']:g} {item['unit']}".removesuffix(" 1")
+                if item["unit"]
+                else f"{name} = {item['value']}"
+            )
         say()
         if arguments.all:
             say("\n\n".join("\n".join(_lines(table)) for table in tables))
@@ -79,7 +83,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _lines(table: Table) -> Iterator[str]:
+def _lines(table: ResultTable) -> Iterator[str]:
     """A table with names and units of its columns, numbers with five digits."""
     rows = [[table.title, *(name for name, _ in table.columns)], ["", *(unit for _, unit in table.columns)]]
     rows += [[name, *("-" if x is None else f"{x:.{_DIGITS}g}" for x in row)] for name, row in table.rows.items()]
