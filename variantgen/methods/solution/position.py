@@ -129,15 +129,15 @@ def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[I
             moved[0].items.insert(moved[1], item)
             continue
         moved = None
-        alone = len(items) == 1 and _kind(item) == "length"
-        if isinstance(item, Derived) and (alone or _is_of_others(item.value, shown)) and not _reads(stay, item.value):
+        others = isinstance(item, Derived) and _is_of_others(item.value, shown)
+        alone = not others and len(items) == 1 and _kind(item) == "length"
+        if isinstance(item, Derived) and (alone or others) and not _reads(stay, item.value):
             goal = next((step for step in steps if _reads(step.items, item.value)), None)
             if goal is not None:
                 first = next(i for i, later in enumerate(goal.items) if _reads([later], item.value))
                 # Nothing comes between a vector equation and its projections.
                 equation = any(isinstance(earlier, VectorLine) for earlier in goal.items[:first])
-                first -= alone and first > 0 and isinstance(goal.items[first - 1], Sentence)
-                moved = goal, 0 if equation else first
+                moved = goal, 0 if alone or equation else first
                 goal.items.insert(moved[1], item)
                 continue
         stay.insert(0, item)
