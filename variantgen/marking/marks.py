@@ -50,7 +50,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Total:
+class StudentTotal:
     """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in."""
 
     student: Student
@@ -67,7 +67,7 @@ class Marked:
     """The marks of a class in the order of the manifest, the sums, and what could not be matched."""
 
     marks: tuple[Mark, ...]
-    totals: tuple[Total, ...]
+    totals: tuple[StudentTotal, ...]
     not_matched: tuple[NotMatched, ...]
 
 
@@ -113,15 +113,15 @@ def _matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> T
 
 def _student(key: Key, item: HandedIn, left: list[NotMatched]) -> int | None:
     """The place of the student of a row; None where there is none, which is told once."""
-    told = ", ".join(item.who) or "nothing"
+    words = ", ".join(item.who) or "nothing"
     if not item.who:
-        left.append(NotMatched(item.where, told, "the row names no student"))
+        left.append(NotMatched(item.where, words, "the row names no student"))
         return None
     try:
         return key.student(item.who)
     except InputError as error:
         problem = error.problems[0]
-        left.append(NotMatched(item.where, told, problem.message, problem.remedy))
+        left.append(NotMatched(item.where, words, problem.message, problem.remedy))
         return None
 
 
@@ -231,7 +231,7 @@ def _with_points(item: Mark, policy: MarkingPolicy, worth: Fraction) -> Mark:
     return replace(item, points=share * of, of=of)
 
 
-def _totals(key: Key, marks: Sequence[Mark], policy: MarkingPolicy) -> list[Total]:
+def _totals(key: Key, marks: Sequence[Mark], policy: MarkingPolicy) -> list[StudentTotal]:
     """The sums of all students."""
     own: dict[int, list[Mark]] = defaultdict(list)
     for item in marks:
@@ -247,5 +247,5 @@ def _totals(key: Key, marks: Sequence[Mark], policy: MarkingPolicy) -> list[Tota
         points = rounded(sum(by_problem.values(), Fraction(0)), policy.total_step)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
         grade = policy.grade(points, most)
-        found.append(Total(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
     return found

@@ -73,8 +73,8 @@ def _summary(found: Marked) -> str:
     for item in found.marks:
         counts[item.verdict.value] = counts.get(item.verdict.value, 0) + 1
     handed_in = sum(total.handed_in > 0 for total in found.totals)
-    told = ", ".join(f"{name.replace('_', ' ')} {count}" for name, count in counts.items())
-    return f"{handed_in} of {counted(len(found.totals), 'student')} handed in; answers: {told}"
+    by_verdict = ", ".join(f"{name.replace('_', ' ')} {count}" for name, count in counts.items())
+    return f"{handed_in} of {counted(len(found.totals), 'student')} handed in; answers: {by_verdict}"
 
 
 def _json(found: Marked, anonymous: bool) -> str:
