@@ -92,7 +92,7 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
         other = next((item for item in free if item is not term), None)
         axes.append((term, _axis(term, other), other, letter))
     for term, axis, other, _ in axes:  # an angle has one name on both axes, of which either may be the first to need it
-        named_shares(book, (*left, *right), axis, _axis_line(book, term, axis, other))
+        named_shares(book, (*left, *right), axis, _axis_line(book, term, axis, other), _crossed(other))
     return [_projected(book, left, right, *axis) for axis in axes]
 
 
@@ -197,9 +197,14 @@ def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
     return tuple(found)
 
 
-def named_shares(book: Book, terms: Sequence[Term], axis: Value, line: Fact | None = None) -> tuple[Share, ...]:
-    """The same, to be written: angles that are long sums have a name, with a line; ``line`` is the axis in words."""
-    return tuple(named(book, share, line) for share in shares(terms, axis))
+def named_shares(
+    book: Book, terms: Sequence[Term], axis: Value, line: Fact | None = None, crossed: Fact | None = None
+) -> tuple[Share, ...]:
+    """The same, to be written: angles that are long sums have a name, with a line.
+
+    ``line`` is the axis in words, or it has none and is across what is ``crossed``.
+    """
+    return tuple(named(book, share, line, crossed) for share in shares(terms, axis))
 
 
 def share_of(term: Term, axis: Value) -> Share | None:
@@ -241,6 +246,15 @@ def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segme
         return None
     ahead = book.geometry.vector(segment.start, segment.end) * cmath.rect(1.0, -math.radians(axis.exact))
     return segment if ahead.real > 0 else Segment(segment.end, segment.start)
+
+
+def _crossed(other: Term | None) -> Segment | VectorOf | None:
+    """What the axis is across: the other unknown vector, or the segment along which that one is."""
+    if other is None:
+        return None
+    segment = other.way.facts.get("segment")
+    is_along = other.way.key == "ways.slot" and isinstance(segment, Segment) and not segment.centre_of
+    return segment if is_along and isinstance(segment, Segment) else VectorOf(other.name)
 
 
 def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> list[Sentence]:

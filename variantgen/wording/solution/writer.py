@@ -125,8 +125,8 @@ class Writer:
                 return FormulaLines((FormulaLine((("", self._graph(item)),)),))
 
     def _graph(self, chain: ChainGraph) -> Formula:
-        """A chain of links as a graph: numbers above its arrows, angles below."""
-        legs = [(Number(str(leg.number)), self.formulas.measured(leg.angle), Symbol(leg.end)) for leg in chain.legs]
+        """A chain of links as a graph, with their numbers above its arrows."""
+        legs = ((Number(str(number)), Symbol(end)) for number, end in enumerate(chain.ends, 1))
         return Graph(Symbol(chain.start), tuple(legs))
 
     def _commented(self, code: str) -> str:
