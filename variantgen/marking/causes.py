@@ -35,7 +35,7 @@ OTHER = Cause("other")
 
 
 @dataclass(frozen=True)
-class Surroundings:
+class Comparisons:
     """What else a number may be: of the student's own sheet, and results of plausible mistakes.
 
     ``siblings`` are the other answers of the sheet by ``problem.quantity``; ``parts`` components and magnitudes of the
@@ -47,7 +47,7 @@ class Surroundings:
     mistakes: Mapping[str, float] = field(default_factory=dict)
 
 
-def cause_of(value: float, answer: Answer, around: Surroundings) -> Cause:
+def cause_of(value: float, answer: Answer, around: Comparisons) -> Cause:
     """The likeliest cause of a wrong value (in the unit of the answer)."""
     best, least = OTHER, math.inf
     for cause, result in _results(answer, around):
@@ -73,14 +73,14 @@ def _distance(value: float, result: float, answer: Answer) -> float:
     return gap / width
 
 
-def _results(answer: Answer, around: Surroundings) -> Iterator[tuple[Cause, float]]:
+def _results(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
     """What the answer would be by each mistake, where that is not right all the same."""
     for cause, result in _every(answer, around):
         if math.isfinite(result) and not is_right(answer, result):
             yield cause, result
 
 
-def _every(answer: Answer, around: Surroundings) -> Iterator[tuple[Cause, float]]:
+def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
     right = answer.value
     if answer.quantity.component == "angle":
         yield Cause("sign"), -right

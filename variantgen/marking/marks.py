@@ -14,7 +14,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import HandedIn, NotMatched, ReadAnswers
-from variantgen.marking.causes import OTHER, Cause, Surroundings, cause_of
+from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
@@ -34,7 +34,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True)
-class Mark:
+class MarkedAnswer:
     """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it."""
 
     place: int
@@ -66,7 +66,7 @@ class StudentTotal:
 class Marked:
     """The marks of a class in the order of the manifest, the sums, and what could not be matched."""
 
-    marks: tuple[Mark, ...]
+    marks: tuple[MarkedAnswer, ...]
     totals: tuple[StudentTotal, ...]
     not_matched: tuple[NotMatched, ...]
 
@@ -129,7 +129,7 @@ def _is_blank(text: str) -> bool:
     return not text.strip() or text.strip() in _NOTHING
 
 
-def _judged(key: Key, typed: Typed) -> list[Mark]:
+def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
     """A verdict for every answer of the class; causes come later."""
     marks = []
     for place, problems in key.places.items():
@@ -137,7 +137,7 @@ def _judged(key: Key, typed: Typed) -> list[Mark]:
             form = f"{problem.family} {problem.form}".strip()
             for answer in key.answers(place, number):
                 item = typed.get((place, number, answer.quantity.name))
-                marks.append(Mark(place, number, form, answer, *_verdict(answer, item.text if item else "")))
+                marks.append(MarkedAnswer(place, number, form, answer, *_verdict(answer, item.text if item else "")))
     return marks
 
 
@@ -156,9 +156,9 @@ def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cau
     return text, values[0], Verdict.WRONG, OTHER
 
 
-def _with_causes(finished: Finished, key: Key, marks: Sequence[Mark]) -> list[Mark]:
+def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
     """The marks with the causes of what is wrong."""
-    wrong: dict[tuple[int, int], list[Mark]] = defaultdict(list)
+    wrong: dict[tuple[int, int], list[MarkedAnswer]] = defaultdict(list)
     for item in marks:
         if item.verdict is Verdict.WRONG and item.cause == OTHER:
             wrong[item.place, item.problem].append(item)
@@ -182,7 +182,7 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[Mark]) -> list[Ma
     return [replace(item, cause=found.get(own, item.cause)) for own, item in zip(keys, marks, strict=True)]
 
 
-def _cause(key: Key, item: Mark, results: OfProblem) -> Cause:
+def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
     """The likeliest cause of one wrong answer."""
     assert item.value is not None, "a wrong answer has a value"
     name = item.answer.quantity.name
@@ -193,7 +193,7 @@ def _cause(key: Key, item: Mark, results: OfProblem) -> Cause:
         if (number, other.quantity.name) != (item.problem, name)
     }
     mistakes, parts = results
-    return cause_of(item.value, item.answer, Surroundings(siblings, parts[name], mistakes[name]))
+    return cause_of(item.value, item.answer, Comparisons(siblings, parts[name], mistakes[name]))
 
 
 def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
@@ -220,7 +220,7 @@ def _worth(finished: Finished, key: Key, policy: MarkingPolicy) -> dict[tuple[in
     return found
 
 
-def _with_points(item: Mark, policy: MarkingPolicy, worth: Fraction) -> Mark:
+def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> MarkedAnswer:
     """A mark with its points, and those it could have."""
     of = Fraction(0) if policy.is_struck(item.problem, item.answer.quantity.name) else worth
     share = Fraction(0)
@@ -231,9 +231,9 @@ def _with_points(item: Mark, policy: MarkingPolicy, worth: Fraction) -> Mark:
     return replace(item, points=share * of, of=of)
 
 
-def _totals(key: Key, marks: Sequence[Mark], policy: MarkingPolicy) -> list[StudentTotal]:
+def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> list[StudentTotal]:
     """The sums of all students."""
-    own: dict[int, list[Mark]] = defaultdict(list)
+    own: dict[int, list[MarkedAnswer]] = defaultdict(list)
     for item in marks:
         own[item.place].append(item)
     found = []

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
 from variantgen.marking.causes import Cause
-from variantgen.marking.marks import Mark, Marked
+from variantgen.marking.marks import Marked, MarkedAnswer
 from variantgen.outputs.files.records import csv_rows, safe_cell
 
 MARKS, TOTALS, NOT_MATCHED = "marks.csv", "totals.csv", "not_matched.csv"
@@ -52,7 +52,7 @@ def cause_text(cause: Cause | None) -> str:
     return f"{cause.name}: {cause.detail}" if cause.detail else cause.name
 
 
-def _row(record: Manifest, item: Mark, anonymous: bool) -> Sequence[object]:
+def _row(record: Manifest, item: MarkedAnswer, anonymous: bool) -> Sequence[object]:
     sheet = record.sheets[item.place]
     student = sheet.student
     return (
