@@ -265,10 +265,10 @@ def test_the_map_names_every_room() -> None:
 
 
 def test_whoever_asks_for_kinds_of_joints_is_named() -> None:
-    """Modules that know a joint or a driver by its class, outside the folders with a module for each kind."""
+    """Modules that know a joint or a driver by its class, outside folders with a module for each kind, or scenes."""
     own = (
         "mechanism/|figure/symbols/|figure/alt_text/kinds/|methods/coordinates/equations/|methods/groups/contact_laws/"
-        "|accuracy/"
+        "|accuracy/|testing/"
     )
     asking = re.compile(r"from variantgen\.mechanism\.(?:joints|drivers)\.")
     package = ROOT / "variantgen"
