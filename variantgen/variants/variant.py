@@ -61,6 +61,10 @@ class Variant:
         form = f" {self.form.name}" if self.form.name else ""
         return f"<Variant of {self.family.name}{form}: {', '.join(map(self._told, self.printed))}>"
 
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """What Hypothesis says of an example, and a console of IPython."""
+        printer.text(repr(self))
+
     def _told(self, name: str) -> str:
         """A parameter with its printed value: ``OA = 26 cm``."""
         unit = self.form.parameters[name].unit
