@@ -118,8 +118,8 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
 def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[Item]:
     """Move lines of points that the statement does not show to the step that needs them first: it names the points.
 
-    A length alone makes no step either: the distance of two centres is found where it is used. What says what a line is goes with it. Returns the lines that stay: also those which another line that stays is
-    computed from.
+    A length alone makes no step either: the distance of two centres is found where it is used. What says what a line
+    is goes with it. Returns the lines that stay: also those which another line that stays is computed from.
     """
     shown = shown_points(task.variant, task.asked)
     stay: list[Item] = []
