@@ -31,6 +31,16 @@ What there is of a kind is told by one table: :data:`variantgen.families.quantit
 
 from variantgen.families.quantities.kinds import line_ends
 from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
-from variantgen.families.quantities.reading import parse_quantity, quantity_names, split_name
+from variantgen.families.quantities.reading import in_unit, parse_quantity, quantity_names, split_name, split_unit
 
-__all__ = ["Quantity", "line_ends", "motion_order", "parse_quantity", "quantity_names", "recorded", "split_name"]
+__all__ = [
+    "Quantity",
+    "in_unit",
+    "line_ends",
+    "motion_order",
+    "parse_quantity",
+    "quantity_names",
+    "recorded",
+    "split_name",
+    "split_unit",
+]

@@ -21,11 +21,17 @@ class Quantity:
     kind: str
     target: str
     component: str = ""
+    wanted: str = ""  # the unit of its answer, if it is not that of the family
 
     @property
     def name(self) -> str:
         """The name as written in files, ``v_B.x``."""
         return f"{self.kind}_{self.target}" + (f".{self.component}" if self.component else "")
+
+    @property
+    def written(self) -> str:
+        """The name with the unit that is wanted, ``v_B in ft/s``."""
+        return f"{self.name} in {self.wanted}" if self.wanted else self.name
 
     @property
     def whole_name(self) -> str:
@@ -135,7 +141,11 @@ class Quantity:
         return replace(self, component="") if self.component in ("angle", "sense") else self
 
     def unit(self, length: str) -> Unit:
-        """The unit it is printed in, for a family that gives lengths in the unit ``length``."""
+        """The unit of its answer: the one that is wanted, or its own."""
+        return unit(self.wanted) if self.wanted else self.own_unit(length)
+
+    def own_unit(self, length: str) -> Unit:
+        """The unit in which solutions work it out, for a family that gives lengths in the unit ``length``."""
         if self.is_angle:
             return unit("deg")
         if self.component == "sense":

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities.kinds import KINDS, NATURAL, line_ends
 from variantgen.families.quantities.quantity import Quantity
+from variantgen.families.units import UNITS, usual_name
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.scene import Scene, fixed_points
 
@@ -32,11 +34,32 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
 
 
 def split_name(text: str) -> Quantity:
-    """The quantity of a name that is known to be one; ValueError if it is none."""
-    match = _PATTERN.fullmatch(text)
+    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
+    name, wanted = split_unit(text)
+    match = _PATTERN.fullmatch(name)
     if match is None:
         raise ValueError(f"{text} is no name of a quantity")
-    return Quantity(match[1], match[2], match[3] or "")
+    return Quantity(match[1], match[2], match[3] or "", wanted)
+
+
+def split_unit(text: str) -> tuple[str, str]:
+    """A name and the unit in which its answer is wanted: ``v_B in ft/s`` is ``v_B`` and ``ft/s``; "" without one."""
+    name, _, wanted = text.partition(" in ")
+    return name.strip(), usual_name(wanted)
+
+
+def in_unit(quantity: Quantity, wanted: str, key: str) -> Quantity:
+    """The quantity with the unit in which its answer is wanted. Raises InputError for a unit of another measure."""
+    own = quantity.own_unit("m")
+    fitting = (
+        [own.name] if quantity.is_angle else [other.name for other in UNITS.values() if other.measures == own.measures]
+    )
+    if wanted not in fitting:
+        message = f"{wanted} measures no {own.measures}" if wanted in UNITS else "unknown unit"
+        raise InputError(
+            Problem(message, key=key, value=f"{quantity.name} in {wanted}", remedy="use one of: " + ", ".join(fitting))
+        )
+    return replace(quantity, wanted=wanted)
 
 
 def quantity_names(scene: Scene) -> list[str]:
