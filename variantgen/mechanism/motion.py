@@ -52,9 +52,10 @@ class Motion:
         return self.scene.frame
 
     def length_scale(self) -> Field:
-        """Largest distance of a point from the centre of all points (m), shape (N,)."""
+        """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""
         places = np.array(list(self.z.values()))
-        result: Field = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        size = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        result: Field = np.where(size > 0, size, 1.0)
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:
