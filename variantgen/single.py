@@ -42,15 +42,16 @@ def one_variant(
     folders: tuple[Path, ...] = (),
     nice: bool = False,
     units: str = "",
+    ranges: Mapping[str, Any] | None = None,
 ) -> Variant:
     """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
 
     Fixed values may lie beyond the range of the family. Which single quantities are asked changes no data, only whether
     accelerations are (:mod:`variantgen.variants.examined`). When nothing is left to draw, the values are taken as they
     are, without screens. ``nice``: a hand-friendly variant. ``units``: the unit of length of data and answers, if it is
-    not that of the family. Raises InputError.
+    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError.
     """
-    family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else (), nice, True, units)
+    family = restrict(load_family(family_or_file, folders), fixed, ranges, (form,) if form else (), nice, True, units)
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
         variant = Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})

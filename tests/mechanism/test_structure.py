@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
-from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.errors import InputError
 from variantgen.mechanism.blocks import triangular_blocks
 from variantgen.mechanism.constructions.coordinates import Coordinates
@@ -28,6 +27,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
 from variantgen.mechanism.verify import recompute
+from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 FOUR_BAR = four_bar(0.2, 0.6, 0.5, 0.7, 1.0, 2.0, 3.0)
 

@@ -86,8 +86,8 @@ class _Latex(Markup):
     def bars(self, content: str) -> str:
         return rf"\mathopen{{}}\left|{content}\right|"
 
-    def arrow(self, above: str, below: str) -> str:
-        return rf" \xrightarrow[{{{below}}}]{{{above}}} "
+    def arrow(self, above: str) -> str:
+        return rf" \xrightarrow{{{above}}} "
 
 
 _LATEX = _Latex()

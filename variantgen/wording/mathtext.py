@@ -93,8 +93,8 @@ class _Mathtext(Markup):
     def bars(self, content: str) -> str:
         return rf"{{\left|{content}\right|}}"
 
-    def arrow(self, above: str, below: str) -> str:
-        return rf"\;\underset{{{below}}}{{\overset{{{above}}}{{\longrightarrow}}}}\;"
+    def arrow(self, above: str) -> str:
+        return rf"\;\overset{{{above}}}{{\longrightarrow}}\;"
 
 
 _MATHTEXT = _Mathtext()

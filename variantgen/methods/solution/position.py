@@ -32,7 +32,7 @@ _OF_NEXT = (
     "position.projections",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
     *(f"position.triangle_sides_{side}" for side in ("above", "below", "right", "left")),
-    *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
+    *(f"position.inclination_{line}" for line in ("guide", "link", "horizontal", "vertical")),
 )
 _LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # of angles without points
 
@@ -74,9 +74,9 @@ def _is_of_next(item: Item) -> bool:
 
 
 def _axes(items: Sequence[Item]) -> Sentence:
-    """The axes, with the name of the first direction as an example if there is one."""
+    """The axes; where directions are worked out, how they are measured, with the first as an example."""
     names = (item.value.name for item in items if isinstance(item, Derived))
-    example = next((name for name in names if name is not None and name.kind == "direction"), None)
+    example = next((name for name in names if name is not None and name.kind in ("direction", "heading")), None)
     return (
         Sentence("position.axes", {}, detail=False)
         if example is None

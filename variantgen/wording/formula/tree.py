@@ -226,13 +226,13 @@ class Surd:
 
 @dataclass(frozen=True)
 class Graph:
-    """A chain of links in the notation of graphs: a start, then legs (number of the link, its angle, next point).
+    """A chain of links in the notation of graphs: a start, then legs (number of the link, next point).
 
-    Each leg is an arrow with the number above and the angle below: ``O —1→(φ) A —2→(−π/2) B``.
+    Each leg is an arrow with the number above: ``O —1→ A —2→ B``.
     """
 
     start: Symbol
-    legs: tuple[tuple[Formula, Formula, Symbol], ...]
+    legs: tuple[tuple[Formula, Symbol], ...]
 
 
 Formula: TypeAlias = (

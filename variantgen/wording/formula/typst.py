@@ -95,8 +95,8 @@ class _Typst(Markup):
     def place(self, point: str, coordinates: str) -> str:
         return f"{point} {coordinates}"
 
-    def arrow(self, above: str, below: str) -> str:
-        return f" limits(stretch(arrow.r, size: #2em))^({above})_({below}) "
+    def arrow(self, above: str) -> str:
+        return f" limits(stretch(arrow.r, size: #2em))^({above}) "
 
 
 _TYPST = _Typst()
