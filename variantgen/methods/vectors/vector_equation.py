@@ -17,7 +17,6 @@ from variantgen.methods.steps.step import (
     AxisOf,
     Derived,
     Fact,
-    NumberOf,
     Point,
     Projection,
     Segment,
@@ -125,10 +124,16 @@ def _projected(
     if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     known = [(flip * side * share.sign, share) for side, share in rest]
-    words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
+    total = _close_sum(book, known) if book.style.shortcuts and own.factor is not None else None
+    words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known, total))
+    if total is not None:  # what decides the sense is seen before it is said
+        book.items.extend((words[0], Sentence("axes.sum"), Derived(total, symbolic=False)))
+        words = words[1:]
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
-    if book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
-        expression: Expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
+    if total is not None and own.factor is not None:
+        expression: Expression = total / own.factor
+    elif book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
+        expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
     else:
         expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
@@ -257,8 +262,10 @@ def _crossed(other: Term | None) -> Segment | VectorOf | None:
     return segment if is_along and isinstance(segment, Segment) else VectorOf(other.name)
 
 
-def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> list[Sentence]:
-    """Why the wanted vector points as it does: by the projections of the known ones, which it balances."""
+def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]], total: Value | None) -> list[Sentence]:
+    """Why the wanted vector points as it does: by the projections of the known ones, which it balances; ``total`` is
+    their sum where that has a line.
+    """
     if not known:
         return []
     facts: dict[str, Fact] = {"vector": VectorOf(term.name), "side": Word(on_paper(term.angle.exact))}
@@ -271,9 +278,17 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> 
     largest, strongest = max(sizes, key=lambda item: item[0])
     if largest > _CLEAR * against:
         return [Sentence("axes.by_strongest", {**facts, "known": _named_in_text(strongest)})]
-    parts = Total(tuple((sign, _share(share)) for sign, share in known))
-    total = Value(None, book.measure, parts.number(True), parts)
-    return [Sentence("axes.by_sum", {**facts, "sum": NumberOf(total)})]
+    return [Sentence("axes.by_sum" if total is None else "axes.by_total", facts)]
+
+
+def _close_sum(book: Book, known: Sequence[tuple[int, Share]]) -> Value | None:
+    """The sum of known projections of which none dominates; None where the sense is seen without it."""
+    sizes = [sign * _share(share).number(True) for sign, share in known]
+    against = -sum(min(size, 0.0) for size in sizes)
+    if len(sizes) < 2 or against == 0 or max(sizes) > _CLEAR * against:
+        return None
+    parts = Total(tuple(collected(known)))
+    return Value(None, book.measure, parts.number(True), parts, book.size_of(book.measure))
 
 
 def _named_in_text(term: Term) -> Fact:
