@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
+from variantgen.notebook import display
 
 Field = NDArray[np.float64]
 ComplexField = NDArray[np.complex128]
@@ -54,6 +55,10 @@ class Motion:
     def __repr__(self) -> str:
         solved = int(np.count_nonzero(self.solved))
         return f"<Motion of {self.size} ({solved} solved): points {', '.join(self.z)}; bodies {', '.join(self.omega)}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: positions, velocities and accelerations as tables."""
+        return display("motion_html", self)
 
     def length_scale(self) -> Field:
         """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""

@@ -49,6 +49,8 @@ def solve_floating_dyad(book: Book, group: FloatingDyad) -> None:
     first, second = group.bodies
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"first": Body(first), "second": Body(second), "point": Point(point)}
+    kind = "omega" if book.order == 1 else "epsilon"
+    facts["rates"] = (Name(kind, first), Name(kind, second))
     with book.step(f"pole.crossing_{book.letter}", view, **facts):
         poles: dict[str, Fact] = {"pole": Point(group.poles[0]), "other": Point(group.poles[1])}
         book.say(f"pole.two_poles_{book.letter}", **poles, **facts)
