@@ -56,7 +56,7 @@ def _completed(
     parallel, bends = rope.fields.get("parallel", False), []
     for bend in rope.fields["path"]:
         found = dict(bend.fields)
-        point = found.get("point")
+        point = str(found["point"])
         found.setdefault("fixed", point not in moving and "body" not in found)
         if parallel and point in ways and "along" not in found and "body" not in found and not found["fixed"]:
             found["along"] = ways[point] or number(0.0, "angle")
