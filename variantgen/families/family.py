@@ -138,7 +138,8 @@ class Form:
     def bars(self) -> list[tuple[str, str, str]]:
         """Bodies drawn as bars, with the two ends (their first two points)."""
         drawn = {disc.body for disc in self.figure.discs} | {*self.figure.plates, *self.figure.plain}
-        return [(body, points[0], points[1]) for body, points in self.bodies.items() if body not in drawn]
+        bars = {body: points for body, points in self.bodies.items() if len(points) > 1 and body not in drawn}
+        return [(body, points[0], points[1]) for body, points in bars.items()]
 
     @property
     def grid_size(self) -> int:
