@@ -60,6 +60,8 @@ def named(book: Book, share: Share, line: Fact | None = None) -> Share:
             return replace(share, angle=corner, sign=sign, function=function)
     if is_short(form):
         return share
+    if known and valued(None, form).exact > _RIGHT:
+        form, share = form.times(-1.0).turned(2 * _RIGHT), replace(share, sign=opposite)
     angle = valued(book.geometry.letter(), form)
     if line is not None:
         key = "axes.angle" if share.function == "cos" else "axes.angle_across"
