@@ -26,7 +26,7 @@ from variantgen.wording.surds import surd
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Answer:
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
@@ -42,6 +42,9 @@ class Answer:
     relative_tolerance: float = 0.0
     surd: Surd | None = None
     unnoticed: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<Answer {self.quantity.name} = {self.value:.6g} ± {self.tolerance:g} {self.unit.name}>"
 
     @property
     def accepted_intervals(self) -> tuple[tuple[float, float], ...]:

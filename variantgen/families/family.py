@@ -48,7 +48,7 @@ def _built(item: Any, values: Mapping[str, Real]) -> Any:
     return item
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Form:
     """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs.
 
@@ -74,6 +74,9 @@ class Form:
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
+
+    def __repr__(self) -> str:
+        return f"<Form {self.name or '(the only one)'}: {', '.join(self.parameters)}; asks {', '.join(self.ask)}>"
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""
@@ -140,7 +143,7 @@ class Form:
         return sorted(name for name, p in self.parameters.items() if not p.silent and name not in tied)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Family:
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
@@ -156,6 +159,9 @@ class Family:
     source: str = ""
     names: frozenset[str] = frozenset()
     solution: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<Family {self.name}: {', '.join(map(repr, self.forms.values()))}>"
 
     @property
     def nice_forms(self) -> list[str]:

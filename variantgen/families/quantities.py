@@ -26,7 +26,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.units import Unit, unit
+from variantgen.families.units import UNITS, Unit, unit, usual_name
 from variantgen.mechanism.centres import acceleration_centre, velocity_centre
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -50,11 +50,17 @@ class Quantity:
     kind: str
     target: str
     component: str = ""
+    wanted: str = ""  # the unit of its answer, if it is not that of the family
 
     @property
     def name(self) -> str:
         """The name as written in files, ``v_B.x``."""
         return f"{self.kind}_{self.target}" + (f".{self.component}" if self.component else "")
+
+    @property
+    def written(self) -> str:
+        """The name with the unit that is wanted, ``v_B in ft/s``."""
+        return f"{self.name} in {self.wanted}" if self.wanted else self.name
 
     @property
     def whole_name(self) -> str:
@@ -99,7 +105,11 @@ class Quantity:
         return replace(self, component="") if self.component in ("angle", "sense") else self
 
     def unit(self, length: str) -> Unit:
-        """The unit it is printed in, for a family that gives lengths in the unit ``length``."""
+        """The unit of its answer: the one that is wanted, or its own."""
+        return unit(self.wanted) if self.wanted else self.own_unit(length)
+
+    def own_unit(self, length: str) -> Unit:
+        """The unit in which solutions work it out, for a family that gives lengths in the unit ``length``."""
         if self.is_angle:
             return unit("deg")
         if self.component == "sense":
@@ -182,11 +192,32 @@ def recorded(quantity: Quantity, value: float) -> float:
 
 
 def split_name(text: str) -> Quantity:
-    """The quantity of a name that is known to be one; ValueError if it is none."""
-    match = _PATTERN.fullmatch(text)
+    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
+    name, wanted = split_unit(text)
+    match = _PATTERN.fullmatch(name)
     if match is None:
         raise ValueError(f"{text} is no name of a quantity")
-    return Quantity(match[1], match[2], match[3] or "")
+    return Quantity(match[1], match[2], match[3] or "", wanted)
+
+
+def split_unit(text: str) -> tuple[str, str]:
+    """A name and the unit in which its answer is wanted: ``v_B in ft/s`` is ``v_B`` and ``ft/s``; "" without one."""
+    name, _, wanted = text.partition(" in ")
+    return name.strip(), usual_name(wanted)
+
+
+def in_unit(quantity: Quantity, wanted: str, key: str) -> Quantity:
+    """The quantity with the unit in which its answer is wanted. Raises InputError for a unit of another measure."""
+    own = quantity.own_unit("m")
+    fitting = (
+        [own.name] if quantity.is_angle else [other.name for other in UNITS.values() if other.measures == own.measures]
+    )
+    if wanted not in fitting:
+        message = f"{wanted} measures no {own.measures}" if wanted in UNITS else "unknown unit"
+        raise InputError(
+            Problem(message, key=key, value=f"{quantity.name} in {wanted}", remedy="use one of: " + ", ".join(fitting))
+        )
+    return replace(quantity, wanted=wanted)
 
 
 def quantity_names(scene: Scene) -> list[str]:

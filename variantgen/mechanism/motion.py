@@ -16,7 +16,7 @@ Field = NDArray[np.float64]
 ComplexField = NDArray[np.complex128]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Motion:
     """Positions, velocities and accelerations of points and bodies; every array has shape (N,).
 
@@ -50,6 +50,10 @@ class Motion:
     def frame(self) -> Frame:
         """The frame of the scene on paper."""
         return self.scene.frame
+
+    def __repr__(self) -> str:
+        solved = int(np.count_nonzero(self.solved))
+        return f"<Motion of {self.size} ({solved} solved): points {', '.join(self.z)}; bodies {', '.join(self.omega)}>"
 
     def length_scale(self) -> Field:
         """Largest distance of a point from the centre of all points (m), shape (N,)."""

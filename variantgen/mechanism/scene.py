@@ -99,6 +99,7 @@ def fixed_points(scene: Scene) -> set[str]:
 def label(component: Any) -> str:
     """The name of a joint or driver in messages: its kind and what it acts on, ``guide of B``."""
     named = [getattr(part, f.name) for part in parts(component) for f in fields(part)]
+    named = [item[0] if isinstance(item, tuple) and item else item for item in named]
     first = next((name for name in named if isinstance(name, str)), "nothing")
     kind = type(component).__name__
     words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in kind).strip()

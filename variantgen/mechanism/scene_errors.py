@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.mechanism.component import parts
+from variantgen.mechanism.component import field_specs, parts
 from variantgen.mechanism.scene import Scene, fixed_points, label, references
 
 
@@ -51,15 +51,22 @@ def _problems(scene: Scene) -> list[Problem]:
 
 
 def _repeated(component: Any, key: str) -> list[Problem]:
-    """Points or bodies that a joint, driver or condition names twice."""
+    """Points or bodies that a joint, driver or condition names twice; two links may share a point."""
     found = []
     for kind in ("point", "body"):
         names = references(component, kind)
         wheels = {name for part in parts(component) if (name := getattr(part, "body", None)) and part is not component}
         for name in dict.fromkeys(names):
-            if names.count(name) > 1 and name not in wheels:
+            if names.count(name) > 1 and name not in wheels and not _shared(component, name):
                 found.append(Problem(f"names a {kind} twice", key=key, value=name, remedy=f"name another {kind}"))
     return found
+
+
+def _shared(component: Any, name: str) -> bool:
+    """Whether each time that a component names a point it is one of two, once in each pair: where two links meet."""
+    kind: type = type(component)
+    values = [getattr(component, spec.name) for spec in field_specs(kind) if spec.ref]
+    return all(value.count(name) <= 1 if isinstance(value, tuple) else value != name for value in values)
 
 
 def _moving_rests(scene: Scene) -> list[Problem]:

@@ -34,6 +34,7 @@ class SolvedMotion:
         """The velocity or acceleration of that name: of a point, about a pole, relative, of transport, a component.
 
         There may be several where a point and its pole share no body: the point may move with any body of the pole.
+        So has a pin in the slots of two bodies a relative motion on each.
         """
         now, point = self.task.now, name.of
         table = now.v if name.kind == "v" else now.a if name.kind == "a" else {}
@@ -42,8 +43,10 @@ class SolvedMotion:
         words = name.part.split()
         motion = next((word for word in words if word in ("rel", "tr", "cor")), "")
         if motion:
-            whole = self._compound(name.kind, point, motion, [word for word in words if word != motion])
-            return [] if whole is None else [_component(whole, words)]
+            rest = [word for word in words if word != motion]
+            carriers = [path.body for path in self.task.linkage.slides if path.point == point] or [""]
+            found = [self._compound(name.kind, point, motion, rest, carrier) for carrier in carriers]
+            return [_component(whole, words) for whole in found if whole is not None]
         if name.about:
             return [_component(whole, words) for whole in self._about(name, words)]
         whole = table[point]
@@ -77,11 +80,10 @@ class SolvedMotion:
         normal, along = now.normal(name.of, name.about), now.tangential(name.of, name.about)
         return normal if "n" in words else along if "tau" in words else normal + along
 
-    def _compound(self, kind: str, point: str, motion: str, words: list[str]) -> complex | None:
-        """A vector of the compound motion of a point: relative, of transport, or of Coriolis."""
+    def _compound(self, kind: str, point: str, motion: str, words: list[str], carrier: str) -> complex | None:
+        """A vector of the compound motion of a point on a body: relative, of transport, or of Coriolis."""
         now, task = self.task.now, self.task
-        carrier = next((path.body for path in task.linkage.slides if path.point == point), None)
-        if carrier is None:
+        if not carrier:
             return self._on_a_line(kind, point, motion, words)
         if kind == "v":
             return (now.transport_velocity if motion == "tr" else now.relative_velocity)(point, carrier)

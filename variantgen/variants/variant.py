@@ -17,7 +17,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Variant:
     """One drawn variant: printed values of its parameters, and how the scene lies on paper.
 
@@ -49,6 +49,22 @@ class Variant:
         measured = self.form.parameters[parameter].unit
         value = self.printed[parameter]
         return measured.to_si(value) if measured else float(value)
+
+    def motion(self, order: int = 2) -> Motion:
+        """Its motion at the instant of the problem, in SI; ``order`` 0 ends with positions, 1 with velocities.
+
+        Arrays have the shape (1,). ``outcome`` says whether it is solved.
+        """
+        return solve_variants([self], order)
+
+    def __repr__(self) -> str:
+        form = f" {self.form.name}" if self.form.name else ""
+        return f"<Variant of {self.family.name}{form}: {', '.join(map(self._told, self.printed))}>"
+
+    def _told(self, name: str) -> str:
+        """A parameter with its printed value: ``OA = 26 cm``."""
+        unit = self.form.parameters[name].unit
+        return f"{name} = {self.word(name)}" if unit is None else f"{name} = {self.printed[name]} {unit.name}"
 
 
 def parameter_arrays(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:

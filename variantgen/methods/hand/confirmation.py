@@ -86,7 +86,7 @@ class _Batch:
         self._senses = [variant.sense for variant in variants]
         self._data, self._places = printed_data(self._form, variants), list(places)
         length = variants[0].family.length_unit
-        self._right = [quantity.unit(length).from_si(quantity.value(motion)[self._places]) for quantity in asked]
+        self._right = [quantity.own_unit(length).from_si(quantity.value(motion)[self._places]) for quantity in asked]
         self._shortest = _shortest(motion)[self._places]
         self._near = [self._tolerance(quantity, motion, length) for quantity in asked]
         self.left = list(range(len(variants)))
@@ -144,7 +144,7 @@ class _Batch:
             return np.full(len(self._places), np.degrees(_SAME_ANGLE))
         far = size / self._shortest  # also a rate is of the smallest body, not of the size
         agrees = np.maximum(AGREES, _ROUNDING * far * (far if quantity.is_rotation else 1.0))
-        return np.asarray(quantity.unit(length).from_si(agrees * scale))
+        return np.asarray(quantity.own_unit(length).from_si(agrees * scale))
 
 
 def _shortest(motion: Motion) -> Array:

@@ -63,7 +63,7 @@ class HandCalculation:
         """
         found = np.full((len(self._asked), len(variants)), np.inf)
         length, chosen = variants[0].family.length_unit, list(places)
-        exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
+        exact = np.array([q.own_unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
         data = printed_data(self._form, variants)
         numbers, left = self._common.begin(data), np.ones(len(variants), dtype=bool)
         with np.errstate(all="ignore"):
@@ -89,7 +89,7 @@ class HandCalculation:
         with np.errstate(all="ignore"):
             right = []
             for quantity, found in zip(self._asked, worked.repeat(data)[:, 0], strict=True):
-                exact = quantity.unit(length).from_si(quantity.value(motion)[place])
+                exact = quantity.own_unit(length).from_si(quantity.value(motion)[place])
                 right.append(bool(_equals_solver(quantity, found, exact)) or exact == 0)
             return np.where(right, worked.errors(data)[:, 0], np.inf)
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 
@@ -138,7 +140,13 @@ class Task:
         value.unit = parameter.unit.name
         converted = unit(usual).from_si(parameter.unit.to_si(self.variant.printed[name]))
         factor = unit(usual).from_si(unit(parameter.unit.name).to_si(type(self.variant.printed[name])(1)))
-        shift = Pi() * value / Constant(30) if parameter.unit.name == "rpm" else value * Constant(round(factor, 12))
+        # A rate of turning in other units is so many half turns: 100 rpm are 100 pi / 30, 2 rev/s are 2 * 2 pi.
+        turns = Fraction(parameter.unit.turn / math.pi).limit_denominator(180)
+        if measure.startswith("angular"):
+            many = Pi() if turns.numerator == 1 else Constant(float(turns.numerator)) * Pi()
+            shift = many * value if turns.denominator == 1 else many * value / Constant(float(turns.denominator))
+        else:
+            shift = value * Constant(round(factor, 12))
         return Value(value.name, measure, abs(converted) if parameter.is_rate else converted, shift)
 
     def unit_of(self, measure: str) -> str:

@@ -55,13 +55,13 @@ def panels(
     length = variant.family.length_unit
     positions = _positions(variant, driver_sweep, asked, language)
     found = [Panel(unit(length), tuple(positions), _letters(positions))] if positions else []
-    printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.name for quantity in asked])}
+    printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.written for quantity in asked])}
     plain = [quantity for quantity in asked if quantity.component != "sense" and math.isfinite(printed[quantity])]
     curves = [_curve(variant, driver_sweep.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:
-        alike = tuple(curve for curve in curves if curve.unit.measures == measure and not curve.constant)
-        if alike:
-            found.append(Panel(alike[0].unit, alike))
+        alike = [curve for curve in curves if curve.unit.measures == measure and not curve.constant]
+        for measured in dict.fromkeys(curve.unit for curve in alike):
+            found.append(Panel(measured, tuple(curve for curve in alike if curve.unit == measured)))
     return found, [curve for curve in curves if curve.constant]
 
 
