@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-MODULES = ["variantgen", "variantgen.arrays.batch", "variantgen.arrays.turn"]
+MODULES = ["variantgen", "variantgen.arrays.batch", "variantgen.arrays.turn", "variantgen.testing"]
 
 
 @pytest.mark.parametrize("name", MODULES)

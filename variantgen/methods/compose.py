@@ -31,6 +31,7 @@ from variantgen.variants.attempts import VerificationError
 Made = TypeVar("Made")
 
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
+_LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
@@ -80,7 +81,7 @@ def _found(book: Book, whole: str) -> dict[str, Value]:
     if not whole:
         return work_out(book)
     WHOLE[whole].solve(book)
-    return {quantity.name: answer(book.at(quantity.order), quantity) for quantity in book.task.asked}
+    return {q.name: answer(book.at(max(1, q.order)), q) for q in book.task.asked}
 
 
 def _confirmed(book: Book, whole: str) -> dict[str, Value]:
@@ -144,6 +145,8 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     measured = WHOLE[name].digits
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
+    if name == _LINK_BY_LINK:
+        ordered = used_lines(ordered, found.values())
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     if not measured:
         steps = read_again(steps, found.values())
@@ -172,8 +175,8 @@ def _checked_by_links(task: Task) -> list[Item]:
 def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
-    groups = solve_groups.velocities(book)
-    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order == 1}
+    groups = solve_groups.velocities(book) if task.sought else []
+    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order < 2}
     if task.order == 2:
         solve_groups.accelerations(book, groups)
         found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}
