@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from variantgen.families.draw_rules import frame
-from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.distractors import wrong_answers
@@ -44,7 +44,7 @@ def _of_batch(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[Of
     """The results for variants of one form, in their order."""
     form = variants[0].form
     length = variants[0].family.length_unit
-    motion = solve_variants(variants, max(quantity.order for quantity in asked))
+    motion = solve_variants(variants, motion_order(asked))
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     wrong = wrong_answers(form, parameter_arrays(variants), on_paper, asked, motion)
     units = [quantity.unit(length) for quantity in asked]

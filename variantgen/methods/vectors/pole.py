@@ -38,7 +38,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         book.vectors[point] = (*at_path, *directed(path, sizes[0]))
         if len(sizes) > 1:
             enter_rate(book, body, turn, sizes[1], book.geometry.length(point, pole))
-        if len(book.vectors[point]) > 1 and any(q.point == point and q.kind == book.letter for q in book.task.asked):
+        if len(book.vectors[point]) > 1 and any(q.point == point and q.kind == book.letter for q in book.task.sought):
             modulus(book, Name(book.letter, point), book.vectors[point])
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import cast
 
 from variantgen.families.asking import read_ask
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.notebook import display
 from variantgen.outputs.single.solution_page import write_explained
@@ -62,5 +62,5 @@ def explain(
     asked = tuple(read_ask(variant.form, tuple(ask) or None))
     options = SolutionOptions(tuple(methods), cast(Depth, depth), true_scale)
     spoken = load_language(language, notation_of(notation))
-    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    motion = solve_variants([variant], motion_order(asked))
     return Explanation(variant, asked, spoken, options, wording.explain(variant, motion, 0, asked, spoken, options))
