@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.families.units import Unit, unit
 from variantgen.mechanism.centres import CentrePosition, acceleration_centre, velocity_centre
 from variantgen.mechanism.linkage import Linkage
@@ -73,7 +73,7 @@ def _asked(variant: Variant) -> list[Quantity]:
 
 def _motion(variant: Variant) -> Motion:
     """The motion up to what can be asked."""
-    return solve_variants([variant], max((quantity.order for quantity in _asked(variant)), default=1))
+    return solve_variants([variant], motion_order(_asked(variant)))
 
 
 def _value(quantity: Quantity, motion: Motion, length: str) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import load_family
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.restrict import restrict
 from variantgen.families.soundness import demands
 from variantgen.mechanism.centres import velocity_centre
@@ -112,7 +112,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     bounds.
     """
     asked = asked_quantities(variant, ask)
-    motion = solve_variants([variant], max(q.order for q in asked))
+    motion = solve_variants([variant], motion_order(asked))
     outcome = Outcome(int(motion.outcome[0]))
     document: dict[str, Any] = {
         "family": variant.family.name,
@@ -122,7 +122,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     }
     if outcome is not Outcome.SOLVED:
         return document
-    if not verification(motion, max(q.order for q in asked))[0]:
+    if not verification(motion, motion_order(asked))[0]:
         raise InputError(
             Problem(
                 "an independent computation gives another motion: the joints or drivers contradict each other",

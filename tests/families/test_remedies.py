@@ -154,9 +154,9 @@ def test_a_quantity_that_one_form_is_given(capsys):
         ("w_OA", "write omega_OA: angular velocities are omega, angular accelerations epsilon"),
         (
             "theta_OA",
-            "positions (angles, lengths, coordinates) are given by the data and not asked; ask for a rate of OA",
+            "the direction of OA is angle_OA, a corner of three points angle_O.A.B",
         ),
-        ("x_A", "not asked; ask for a rate of A: v_A, a_A"),
+        ("s_A", "a coordinate is x_B or y_B, the distance of two points distance_A.B; points: O, A"),
     ],
 )
 def test_quantities_in_other_letters(output, asked, remedy):

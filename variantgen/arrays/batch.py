@@ -28,6 +28,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.solve import solve
+from variantgen.notebook import display
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import Attempts, RejectionCounts
 from variantgen.variants.examined import examined
@@ -124,6 +125,10 @@ class Batch:
 
     def __iter__(self) -> Iterator[Variant]:
         return (self[number] for number in range(len(self)))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the first variants as a table."""
+        return display("batch_html", self)
 
     def __repr__(self) -> str:
         form = f" {self.form.name}" if self.form.name else ""

@@ -12,6 +12,7 @@ from variantgen.families.asking import read_ask
 from variantgen.families.units import unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.sweep import SweepEnd
+from variantgen.notebook import display
 from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.variants.variant import Variant
 
@@ -61,6 +62,10 @@ class DriverTurn:
 
     def __len__(self) -> int:
         return int(self.values.size)
+
+    def _repr_svg_(self) -> str:
+        """What a notebook shows: curves of what the form asks."""
+        return display("turn_svg", self)
 
     def __repr__(self) -> str:
         low, high = (f"{value:.4g}" for value in (self.values[0], self.values[-1]))

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
+from variantgen.families.given_positions import given_position
 from variantgen.families.quantities import Quantity, in_unit, parse_quantity, split_unit
 
 # What a form asks by itself: the answers of one order (1: velocities are enough to know it), or all.
-WORDS = {"velocities": (1,), "accelerations": (2,), "all": (1, 2)}
+WORDS = {"velocities": (1,), "accelerations": (2,), "all": (0, 1, 2)}
 
 
 @dataclass(frozen=True)
@@ -94,9 +95,11 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
             continue
         try:
             quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
-            if text not in form.askable:
+            if not form.may_be_asked(quantity):
                 problem = "the data of this problem do not determine it"
                 problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
+            elif quantity.group in ("position", "path") and (reason := given_position(form, quantity)):
+                problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
             if wanted:
                 quantity = in_unit(quantity, wanted, place)
             if quantity not in found:  # a word may have named it

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
+from variantgen.notebook import display
 
 Field = NDArray[np.float64]
 ComplexField = NDArray[np.complex128]
@@ -55,10 +56,15 @@ class Motion:
         solved = int(np.count_nonzero(self.solved))
         return f"<Motion of {self.size} ({solved} solved): points {', '.join(self.z)}; bodies {', '.join(self.omega)}>"
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows: positions, velocities and accelerations as tables."""
+        return display("motion_html", self)
+
     def length_scale(self) -> Field:
-        """Largest distance of a point from the centre of all points (m), shape (N,)."""
+        """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""
         places = np.array(list(self.z.values()))
-        result: Field = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        size = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        result: Field = np.where(size > 0, size, 1.0)
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:

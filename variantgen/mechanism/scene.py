@@ -62,7 +62,7 @@ def with_numbers(scene: Scene, change: Callable[[int, Any, FieldSpec], Any]) -> 
         component_type: type = type(component)
         for spec in field_specs(component_type):
             value = getattr(component, spec.name)
-            if spec.dimension:
+            if spec.dimension and value is not None:
                 found[spec.name] = change(number, value, spec)
             elif spec.part:
                 found[spec.name] = tuple(anew(part) for part in value)

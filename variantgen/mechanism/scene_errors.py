@@ -13,7 +13,7 @@ from variantgen.mechanism.scene import Scene, fixed_points, label, references
 def check_scene(scene: Scene) -> None:
     """Raise InputError with every mistake in the names of a scene.
 
-    Unknown points and bodies, bodies with fewer than two points, points that are not of the body they should be of,
+    Unknown points and bodies, bodies without points, points that are not of the body they should be of,
     things named twice, points at rest that move, and what a joint itself finds wrong.
     """
     problems = _problems(scene)
@@ -25,13 +25,11 @@ def _problems(scene: Scene) -> list[Problem]:
     found: list[Problem] = []
     for body, members in scene.bodies.items():
         key = f"bodies.{body}"
-        if len(set(members)) < len(members) and len(set(members)) >= 2:
+        if members and len(set(members)) < len(members):
             twice = ", ".join(name for name in dict.fromkeys(members) if members.count(name) > 1)
             found.append(Problem("a body lists a point twice", key=key, value=twice, remedy="list it once"))
-        if len(set(members)) < 2:
-            found.append(
-                Problem("a body needs at least two different points", key=key, value=", ".join(members) or "none")
-            )
+        if not members:
+            found.append(Problem("a body needs at least one point", key=key, value="none"))
         found += [_unknown("point", name, key, scene.points) for name in members if name not in scene.points]
     owners: list[tuple[str, Any]] = [(f"points.{name}", item) for name, item in scene.points.items()]
     owners += [(f"joints.{label(item)}", item) for item in scene.joints]
@@ -55,9 +53,9 @@ def _repeated(component: Any, key: str) -> list[Problem]:
     found = []
     for kind in ("point", "body"):
         names = references(component, kind)
-        wheels = {name for part in parts(component) if (name := getattr(part, "body", None)) and part is not component}
         for name in dict.fromkeys(names):
-            if names.count(name) > 1 and name not in wheels and not _shared(component, name):
+            # a rope may come to a point again
+            if names.count(name) > 1 and len(parts(component)) == 1 and not _shared(component, name):
                 found.append(Problem(f"names a {kind} twice", key=key, value=name, remedy=f"name another {kind}"))
     return found
 

@@ -81,7 +81,7 @@ def _found(book: Book, whole: str) -> dict[str, Value]:
     if not whole:
         return work_out(book)
     WHOLE[whole].solve(book)
-    return {quantity.name: answer(book.at(quantity.order), quantity) for quantity in book.task.asked}
+    return {q.name: answer(book.at(max(1, q.order)), q) for q in book.task.asked}
 
 
 def _confirmed(book: Book, whole: str) -> dict[str, Value]:
@@ -175,8 +175,8 @@ def _checked_by_links(task: Task) -> list[Item]:
 def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
-    groups = solve_groups.velocities(book)
-    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order == 1}
+    groups = solve_groups.velocities(book) if task.sought else []
+    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order < 2}
     if task.order == 2:
         solve_groups.accelerations(book, groups)
         found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}

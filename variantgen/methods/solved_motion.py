@@ -13,8 +13,8 @@ from functools import cached_property
 
 import numpy as np
 
-from variantgen.algebra.name import Name
-from variantgen.families.quantities import Quantity
+from variantgen.algebra.name import ON_LINE, Name
+from variantgen.families.quantities import Quantity, line_ends
 from variantgen.families.units import unit
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
@@ -115,6 +115,17 @@ class SolvedMotion:
             return relative if motion == "rel" else coriolis
         return normal if "n" in words else tangential if "tau" in words else normal + tangential
 
+    def component(self, vector: complex, word: str) -> float | None:
+        """The component of a vector on an axis of the paper, or along or across a line; None for another word."""
+        if word in ("x", "y"):
+            return vector.real if word == "x" else vector.imag
+        ends = line_ends(word.partition("_")[2], self.task.now.z) if word.startswith(ON_LINE) else None
+        if ends is None:
+            return None
+        step = self.task.now.z[ends[1]] - self.task.now.z[ends[0]]
+        seen = vector * step.conjugate() / abs(step)
+        return seen.real if word.startswith(ON_LINE[0]) else seen.imag
+
     def rate(self, name: Name) -> float | None:
         """A rate of rotation, positive counter-clockwise: of a body, or of the line of two points."""
         now = self.task.now
@@ -131,6 +142,9 @@ class SolvedMotion:
     def coordinate(self, name: Name) -> float | None:
         """A coordinate of a point, or its first or second derivative."""
         now = self.task.now
+        if name.kind in ("x", "y") and name.body:
+            place = self._place(name.of, name.body)
+            return None if place is None else place.real if name.kind == "x" else place.imag
         if name.kind not in ("x", "y") or name.of not in now.z:
             return None
         vector = (now.z, now.v, now.a)[name.dots].get(name.of)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.draw_rules import Screens, frame
 from variantgen.families.family import Family, Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
 from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, starts
@@ -64,7 +64,7 @@ class FormSampler:
         self.tally = tally
         self.names = sorted(form.parameters)
         self.poses = form.pose.frames()
-        self.order = max(q.order for q in self.asked)
+        self.order = motion_order(self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
         self._at_once = max(1, min(_MOST_AT_ONCE, _POINTS_AT_ONCE // len(form.points)))
         self._made = self._looked_at = 0  # attempts, and those of them that were examined

@@ -15,6 +15,7 @@ from variantgen.families.family import Family, Form
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
+from variantgen.notebook import display
 
 
 @dataclass(frozen=True, repr=False)
@@ -64,6 +65,10 @@ class Variant:
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
         """What Hypothesis says of an example, and a console of IPython."""
         printer.text(repr(self))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the problem with its figure."""
+        return display("variant_html", self)
 
     def _told(self, name: str) -> str:
         """A parameter with its printed value: ``OA = 26 cm``."""

@@ -26,7 +26,6 @@ _MOST = 64  # steps that are kept for variants to come
 _SAME_ANGLE = 1e-7  # radians
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of a coordinate
 _NOTHING = 1e-12  # of the size: points of one place, but for rounding
-_OF_AXES = ("x", "y", "angle")
 
 
 class UnconfirmedError(VerificationError):
@@ -81,7 +80,7 @@ class _Batch:
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> None:
         self._form, self.family, self._asked = variants[0].form, variants[0].family.name, asked
-        self._lies_as_drawn = any(quantity.component in _OF_AXES for quantity in asked)
+        self._lies_as_drawn = any(quantity.refers_to_axes for quantity in asked)
         self._kinds = [self._kind(variant) for variant in variants]
         self._senses = [variant.sense for variant in variants]
         self._data, self._places = printed_data(self._form, variants), list(places)
@@ -102,7 +101,7 @@ class _Batch:
         good = np.ones(len(chosen), dtype=bool)
         for quantity, numbers, right, near in zip(self._asked, found, self._right, self._near, strict=True):
             answers = numbers
-            if quantity.is_rotation and quantity.component != "abs":
+            if quantity.turns_with_mirror:
                 answers = numbers * mirrored
             gap = answers - right[chosen]
             if quantity.is_angle:
@@ -135,7 +134,9 @@ class _Batch:
             largest / size
             if quantity.is_rotation
             else size * (1.0 + value / size) ** 2
-            if quantity.is_centre
+            if quantity.is_length
+            else np.maximum(1.0, value)
+            if quantity.group == "ratio"
             else largest
         )
         if quantity.component in ("angle", "sense"):  # nothing has neither

@@ -13,7 +13,7 @@ from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import unit
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
@@ -29,7 +29,10 @@ CLOSE = 1e-9  # relative difference within which two numbers are one, but for ro
 
 @dataclass(frozen=True)
 class Task:
-    """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s)."""
+    """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s).
+
+    What is asked may be made of plain quantities, such as a ratio of angular velocities: methods look for these.
+    """
 
     variant: Variant
     asked: tuple[Quantity, ...]
@@ -48,7 +51,12 @@ class Task:
     @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
-        return max((quantity.order for quantity in self.asked), default=1)
+        return motion_order(self.asked)
+
+    @cached_property
+    def sought(self) -> tuple[Quantity, ...]:
+        """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
+        return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources))
 
     @property
     def at(self) -> Placement:
@@ -68,12 +76,12 @@ class Task:
     @cached_property
     def needed(self) -> Needed:
         """Points and bodies that lead to what is asked."""
-        return needed_for(self.form, self.asked)
+        return needed_for(self.form, self.sought)
 
     @property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
-        return needed_for(self.form, tuple(quantity for quantity in self.asked if quantity.order == 2))
+        return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
 
     @cached_property
     def translating(self) -> frozenset[str]:

@@ -210,5 +210,5 @@ def enter_centre(book: Book, group: ContactGroup, side: ContactSide, parts: Part
     size = book.derive(path.name, book.measure, whole if along.factor is None else whole / along.factor)
     angle = path.angle if (exact > 0) == (along.sign > 0) else Geometry.turned(path.angle, 180.0)
     book.vectors[group.point] = (*normal, Term(path.name, size, angle, path.way))
-    if normal and any(q.point == group.point and q.kind == book.letter for q in book.task.asked):
+    if normal and any(q.point == group.point and q.kind == book.letter for q in book.task.sought):
         modulus(book, Name(book.letter, group.point), book.vectors[group.point])

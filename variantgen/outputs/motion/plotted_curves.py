@@ -103,7 +103,7 @@ def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, langu
     """An asked quantity along the way, ``now`` as it is printed; over a dead position that is passed it goes on."""
     measured = quantity.unit(variant.family.length_unit)
     values = np.array(quantity.value(sweep.motion), dtype=np.float64)
-    if quantity.component == "angle":
+    if quantity.is_direction:
         values = np.unwrap(values)
         values -= (
             2
@@ -126,8 +126,10 @@ def _scale(sweep: Sweep, quantity: Quantity) -> float:
     motion, at = sweep.motion, sweep.instant
     if quantity.is_angle:
         return 1.0
-    if quantity.is_centre:
+    if quantity.is_length:
         return float(motion.length_scale()[at])
+    if quantity.group == "ratio":
+        return 1.0
     table = motion.v if quantity.order == 1 else motion.a
     if quantity.is_rotation:
         rates = motion.omega if quantity.order == 1 else motion.epsilon
