@@ -3,9 +3,9 @@
     python -m benchmarks.marking [--variants N] [--family NAME ...]
 
 For every form variants are drawn. Each answer is got wrong by each cause, as a student would write it, with four
-significant digits, where that is another number than by another cause; and each answer is gone on with after a slip of 30 % in an earlier one, with the steps of the
-solution. Prints a Markdown table and, run on the whole catalogue, writes it to ``benchmarks/marking.md``. Nothing here
-is a time.
+significant digits, where that is another number than by another cause; and each answer is gone on with after a slip of
+30 % in an earlier one, with the steps of the solution. Prints a Markdown table and, run on the whole catalogue, writes
+it to ``benchmarks/marking.md``. Nothing here is a time.
 """
 
 from __future__ import annotations
@@ -160,7 +160,8 @@ def main() -> None:
         [
             "# Marking",
             "",
-            f"`python -m benchmarks.marking`: {arguments.variants} variants of each form; every answer got wrong by each cause.",
+            f"`python -m benchmarks.marking`: {arguments.variants} variants of each form; every answer got wrong by each"
+            " cause, and gone on with after a slip in an earlier one (a tenth of the variants).",
             "",
             *table(arguments.family or family_names(), arguments.variants),
         ]
