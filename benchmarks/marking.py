@@ -160,7 +160,7 @@ def main() -> None:
         [
             "# Marking",
             "",
-            f"`python -m benchmarks.marking`: {arguments.variants} variants of each form; every answer got wrong by each"
+            f"`python -m benchmarks.marking`: {arguments.variants} variants of each form; each answer got wrong by each"
             " cause, and gone on with after a slip in an earlier one (a tenth of the variants).",
             "",
             *table(arguments.family or family_names(), arguments.variants),
