@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from variantgen.exam.sheets import Answer
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.marking.consequences import confirms
 from variantgen.marking.key import scale
 from variantgen.methods.hand.following import FollowingSteps
@@ -38,7 +38,7 @@ class FollowThrough:
         usable = [place for place, value in values.items() if _may_be_used(answers[place], value)]
         if not usable or len(values) < 2:
             return {}
-        motion = solve_variants([variant], max(quantity.order for quantity in self._asked))
+        motion = solve_variants([variant], motion_order(self._asked))
         right = [answer.value for answer in answers]
         found: dict[int, list[int]] = {}
         for place in sorted(values):

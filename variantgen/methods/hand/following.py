@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.hand.repeatable_calculation import Array, Numbers, RepeatableCalculation, printed_data
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
@@ -41,7 +41,7 @@ class FollowingSteps:
         for known in self._known:
             if _leads_to(known, data, right):
                 return known
-        motion = solve_variants([variant], max(quantity.order for quantity in self._asked))
+        motion = solve_variants([variant], motion_order(self._asked))
         try:
             own = RepeatableCalculation.of(task_of(variant, motion, 0, self._asked))
         except NOT_APPLICABLE:
