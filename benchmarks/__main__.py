@@ -19,7 +19,7 @@ from pathlib import Path
 from benchmarks.measure import Report, document, machine
 from benchmarks.options import Options
 
-PARTS = ("startup", "scale", "stages", "solver", "caches", "joining")
+PARTS = ("startup", "scale", "stages", "solver", "batches", "caches", "joining")
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

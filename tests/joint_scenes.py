@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from variantgen.mechanism.conditions.angle import LinkAngle
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
@@ -271,6 +272,22 @@ def slider_crank_from_picture() -> Scene:
     )
 
 
+def crank_perpendicular_to_rod() -> Scene:
+    """A slider-crank at the instant when the rod is perpendicular to the crank, which the solver finds."""
+    return Scene(
+        {"O": ORIGIN, "A": Near(0.1, 0.2), "B": Near(0.6, 0.0)},
+        {"OA": ("O", "A"), "AB": ("A", "B")},
+        (Pivot("O"), Guide("B")),
+        (Rotation("OA", 2.0, -1.0),),
+        conditions=(
+            Distance("O", "A", 0.2),
+            Distance("A", "B", 0.5),
+            PointOnLine("B", "O"),
+            LinkAngle(("A", "O"), ("A", "B"), math.pi / 2),
+        ),
+    )
+
+
 SCENES = {
     "racks": wheel_between_racks(0.3, 1.0, 2.0, -3.0, 0.5),
     "plank": wheel_on_turning_plank(),
@@ -289,4 +306,5 @@ SCENES = {
     "belt": crossed_belt((1.5, 0.7), (1.0, 2.0)),
     "class three": class_three(),
     "slider-crank from a picture": slider_crank_from_picture(),
+    "crank and rod at a right angle": crank_perpendicular_to_rod(),
 }

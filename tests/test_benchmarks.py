@@ -15,7 +15,20 @@ import numpy as np
 import pikepdf
 import pytest
 
-from benchmarks import caches, exams, hooks, measure, processes, rivals, scale, solver, stages, startup, yardstick
+from benchmarks import (
+    batches,
+    caches,
+    exams,
+    hooks,
+    measure,
+    processes,
+    rivals,
+    scale,
+    solver,
+    stages,
+    startup,
+    yardstick,
+)
 from benchmarks.__main__ import PARTS
 from benchmarks.processes import Ran
 from variantgen.families.load import load_family
@@ -135,6 +148,18 @@ def test_solver_and_others_agree(measured: Path) -> None:
             assert 0 <= found[way]["largest difference from variantgen"] < 1e-10
         for way in ("closed form, numba", "pylinkage, an object each"):
             assert found[way]["1"] is None or 0 <= found[way]["largest difference from variantgen"] < 1e-10
+
+
+def test_batches_are_compared_with_the_closed_form(measured: Path) -> None:
+    found = tables(measured, "batches")
+    assert len(found) == len(rivals.MECHANISMS)
+    for rows in found:
+        assert [row["variants"] for row in rows] == [1, 2]
+        for row in rows:
+            own, bare = row["batch, drawn, screened, with answers"], row["closed form, plain numpy"]
+            assert row["batch / closed form"] == pytest.approx(own / bare)
+            assert 0 <= row["largest difference"] < 1e-10
+    assert len(batches.drawn(rivals.MECHANISMS[0], 3)) == 3
 
 
 def test_missing_package_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -35,7 +35,7 @@ def test_activation_is_told(system: str, language: str) -> None:
 def test_messages_name_extras_that_there_are() -> None:
     call = re.compile(r"missing_package\(\s*\"[^\"]*\", \"[^\"]*\", \"(\w+)\"")
     named = [name for path in SOURCES for name in call.findall(path.read_text("utf-8"))]
-    assert len(named) == 7
+    assert len(named) == 8
     assert set(named) <= EXTRAS
 
 

@@ -14,6 +14,8 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from variantgen.arrays.batch import batch
+    from variantgen.arrays.turn import turn
     from variantgen.builder import build
     from variantgen.errors import InputError, VariantgenError
     from variantgen.exam.roster import Student, read_roster
@@ -32,6 +34,7 @@ _HOMES = {
     "Student": "exam.roster",
     "VariantgenError": "errors",
     "answers": "single",
+    "batch": "arrays.batch",
     "build": "builder",
     "draw": "variants.draw",
     "explain": "outputs.single.explanation",
@@ -41,6 +44,7 @@ _HOMES = {
     "read_roster": "exam.roster",
     "solution_document": "single",
     "solve": "mechanism.solve",
+    "turn": "arrays.turn",
 }
 
 __all__ = [
@@ -50,6 +54,7 @@ __all__ = [
     "VariantgenError",
     "__version__",
     "answers",
+    "batch",
     "build",
     "draw",
     "explain",
@@ -59,6 +64,7 @@ __all__ = [
     "read_roster",
     "solution_document",
     "solve",
+    "turn",
 ]
 
 

@@ -17,7 +17,7 @@ from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.family import Form
 from variantgen.families.load import load_family
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.restrict import restrict
 from variantgen.families.soundness import demands
 from variantgen.mechanism.centres import velocity_centre
@@ -42,15 +42,16 @@ def one_variant(
     folders: tuple[Path, ...] = (),
     nice: bool = False,
     units: str = "",
+    ranges: Mapping[str, Any] | None = None,
 ) -> Variant:
     """A variant of a family (or the scene of a file) with some parameters fixed and the others drawn.
 
     Fixed values may lie beyond the range of the family. Which single quantities are asked changes no data, only whether
     accelerations are (:mod:`variantgen.variants.examined`). When nothing is left to draw, the values are taken as they
     are, without screens. ``nice``: a hand-friendly variant. ``units``: the unit of length of data and answers, if it is
-    not that of the family. Raises InputError.
+    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError.
     """
-    family = restrict(load_family(family_or_file, folders), fixed, None, (form,) if form else (), nice, True, units)
+    family = restrict(load_family(family_or_file, folders), fixed, ranges, (form,) if form else (), nice, True, units)
     only = next(iter(family.forms.values()))
     if len(family.forms) == 1 and only.grid_size == 1:
         variant = Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
@@ -111,7 +112,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     bounds.
     """
     asked = asked_quantities(variant, ask)
-    motion = solve_variants([variant], max(q.order for q in asked))
+    motion = solve_variants([variant], motion_order(asked))
     outcome = Outcome(int(motion.outcome[0]))
     document: dict[str, Any] = {
         "family": variant.family.name,
@@ -121,7 +122,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     }
     if outcome is not Outcome.SOLVED:
         return document
-    if not verification(motion, max(q.order for q in asked))[0]:
+    if not verification(motion, motion_order(asked))[0]:
         raise InputError(
             Problem(
                 "an independent computation gives another motion: the joints or drivers contradict each other",

@@ -7,7 +7,6 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from tests.mechanisms import wheel
 from variantgen.accuracy.cases import cancellation, dead_points, far_centres
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
 from variantgen.accuracy.computed import CaseGroup, Computed
@@ -15,6 +14,7 @@ from variantgen.accuracy.measure import FAILURES, Errors, discovered, measure, p
 from variantgen.accuracy.run import case_modules
 from variantgen.accuracy.textbook.four_bar import FourBar
 from variantgen.mechanism.solve import solve
+from variantgen.testing.linkages import wheel
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from tests.joint_scenes import SCENES
-from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank
 from variantgen.accuracy.condition import condition
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import exact_number, many_digits
@@ -26,6 +25,7 @@ from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
+from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank
 
 TINY = 1e-22  # derivatives by mpmath.diff have about a third of the digits carried
 

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from tests.joint_scenes import SCENES as JOINT_SCENES
-from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.families.load import family_names, load_family
 from variantgen.mechanism.component import discover, field_specs
 from variantgen.mechanism.rows import Placement, ScalarRow
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
+from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 JOINTS, DRIVERS = (discover(f"variantgen.mechanism.{folder}") for folder in ("joints", "drivers"))
 SCENES = [
@@ -32,15 +32,15 @@ def test_every_kind_has_a_scene() -> None:
     assert used >= {*JOINTS.values(), *DRIVERS.values(), *conditions.values()}
 
 
-def test_every_joint_appears_in_three_families_and_every_driver_and_condition_in_one() -> None:
+def test_every_joint_appears_in_three_families_and_every_driver_in_one() -> None:
     homes: dict[type, set[str]] = {}
     for name in family_names():
         for form in load_family(name).forms.values():
-            for template in (*form.joints, *form.drivers, *form.conditions):
+            for template in (*form.joints, *form.drivers):
                 homes.setdefault(template.component, set()).add(name)
     for kind in JOINTS.values():
         assert len(homes.get(kind, ())) >= 3, (kind, homes.get(kind))
-    for kind in (*DRIVERS.values(), *discover("variantgen.mechanism.conditions").values()):
+    for kind in DRIVERS.values():
         assert homes.get(kind), kind
 
 

@@ -101,7 +101,7 @@ def test_no_field_is_forgotten() -> None:
         "surd",
         "unnoticed",
     ]
-    assert [f.name for f in fields(Quantity)] == ["kind", "target", "component"]
+    assert [f.name for f in fields(Quantity)] == ["kind", "target", "component", "wanted"]
     assert [f.name for f in fields(Surd)] == ["numerator", "denominator", "radicand"]
 
 

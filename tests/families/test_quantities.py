@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from tests.joint_scenes import plate
-from tests.mechanisms import four_bar, slider_crank
 from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
@@ -20,6 +19,7 @@ from variantgen.mechanism.solve import solve
 from variantgen.outputs.documents.key_content import equation
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
+from variantgen.testing.linkages import four_bar, slider_crank
 from variantgen.variants.draw import draw
 from variantgen.wording.formula import to_plain, to_typst
 from variantgen.wording.language import load_language

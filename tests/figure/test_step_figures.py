@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cache
-from itertools import pairwise
 
 import pytest
 
@@ -157,8 +156,6 @@ def test_an_equation_that_is_used_twice_is_drawn_once(name: str, form: str) -> N
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_an_angle_is_drawn_as_large_as_its_value_says(name: str, form: str) -> None:
     for view, figure in solved(name, form, "1")[2].items():
-        if view.startswith("rate_chain"):
-            continue  # angles with the axis stand in the graph
         arcs = [
             math.degrees(abs(line.sweep))
             for line in figure.drawing.lines
@@ -177,7 +174,7 @@ def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
 
 
 def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
-    motion, text, figures = solved("four_bar", "crank", "7", ("three_rates",))
+    _, text, figures = solved("four_bar", "crank", "7", ("three_rates",))
     # The same for the position, whose angles it shows, for velocities and for accelerations.
     assert list(figures) == ["rate_chain:O-C"]
     assert sum("rate_chain:O-C" in section.views for section in text.sections) == 3
@@ -185,10 +182,6 @@ def test_three_rates_show_the_links_as_vectors_with_their_graph() -> None:
     labels = [to_plain(label.formula) for label in drawing.labels]
     assert all(labels.count(letter) == 2 for letter in "OABC123")
     assert {"x", "y"} <= set(labels)
-    places = [complex(motion.z[point][0]) for point in "OABC"]
-    angles = {math.degrees(cmath.phase(end - start)) for start, end in pairwise(places)}
-    shown = {float(label.removesuffix("°").replace("\N{MINUS SIGN}", "-")) for label in labels if "°" in label}
-    assert sorted(shown) == pytest.approx(sorted(angles), abs=0.01)
     graph = [tip - start for start, tip in arrows(drawing, Layer.VECTOR)]
     assert len(graph) == 3
     assert all(way.imag == 0 < way.real for way in graph)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import acos, cos, radians, sin, sqrt
 
 import mpmath
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from tests.joint_scenes import class_three
 from variantgen.errors import InputError
+from variantgen.mechanism.conditions.angle import LinkAngle
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
@@ -18,6 +20,7 @@ from variantgen.mechanism.constructions.fraction import SegmentFraction
 from variantgen.mechanism.constructions.near import Near
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import Scene
@@ -112,7 +115,16 @@ def test_gradients_are_the_derivatives_of_the_values() -> None:
     at = {"A": 0.3 + 0.1j, "B": 1.0 - 0.4j, "C": 0.2 + 0.9j}
     # On the line the value vanishes, where the gradient is exact.
     at["P"] = at["A"] + 0.3 * (at["B"] - at["A"])
-    for condition in (Distance("A", "B", 0.5), PointOnLine("P", "A", towards="B"), PointOnLine("C", "A", 0.7)):
+    # So it does for two links at the angle that they have.
+    turned = float(np.angle((at["C"] - at["A"]) / (at["B"] - at["A"])))
+    apart = float(np.angle((at["C"] - at["P"]) / (at["B"] - at["A"])))
+    for condition in (
+        Distance("A", "B", 0.5),
+        PointOnLine("P", "A", towards="B"),
+        PointOnLine("C", "A", 0.7),
+        LinkAngle(("A", "B"), ("A", "C"), turned),
+        LinkAngle(("A", "B"), ("P", "C"), apart),
+    ):
         gradient = condition.gradient(at)
         for name, place in at.items():
             for way in (1.0, 1.0j):
@@ -122,3 +134,26 @@ def test_gradients_are_the_derivatives_of_the_values() -> None:
                 ) / (2 * h)
                 said = (np.conj(gradient.get(name, 0.0)) * way).real
                 assert slope == pytest.approx(said, abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [90.0, 60.0, 115.0])
+def test_the_instant_at_which_two_links_are_at_an_angle(size: float) -> None:
+    """A slider-crank at the instant when crank and rod are at an angle: the triangle OAB by the law of cosines."""
+    scene = Scene(
+        {"O": Coordinates(0.0, 0.0), "A": Near(0.05, 0.2), "B": Near(0.6, 0.0)},
+        {"OA": ("O", "A"), "AB": ("A", "B")},
+        (Pivot("O"), Guide("B")),
+        (Rotation("OA", 3.0),),
+        conditions=(
+            Distance("O", "A", 0.2),
+            Distance("A", "B", 0.5),
+            PointOnLine("B", "O"),
+            LinkAngle(("A", "O"), ("A", "B"), np.radians(size)),
+        ),
+    )
+    motion = solve(scene, 0)
+    assert motion.solved[0]
+    third = sqrt(0.2**2 + 0.5**2 - 2 * 0.2 * 0.5 * cos(radians(size)))
+    assert motion.z["B"][0] == pytest.approx(third, abs=1e-12)
+    phi = acos((0.2**2 + third**2 - 0.5**2) / (2 * 0.2 * third))  # the corner at O
+    assert motion.z["A"][0] == pytest.approx(0.2 * complex(cos(phi), sin(phi)), abs=1e-12)

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.mechanisms import four_bar, slider_crank
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.solve import solve
+from variantgen.testing.linkages import four_bar, slider_crank
 
 
 def parallelogram(angle: float, scale: float = 1.0) -> Motion:

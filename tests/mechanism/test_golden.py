@@ -11,7 +11,6 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from tests.mechanisms import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.mechanism.centres import acceleration_centre, velocity_centre
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -19,6 +18,7 @@ from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
+from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 
 def by_coordinates(points: dict[str, complex], omega: float, epsilon: float) -> Scene:

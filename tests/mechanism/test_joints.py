@@ -28,7 +28,9 @@ from variantgen.families.quantities import parse_quantity, quantity_names
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.joints.guide import Guide
+from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rope import Bend, Rope
+from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
@@ -215,3 +217,18 @@ def test_quantities_of_every_scene_have_values() -> None:
             value = parse_quantity(name, scene).value(motion)
             assert value.shape == (1,)
             assert not np.isnan(value).any(), name
+
+
+def test_a_slot_beside_the_line_of_its_points() -> None:
+    """A bar AB leans on a fixed disc (r = 0.05 m): its end A runs along the floor, x_A = r / sin(alpha)."""
+    radius, alpha, speed = 0.05, math.pi / 6, -2.0
+    end = radius / math.sin(alpha)
+    far = end - 0.2 * math.cos(alpha) + 0.2j * math.sin(alpha)
+    joints = (Pivot("O"), Guide("A"), Slot("O", "AB", ("A", "B")))
+    placed = {"O": 0j, "A": complex(end), "B": far}
+    points = {name: Coordinates(z.real, z.imag) for name, z in placed.items()}
+    motion = solve(Scene(points, {"AB": ("A", "B")}, joints, (Travel("A", speed, 0.0),)))
+    # x_A' = -r cos alpha / sin^2 alpha * alpha'; the inclination alpha counts clockwise.
+    rate = -speed * math.sin(alpha) ** 2 / (radius * math.cos(alpha))
+    agree(motion.omega["AB"], -rate)
+    agree(motion.epsilon["AB"], -(rate**2) * (2 / math.tan(alpha) + math.tan(alpha)))

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.mechanisms import four_bar, slider_crank, wheel
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -18,6 +17,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.mechanism.structure import analyse
 from variantgen.mechanism.sweep import Sweep, SweepEnd, sweep
+from variantgen.testing.linkages import four_bar, slider_crank, wheel
 
 
 def swept(scene: Scene, **options: Any) -> Sweep:

@@ -7,12 +7,13 @@ import pytest
 from tests.methods.given_data import sentences, steps
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.values import parts
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical.vector_chain import chain_of
 from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.steps.step import Derived, Point, Sentence, Word
+from variantgen.methods.steps.step import Derived, Point, Projection, Sentence, Word
 from variantgen.variants.draw import draw
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import solve_variants
@@ -79,7 +80,18 @@ def test_a_known_vector_across_a_radius_is_told_with_its_side(sense: int, word: 
     # OA makes 15 degrees with the x axis: what is across it leads to 105 degrees or to -75 degrees.
     found = sentences("four_bar", "crank", "a_B", epsilon_OA=4 * sense)
     assert [s.facts["side"] for s in found if s.key == "points.about_pivot_a"] == [Word(word)]
-    assert {"axes.by_one", "axes.by_all", "axes.by_strongest", "axes.by_sum"} & {s.key for s in found}
+    assert {"axes.by_one", "axes.by_all", "axes.by_strongest", "axes.by_total"} & {s.key for s in found}
+
+
+def test_a_sum_that_decides_a_sense_is_worked_out_before_it_is_used() -> None:
+    items = [item for step in steps("four_bar", "crank", "a_B", epsilon_OA=4) for item in step.items]
+    at = next(i for i, item in enumerate(items) if isinstance(item, Sentence) and item.key == "axes.sum")
+    total, projection, result = items[at + 1 : at + 4]
+    assert isinstance(total, Derived) and isinstance(projection, Projection) and isinstance(result, Derived)
+    assert [word.key for word in projection.words] == ["axes.by_total"]
+    assert total.value.exact > 0
+    assert result.value.expression is not None
+    assert total.value in parts(result.value.expression)
 
 
 def test_bodies_are_called_as_the_statement_calls_them() -> None:

@@ -240,14 +240,12 @@ ROWS = [
     Row(Surd(-1, 1, 2), "−√2", '-sqrt("2")', r"-\sqrt{2}", r"${-}\sqrt{2}$", "−√2"),
     Row(Surd(-7, 1, 1), "−7", '-"7"', "-7", "${-}7$", "−7"),
     Row(
-        Graph(sym("O"), ((num("1"), PHI, sym("A")), (num("2"), Fraction(Sum(((-1, sym("pi")),)), num("2")), sym("B")))),
-        "O —1→(φ) A —2→(−π / 2) B",
-        f'O {ARROW}^("1")_(phi) A {ARROW}^("2")_(frac(-pi, "2")) B',
-        r"O \xrightarrow[{\varphi}]{1} A \xrightarrow[{\frac{-\pi}{2}}]{2} B",
-        r"$O\;\underset{\varphi}{\overset{1}{\longrightarrow}}\;A"
-        r"\;\underset{\frac{{-}\pi}{2}}{\overset{2}{\longrightarrow}}\;B$",
-        "<i>O</i>\xa0—<sup>1</sup>→<sub><i>φ</i></sub>\xa0<i>A</i>"
-        "\xa0—<sup>2</sup>→<sub>−<i>π</i>\xa0/\xa02</sub>\xa0<i>B</i>",
+        Graph(sym("O"), ((num("1"), sym("A")), (num("2"), sym("B")))),
+        "O —1→ A —2→ B",
+        f'O {ARROW}^("1") A {ARROW}^("2") B',
+        r"O \xrightarrow{1} A \xrightarrow{2} B",
+        r"$O\;\overset{1}{\longrightarrow}\;A\;\overset{2}{\longrightarrow}\;B$",
+        "<i>O</i>\xa0—<sup>1</sup>→\xa0<i>A</i>\xa0—<sup>2</sup>→\xa0<i>B</i>",
     ),
     Row(FormulaList((A, B)), "a, b", r"a\, b", "a, b", r"$a,\,b$", "<i>a</i>, <i>b</i>"),
     Row(Equation(A, num("2,5")), "a = 2,5", 'a = "2,5"', "a = 2{,}5", "$a=2{,}5$", "<i>a</i>\xa0=\xa02,5"),

@@ -195,7 +195,7 @@ def chains(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
 
 def layer(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
     """One more layer of any kind."""
-    legs = st.lists(st.tuples(inner, inner, ANY_SYMBOL), max_size=2).map(tuple)
+    legs = st.lists(st.tuples(inner, ANY_SYMBOL), max_size=2).map(tuple)
     return st.one_of(
         arithmetic(inner),
         st.builds(Function, WORDS, inner),

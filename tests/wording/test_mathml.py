@@ -78,7 +78,7 @@ FORMULAS = [
     (Absolute(Sum(((1, V), (-1, V)))), None),
     (Cross(Vector(Symbol("omega")), Vector(Symbol("AB"))), None),
     (PointCoordinates(Symbol("A"), Number("3"), Number("4")), None),
-    (Graph(Symbol("O"), ((Number("1"), Symbol("phi"), Symbol("A")),)), None),
+    (Graph(Symbol("O"), ((Number("1"), Symbol("A")),)), None),
 ]
 
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 AXES = ("x", "y", "on_n", "on_tau", "xi", "eta")  # of the paper, and those that a solution lays along its vectors
 OWN_AXES = AXES[2:]
+ON_LINE = ("along_", "across_")  # before the points of a line on which or across which a component is taken
 COMPONENTS = ("n", "tau", *AXES)
 
 
@@ -30,7 +31,9 @@ class Name(NamedTuple):
     ``slide`` (way of the point ``of`` along a line), ``offset`` (how far that line passes by the pole), ``arc`` (angle
     of the point ``of`` on a circle), ``swing`` (direction of a piece of rope or of a line of centres); ``dots`` counts
     derivatives by time. A rate with the ``part`` ``z`` counts as positive counter-clockwise. ``cosine`` is that of the
-    angle between the vector ``body`` (``v``, ``a``) of a point and the axis ``part``.
+    angle between the vector ``body`` (``v``, ``a``) of a point and the axis ``part``. ``curvature`` is the radius of
+    curvature of the path of a point, ``ratio`` that of the angular velocities of the bodies ``of`` and ``about``. An
+    ``x`` or ``y`` with a ``body`` is that of its centre ``of`` (P, Q).
     """
 
     kind: str
@@ -43,9 +46,9 @@ class Name(NamedTuple):
     @property
     def whole(self) -> Name:
         """The vector of which this is a component: ``a_B`` of ``a^n_B``."""
-        left = " ".join(word for word in self.part.split() if word not in COMPONENTS)
+        left = " ".join(word for word in self.part.split() if word not in COMPONENTS and not word.startswith(ON_LINE))
         return self._replace(part=left)
 
     def component(self, word: str) -> Name:
-        """A component of this vector: one of COMPONENTS."""
+        """A component of this vector: one of COMPONENTS, or along or across a line (``along_AC``)."""
         return self._replace(part=f"{self.part} {word}".strip())

@@ -8,7 +8,7 @@ from pathlib import Path
 from variantgen.check.report import Report
 from variantgen.errors import VariantgenError
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigures, view_order
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.mechanism.motion import Motion
@@ -32,7 +32,7 @@ def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Rep
         report.fail(outcome.text)
         return
     asked = asked_quantities(variant)
-    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    motion = solve_variants([variant], motion_order(asked))
     check_explained(variant, motion, asked, report)
     try:
         statement_figure(variant, motion, 0, asked, load_language(languages()[0]))

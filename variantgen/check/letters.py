@@ -24,7 +24,7 @@ def ambiguous_letters(form: Form, asked: Sequence[Quantity], language: Language)
             symbol = language.symbol(parameter.symbol, form.symbols)
             meant[parameter.symbol] = symbol, parameter.unit.measures
     for quantity in asked:
-        if not quantity.is_centre:
+        if quantity.is_vector or quantity.is_rotation or quantity.kind == "mu":
             name, measures = quantity.whole_name, quantity.unit("m").measures
             meant.setdefault(name, (language.symbol(name, form.symbols), measures if not quantity.component else ""))
     for (one, (first, kind)), (two, (second, other)) in combinations(meant.items(), 2):

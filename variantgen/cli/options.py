@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import pkgutil
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,13 @@ def add_choice(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("family", metavar="FAMILY_OR_FILE", help="name of a family, or path of a family or scene file")
     parser.add_argument(
         "--set", action="append", default=[], metavar="NAME=VALUE", help="fix a parameter: OA=30, OA='0.3 m', side=left"
+    )
+    parser.add_argument(
+        "--range",
+        action="append",
+        default=[],
+        metavar="NAME=LOW..HIGH",
+        help="draw a parameter from a part of its range: phi=30..60; of words some: side=left",
     )
     parser.add_argument("--form", default="", help="take this form of the family")
     parser.add_argument(
@@ -102,13 +110,26 @@ def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | 
 
 def settings(arguments: argparse.Namespace) -> dict[str, str]:
     """The parameters fixed by ``--set``. Raises InputError."""
+    return _named(arguments.set, "--set", "NAME=VALUE", "OA=30")
+
+
+def ranges(arguments: argparse.Namespace) -> dict[str, str | list[str]]:
+    """The parameters narrowed by ``--range``: lowest and highest value, or words of a choice. Raises InputError."""
+    found = _named(arguments.range, "--range", "NAME=LOW..HIGH", "phi=30..60")
+    parts = {name: [part.strip() for part in text.split(".." if ".." in text else ",")] for name, text in found.items()}
+    return {name: own if len(own) > 1 else own[0] for name, own in parts.items()}
+
+
+def _named(texts: Sequence[str], option: str, expected: str, example: str) -> dict[str, str]:
+    """What stands behind each name. Raises InputError."""
     found: dict[str, str] = {}
-    for text in arguments.set:
+    for text in texts:
         name, equals, value = text.partition("=")
         if not equals or not name.strip() or not value.strip():
-            raise InputError(Problem("expected NAME=VALUE", key="--set", value=text, remedy="for example --set OA=30"))
+            remedy = f"for example {option} {example}"
+            raise InputError(Problem(f"expected {expected}", key=option, value=text, remedy=remedy))
         if name.strip() in found:
-            raise InputError(Problem("the parameter is set twice", key="--set", value=text, remedy="keep one of them"))
+            raise InputError(Problem("the parameter is set twice", key=option, value=text, remedy="keep one of them"))
         found[name.strip()] = value.strip()
     return found
 
@@ -130,6 +151,7 @@ def wanted_variant(arguments: argparse.Namespace) -> Variant:
         family_folders(arguments.families),
         arguments.nice,
         arguments.units,
+        ranges(arguments),
     )
 
 

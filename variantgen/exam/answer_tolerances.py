@@ -144,7 +144,7 @@ def _relative(
         if quantity.is_angle:
             relative = np.radians(error)
         else:
-            unit = quantity.unit(variants[0].family.length_unit)
+            unit = quantity.own_unit(variants[0].family.length_unit)
             value = np.abs(unit.from_si(quantity.value(motion)[chosen]))
             usual = (value > 0) & np.isfinite(value)
             relative = np.where(usual, error / np.where(usual, value, 1.0), 0.0)

@@ -51,7 +51,7 @@ def _packed(item: Item, places: Mapping[int, tuple[int, int]]) -> list[Any]:
         variant.turns,
         variant.attempt,
         [
-            [a.quantity.name, a.value, a.tolerance, a.relative_tolerance, a.surd and _numbers(a.surd), a.unnoticed]
+            [a.quantity.written, a.value, a.tolerance, a.relative_tolerance, a.surd and _numbers(a.surd), a.unnoticed]
             for a in item.answers
         ],
     ]

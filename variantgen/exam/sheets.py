@@ -13,7 +13,7 @@ from variantgen.exam.exam_file import ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
-from variantgen.families.quantities import Quantity, recorded
+from variantgen.families.quantities import Quantity, motion_order, recorded
 from variantgen.families.units import Unit
 from variantgen.mechanism.closed_form import square_fractions
 from variantgen.mechanism.motion import Field, Motion
@@ -26,7 +26,7 @@ from variantgen.wording.surds import surd
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Answer:
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
@@ -43,6 +43,9 @@ class Answer:
     surd: Surd | None = None
     unnoticed: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        return f"<Answer {self.quantity.name} = {self.value:.6g} ± {self.tolerance:g} {self.unit.name}>"
+
     @property
     def accepted_intervals(self) -> tuple[tuple[float, float], ...]:
         """The intervals, ends included, in which an answer counts as right."""
@@ -57,7 +60,7 @@ class Answer:
         """
         value, tolerance = Decimal(repr(self.value)), Decimal(repr(self.tolerance))
         low, high = value - tolerance, value + tolerance
-        if self.quantity.component == "angle" and (low < -180 or high > 180):
+        if self.quantity.is_direction and (low < -180 or high > 180):
             turn = 360 if low < -180 else -360
             return (low, high), (low + turn, high + turn)
         return ((low, high),)
@@ -123,7 +126,7 @@ def solve_all(
     """For each variant the batch motion it was solved in and its place there; variants of one form share a batch."""
     groups: dict[tuple[int, int], list[int]] = {}
     for i, variant in enumerate(variants):
-        order = 0 if positions_only else max(q.order for q in asked[i])
+        order = 0 if positions_only else motion_order(asked[i])
         groups.setdefault((id(variant.form), order), []).append(i)
     found: dict[int, tuple[Motion, int]] = {}
     for (_, order), members in groups.items():

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
-from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.given_positions import given_position
+from variantgen.families.quantities import Quantity, in_unit, parse_quantity, split_unit
 
 # What a form asks by itself: the answers of one order (1: velocities are enough to know it), or all.
-WORDS = {"velocities": (1,), "accelerations": (2,), "all": (1, 2)}
+WORDS = {"velocities": (1,), "accelerations": (2,), "all": (0, 1, 2)}
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,7 @@ Ask = Sequence[str] | ByForm | None  # None: what each form asks by itself
 
 
 def read_ask(form: Form, ask: Ask = None, key: str = "ask") -> list[Quantity]:
-    """The asked quantities of a form, by names and by the ``WORDS``.
+    """The asked quantities of a form, by names (``v_B``, or ``v_B in ft/s``) and by the ``WORDS``.
 
     Raises InputError with every unknown quantity, every one that is given, repetition, and an empty list.
     """
@@ -73,13 +74,16 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
     problems: list[Problem] = []
     if not names:
         problems.append(Problem("expected at least one quantity", key=key, remedy='for example ["v_B"]'))
-    if len(set(names)) < len(names):
+    if len({split_unit(name)[0] for name in names}) < len(names):
         problems.append(Problem("a quantity is asked twice", key=key, value=", ".join(names)))
     given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
     found: list[Quantity] = []
-    for i, text in enumerate(names):
+    for i, asked in enumerate(names):
         place = f"{key}[{i + 1}]"
+        text, wanted = split_unit(asked)
         if text in WORDS:
+            if wanted:
+                problems.append(Problem("a unit goes with one quantity", key=place, value=asked, remedy="name them"))
             own = _of_order(form, text)
             if not own:
                 problem = f"a problem like this asks for no {text} by itself"
@@ -91,9 +95,13 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
             continue
         try:
             quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
-            if text not in form.askable:
+            if not form.may_be_asked(quantity):
                 problem = "the data of this problem do not determine it"
                 problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
+            elif quantity.group in ("position", "path") and (reason := given_position(form, quantity)):
+                problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
+            if wanted:
+                quantity = in_unit(quantity, wanted, place)
             if quantity not in found:  # a word may have named it
                 found.append(quantity)
         except InputError as error:

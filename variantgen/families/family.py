@@ -14,7 +14,7 @@ from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameter import Parameter
-from variantgen.families.quantities import quantity_names
+from variantgen.families.quantities import Quantity, quantity_names
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
@@ -48,7 +48,7 @@ def _built(item: Any, values: Mapping[str, Real]) -> Any:
     return item
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Form:
     """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs.
 
@@ -74,6 +74,9 @@ class Form:
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
+
+    def __repr__(self) -> str:
+        return f"<Form {self.name or '(the only one)'}: {', '.join(self.parameters)}; asks {', '.join(self.ask)}>"
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""
@@ -108,6 +111,18 @@ class Form:
         names = quantity_names(self.sample)
         return [name for name in names if not self.may_ask or any(fnmatchcase(name, p) for p in self.may_ask)]
 
+    def may_be_asked(self, quantity: Quantity) -> bool:
+        """Whether the data determine a quantity of the scene: itself, or the plain ones that it is made of."""
+        if not self.may_ask or any(fnmatchcase(quantity.name, pattern) for pattern in self.may_ask):
+            return True
+        return bool(quantity.sources) and all(self._is_determined(source) for source in quantity.sources)
+
+    def _is_determined(self, plain: Quantity) -> bool:
+        """Whether ``may_ask`` allows a plain quantity; of a named direction or a centre, its like that has a name."""
+        if plain.is_vector:
+            return plain.name in self.askable or f"{plain.whole_name}.x" in self.askable
+        return any(name == plain.name or name.startswith(f"{plain.whole_name}.") for name in self.askable)
+
     @cached_property
     def sample(self) -> Scene:
         """The scene with the middle of every grid: for questions about names only."""
@@ -123,7 +138,8 @@ class Form:
     def bars(self) -> list[tuple[str, str, str]]:
         """Bodies drawn as bars, with the two ends (their first two points)."""
         drawn = {disc.body for disc in self.figure.discs} | {*self.figure.plates, *self.figure.plain}
-        return [(body, points[0], points[1]) for body, points in self.bodies.items() if body not in drawn]
+        bars = {body: points for body, points in self.bodies.items() if len(points) > 1 and body not in drawn}
+        return [(body, points[0], points[1]) for body, points in bars.items()]
 
     @property
     def grid_size(self) -> int:
@@ -140,7 +156,7 @@ class Form:
         return sorted(name for name, p in self.parameters.items() if not p.silent and name not in tied)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Family:
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
@@ -156,6 +172,9 @@ class Family:
     source: str = ""
     names: frozenset[str] = frozenset()
     solution: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<Family {self.name}: {', '.join(map(repr, self.forms.values()))}>"
 
     @property
     def nice_forms(self) -> list[str]:

@@ -15,6 +15,7 @@ from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.hints import read_figure, read_pose, read_screens
+from variantgen.families.implied import with_blocks, with_stations
 from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
@@ -32,8 +33,6 @@ SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
     "symbols", "nouns", "nice", "machine",
 )  # fmt: skip
-
-
 _MARKED = (
     'there are no parameters: declare the given number as one, such as  phi = { unit = "deg", values = [30] }'
     "  in [parameters], and name it here; without a name the figure shows no letter"
@@ -84,6 +83,8 @@ class FormReader:
         conditions, joints, drivers = (
             self._listed(name, f"variantgen.mechanism.{name}") for name in ("conditions", "joints", "drivers")
         )
+        if len(self.problems) == before:
+            joints = with_blocks(with_stations(joints, drivers, bodies), drivers, bodies)
         screens = read_screens(self.top.table("screens"), self.expression, points)
         pose = read_pose(self.top.table("pose"))
         figure = read_figure(self.top.table("figure"), set(points), bodies, self._templates.quantity)

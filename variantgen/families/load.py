@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.drawn_bodies import with_drawn_bodies
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
@@ -104,6 +105,8 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     if problems:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY
+    if not is_family:
+        forms = {name: with_drawn_bodies(form) for name, form in forms.items()}
     return Family(
         path.resolve().parent.name if is_family else path.stem,
         titles,

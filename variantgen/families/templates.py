@@ -51,6 +51,11 @@ class TemplateReader:
                     table.problem(f"missing, expected {spec.expects}", spec.name)
             elif spec.part:
                 part: type = spec.part
+                named = field_specs(part)[0].name  # "K" is short for { point = "K" }
+                items = table.data[spec.name]
+                if isinstance(items, list):
+                    items = [{named: item} if isinstance(item, str) else item for item in items]
+                    table.data = {**table.data, spec.name: items}
                 fields[spec.name] = tuple(self._fields(item, part) for item in table.tables(spec.name))
             else:
                 with table.collecting(spec.name):

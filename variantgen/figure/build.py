@@ -28,7 +28,6 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
 _WIDE, _HIGH, _AREA = 74.0, 66.0, 74.0 * 52.0  # room for the mechanism itself: its sides (u), its area (u^2)
-AXIAL = {"x", "y", "angle"}  # components of quantities that refer to axes
 _WIDEST, _HIGHEST = 94.0, 88.0  # room for everything but labels, u
 
 
@@ -193,7 +192,7 @@ def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
 
 def _has_axes(asked: Sequence[Quantity]) -> bool:
     """Whether what is asked refers to the axes x and y."""
-    return any(quantity.component in AXIAL for quantity in asked)
+    return any(quantity.refers_to_axes for quantity in asked)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

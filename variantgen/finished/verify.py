@@ -14,7 +14,7 @@ import numpy as np
 
 from variantgen.exam.manifest import NAME, RecordedAnswer
 from variantgen.families.asking import read_ask
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import recompute
@@ -72,7 +72,7 @@ def _who(finished: Finished, place: int, number: int) -> str:
 def _difference(answer: RecordedAnswer, again: float) -> float:
     """The difference of two values; directions may differ by a full turn."""
     plain = abs(answer.value - again)
-    return min(plain, abs(plain - 360.0)) if answer.quantity.endswith(".angle") else plain
+    return min(plain, abs(plain - 360.0)) if answer.unit == "deg" else plain
 
 
 Compared = tuple[int, int, RecordedAnswer | None, float | None, float]
@@ -117,7 +117,7 @@ def independent(variants: Sequence[Variant], asked: Sequence[Quantity]) -> tuple
 
     The last table has the largest value of the kind in the mechanism, in the same unit (of an angle 180°).
     """
-    order = max(quantity.order for quantity in asked)
+    order = motion_order(asked)
     motion = solve_variants(variants, order)
     found = recompute(motion)
     again = replace(
@@ -142,7 +142,7 @@ def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
         return np.full(motion.size, np.pi)
     if quantity.component == "sense":
         return np.zeros(motion.size)
-    if quantity.is_centre:
+    if quantity.is_length or quantity.group == "ratio":
         return np.abs(quantity.value(motion))
     points = (motion.v if quantity.order == 1 else motion.a).values()
     largest = np.max([np.abs(x) for x in points], axis=0)

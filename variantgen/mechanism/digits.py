@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import EPS
+from variantgen.mechanism.component import FieldSpec
 from variantgen.mechanism.motion import Field, Motion, largest_change
 from variantgen.mechanism.scene import Scene, with_numbers
 
@@ -47,7 +48,7 @@ def _changed(scene: Scene, signs: tuple[float, ...]) -> Scene:
     """The scene with every number, but for sides and senses, changed by roundings of these signs in turn."""
     place = -1
 
-    def change(number: int, value: Any, field: str) -> Any:
+    def change(number: int, value: Any, _: FieldSpec) -> Any:
         nonlocal place
         place += 1
         # One is a side, a sense, or a unit: nothing that is rounded.

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
+from variantgen.notebook import display
 
 Field = NDArray[np.float64]
 ComplexField = NDArray[np.complex128]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Motion:
     """Positions, velocities and accelerations of points and bodies; every array has shape (N,).
 
@@ -51,10 +52,19 @@ class Motion:
         """The frame of the scene on paper."""
         return self.scene.frame
 
+    def __repr__(self) -> str:
+        solved = int(np.count_nonzero(self.solved))
+        return f"<Motion of {self.size} ({solved} solved): points {', '.join(self.z)}; bodies {', '.join(self.omega)}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: positions, velocities and accelerations as tables."""
+        return display("motion_html", self)
+
     def length_scale(self) -> Field:
-        """Largest distance of a point from the centre of all points (m), shape (N,)."""
+        """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""
         places = np.array(list(self.z.values()))
-        result: Field = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        size = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
+        result: Field = np.where(size > 0, size, 1.0)
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 from variantgen.mechanism.arithmetic import Complex, Flags
 from variantgen.mechanism.assembly import Condition
-from variantgen.mechanism.component import field_specs, parts
+from variantgen.mechanism.component import FieldSpec, field_specs, parts
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint, Frame, Pair
 
@@ -49,8 +49,8 @@ class Scene:
         return (*self.joints, *self.drivers)
 
 
-def with_numbers(scene: Scene, change: Callable[[int, Any, str], Any]) -> Scene:
-    """The scene with every number replaced by what ``change(number of its component, value, field)`` gives.
+def with_numbers(scene: Scene, change: Callable[[int, Any, FieldSpec], Any]) -> Scene:
+    """The scene with every number replaced by what ``change(number of its component, value, its field)`` gives.
 
     Components count in the order of points, joints, drivers, conditions, each before its parts.
     """
@@ -62,8 +62,8 @@ def with_numbers(scene: Scene, change: Callable[[int, Any, str], Any]) -> Scene:
         component_type: type = type(component)
         for spec in field_specs(component_type):
             value = getattr(component, spec.name)
-            if spec.dimension:
-                found[spec.name] = change(number, value, spec.name)
+            if spec.dimension and value is not None:
+                found[spec.name] = change(number, value, spec)
             elif spec.part:
                 found[spec.name] = tuple(anew(part) for part in value)
         return replace(component, **found)
@@ -99,6 +99,7 @@ def fixed_points(scene: Scene) -> set[str]:
 def label(component: Any) -> str:
     """The name of a joint or driver in messages: its kind and what it acts on, ``guide of B``."""
     named = [getattr(part, f.name) for part in parts(component) for f in fields(part)]
+    named = [item[0] if isinstance(item, tuple) and item else item for item in named]
     first = next((name for name in named if isinstance(name, str)), "nothing")
     kind = type(component).__name__
     words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in kind).strip()

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.mechanism.component import parts
+from variantgen.mechanism.component import field_specs, parts
 from variantgen.mechanism.scene import Scene, fixed_points, label, references
 
 
 def check_scene(scene: Scene) -> None:
     """Raise InputError with every mistake in the names of a scene.
 
-    Unknown points and bodies, bodies with fewer than two points, points that are not of the body they should be of,
+    Unknown points and bodies, bodies without points, points that are not of the body they should be of,
     things named twice, points at rest that move, and what a joint itself finds wrong.
     """
     problems = _problems(scene)
@@ -25,13 +25,11 @@ def _problems(scene: Scene) -> list[Problem]:
     found: list[Problem] = []
     for body, members in scene.bodies.items():
         key = f"bodies.{body}"
-        if len(set(members)) < len(members) and len(set(members)) >= 2:
+        if members and len(set(members)) < len(members):
             twice = ", ".join(name for name in dict.fromkeys(members) if members.count(name) > 1)
             found.append(Problem("a body lists a point twice", key=key, value=twice, remedy="list it once"))
-        if len(set(members)) < 2:
-            found.append(
-                Problem("a body needs at least two different points", key=key, value=", ".join(members) or "none")
-            )
+        if not members:
+            found.append(Problem("a body needs at least one point", key=key, value="none"))
         found += [_unknown("point", name, key, scene.points) for name in members if name not in scene.points]
     owners: list[tuple[str, Any]] = [(f"points.{name}", item) for name, item in scene.points.items()]
     owners += [(f"joints.{label(item)}", item) for item in scene.joints]
@@ -51,15 +49,22 @@ def _problems(scene: Scene) -> list[Problem]:
 
 
 def _repeated(component: Any, key: str) -> list[Problem]:
-    """Points or bodies that a joint, driver or condition names twice."""
+    """Points or bodies that a joint, driver or condition names twice; two links may share a point."""
     found = []
     for kind in ("point", "body"):
         names = references(component, kind)
-        wheels = {name for part in parts(component) if (name := getattr(part, "body", None)) and part is not component}
         for name in dict.fromkeys(names):
-            if names.count(name) > 1 and name not in wheels:
+            # a rope may come to a point again
+            if names.count(name) > 1 and len(parts(component)) == 1 and not _shared(component, name):
                 found.append(Problem(f"names a {kind} twice", key=key, value=name, remedy=f"name another {kind}"))
     return found
+
+
+def _shared(component: Any, name: str) -> bool:
+    """Whether each time that a component names a point it is one of two, once in each pair: where two links meet."""
+    kind: type = type(component)
+    values = [getattr(component, spec.name) for spec in field_specs(kind) if spec.ref]
+    return all(value.count(name) <= 1 if isinstance(value, tuple) else value != name for value in values)
 
 
 def _moving_rests(scene: Scene) -> list[Problem]:

@@ -16,12 +16,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.mechanism.arithmetic import cross, dot
-from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.closure_residuals import ClosureResiduals
+from variantgen.mechanism.invariants import (
+    centre_consistent,
+    coriolis_direction,
+    equal_projections,
+    rolling_contact_at_rest,
+)
 from variantgen.mechanism.motion import ComplexField, Field, Motion, largest_change
-from variantgen.mechanism.relative import relative_motion
-from variantgen.mechanism.rows import Placement
 
 # Truncation grows as (h / R)^6 with R the way to the nearest dead point (about 0.3 rad in screened variants),
 # rounding of the second derivative as eps / h^2; 0.004 rad balances them near 1e-10.
@@ -118,50 +120,7 @@ def _time_step(motion: Motion, length: Field) -> Field:
 def invariants(motion: Motion) -> Field:
     """Largest violation of the theorems that a student would use for a check, relative, shape (N,).
 
-    Equal projections of the velocities of two points of a body on the line through them; velocities perpendicular to
-    the rays from the velocity centre; the velocity of a sliding point relative to its carrier along the carrier; the
-    Coriolis acceleration perpendicular to the relative velocity, turned with the carrier, of size 2 omega v_rel; the
-    two bodies at a contact without slip (a wheel and its rail, two gears) with one velocity there.
+    Those of :mod:`variantgen.mechanism.invariants` that need no second solution.
     """
-    at = Placement(motion.z, motion.frame)
-    speed = np.max([np.abs(v) for v in motion.v.values()], axis=0)
-    defects: list[Field] = [np.zeros(motion.size)]
-    for body, members in motion.scene.bodies.items():
-        centre = velocity_centre(motion, body)
-        for point in members:
-            ray = motion.z[point] - centre.z
-            cosine = dot(ray, motion.v[point]) / np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
-            turned = cross(ray, motion.v[point]) - motion.omega[body] * np.abs(ray) ** 2
-            size = np.where(np.abs(ray) > 0, np.abs(ray), 1.0)
-            # A far centre is the difference of nearly equal numbers: its error grows with the distance.
-            far = 1.0 + np.abs(ray) / motion.length_scale()
-            defects += [np.where(centre.finite, np.abs(x) / far, 0.0) for x in (cosine, turned / size)]
-            for other in members[: members.index(point)]:
-                line = motion.z[point] - motion.z[other]
-                length = np.where(np.abs(line) > 0, np.abs(line), 1.0)  # two names of one place move alike anyway
-                defects.append(np.abs(dot(line, motion.v[point] - motion.v[other])) / length)
-    for slide in [slide for joint in motion.scene.joints if (slide := joint.sliding())]:
-        relative = relative_motion(motion, slide.point, slide.body)
-        ray = slide.tangent(motion.z)
-        defects.append(np.abs(cross(ray, relative.velocity)))
-        if relative.acceleration is not None and relative.coriolis is not None:
-            turn = relative.coriolis - 2j * motion.omega[slide.body] * relative.velocity
-            acceleration = np.max([np.abs(a) for a in motion.a.values()], axis=0)
-            scale = speed / np.where(acceleration > 0, acceleration, 1.0)
-            normal = slide.curvature(motion.z) * np.abs(relative.velocity) ** 2
-            defects += [np.abs(turn) * scale, np.abs(cross(ray, relative.acceleration - normal)) * scale]
-    for contact in [contact for joint in motion.scene.joints if (contact := joint.contact_at(at))]:
-        defects.append(
-            np.abs(_material(motion, contact.body, contact.place) - _material(motion, contact.other, contact.place))
-        )
-    worst = np.max(defects, axis=0)
-    result: Field = worst / np.where(speed > 0, speed, 1.0)
-    return result
-
-
-def _material(motion: Motion, body: tuple[str, str] | None, place: Any) -> Any:
-    """Velocity of the point of a body (name, one of its points) that is at a place; zero for the ground."""
-    if body is None:
-        return 0.0
-    name, pole = body
-    return motion.v[pole] + 1j * motion.omega[name] * (place - motion.z[pole])
+    theorems = (equal_projections, centre_consistent, coriolis_direction, rolling_contact_at_rest)
+    return np.asarray(np.max([theorem(motion) for theorem in theorems], axis=0))

@@ -48,9 +48,14 @@ class Choice:
 
 
 def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
-    """The choice for a task. Raises InputError for a wished method that does not apply, naming those that do."""
+    """The choice for a task. Raises InputError for a wished method that does not apply, naming those that do.
+
+    Where positions alone are asked, there is nothing to choose.
+    """
     names = tuple(wished) or task.variant.family.solution
-    if wished:
+    if not task.sought:
+        names = ()  # positions follow from the figure, before any method of velocities begins
+    elif wished:
         _check(task, wished)
     return Choice(replace(_style(names), strict=bool(wished)), next((name for name in names if name in WHOLE), ""))
 

@@ -26,18 +26,21 @@ from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
+from variantgen.variants.attempts import VerificationError
 
 Made = TypeVar("Made")
 
 _FOR_ALL = "coordinates"  # the method that needs no order of the links
+_LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
 def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     """The solution of a task by the wished methods, or by its natural ones, ready to be written in a language.
 
-    A mechanism that cannot be gone through link by link is solved by the coordinate method. Raises InputError for a
-    method that does not apply, one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where
-    anything that is printed deviates from the solver.
+    A mechanism that cannot be gone through link by link is solved by the coordinate method, and so is a scene of one's
+    own whose natural solution cannot be confirmed: nobody has checked its methods. Raises InputError for a method that
+    does not apply, one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where anything that
+    is printed deviates from the solver.
     """
     return _by_choice(task, choose(task, wished), bool(wished), _written)
 
@@ -45,23 +48,32 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
 def natural_answers(task: Task) -> dict[str, Value]:
     """The answers to which the natural solution leads, by the names of the quantities, without writing it.
 
-    Raises one of NOT_APPLICABLE where no method leads to what is asked.
+    Raises one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where the answers of a scene
+    of one's own are not the solver's.
     """
-    return _by_choice(task, choose(task), False, _found)
+    return _by_choice(task, choose(task), False, _confirmed if _is_own_scene(task) else _found)
 
 
 def _by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, str], Made]) -> Made:
     """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
+    failures: tuple[type[Exception], ...] = NOT_APPLICABLE
+    if _is_own_scene(task):
+        failures += (VerificationError,)
     try:
         return make(Book(task, style=choice.style), choice.whole)
-    except NOT_APPLICABLE:
+    except failures:
         if wished or choice.whole == _FOR_ALL:
             raise
         try:
             return make(Book(task), _FOR_ALL)
-        except NOT_APPLICABLE:
+        except failures:
             pass  # what is said is why the natural methods fail
         raise
+
+
+def _is_own_scene(task: Task) -> bool:
+    """Whether the mechanism is that of a file by itself, not of a family that is checked."""
+    return task.variant.family.folder is None
 
 
 def _found(book: Book, whole: str) -> dict[str, Value]:
@@ -69,14 +81,25 @@ def _found(book: Book, whole: str) -> dict[str, Value]:
     if not whole:
         return work_out(book)
     WHOLE[whole].solve(book)
-    return {quantity.name: answer(book.at(quantity.order), quantity) for quantity in book.task.asked}
+    return {q.name: answer(book.at(max(1, q.order)), q) for q in book.task.asked}
+
+
+def _confirmed(book: Book, whole: str) -> dict[str, Value]:
+    """The answers, which are those of the solver."""
+    found = _found(book, whole)
+    confirm_answers(book.task, found, _names(book, whole))
+    return found
+
+
+def _names(book: Book, whole: str) -> tuple[str, ...]:
+    return (whole,) if whole else (book.style.velocities, book.style.accelerations)
 
 
 def _written(book: Book, whole: str) -> Solution:
     """The solution with its printed numbers, confirmed."""
     found = _found(book, whole)
     written = _by_one_method(book, whole, found) if whole else _by_groups(book, found)
-    confirm(book, written, (whole,) if whole else (book.style.velocities, book.style.accelerations))
+    confirm(book, written, _names(book, whole))
     return written
 
 
@@ -122,6 +145,8 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     measured = WHOLE[name].digits
     # A program comes last, after what answers still needed.
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
+    if name == _LINK_BY_LINK:
+        ordered = used_lines(ordered, found.values())
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     if not measured:
         steps = read_again(steps, found.values())
@@ -150,8 +175,8 @@ def _checked_by_links(task: Task) -> list[Item]:
 def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
-    groups = solve_groups.velocities(book)
-    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order == 1}
+    groups = solve_groups.velocities(book) if task.sought else []
+    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order < 2}
     if task.order == 2:
         solve_groups.accelerations(book, groups)
         found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}

@@ -63,7 +63,9 @@ def _beside_centre(book: Book, shown: Collection[Name | None]) -> list[Item]:
         if kind != "Q" or not book.acceleration.get(pole):
             continue
         rates = (book.omega[body], book.epsilon[body])
-        for point in (q.point for q in book.task.asked if q.kind == "a" and q.point in centre.rays and q.point != pole):
+        for point in (
+            q.point for q in book.task.sought if q.kind == "a" and q.point in centre.rays and q.point != pole
+        ):
             known = book.values.get(Name("a", point))
             if known is None or book.geometry.stated(pole, point) is None:
                 continue

@@ -83,7 +83,7 @@ class PrintedNumbers:
         if not math.isfinite(right) or not math.isfinite(value.exact):
             return 0.0 if value.exact == right else math.inf
         scale = self._measure_scale(value.measure) or 1.0
-        far = (1.0 + abs(right) / scale) ** 2 if quantity.is_centre else 1.0
+        far = (1.0 + abs(right) / scale) ** 2 if quantity.is_centre or quantity.group in ("path", "ratio") else 1.0
         return abs(value.exact - right) / scale / far
 
     def _value(self, value: Value) -> float:
@@ -109,6 +109,9 @@ class PrintedNumbers:
             return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
         if name.kind == "mu":
             return _turn(abs(exact) - self.solved.answer(Quantity("mu", name.of)))
+        if name.kind in ("curvature", "ratio"):
+            asked = Quantity("rho", name.of) if name.kind == "curvature" else Quantity("ratio", name.of, name.about)
+            return self.answer(asked, value)
         if (rate := self.solved.rate(name)) is not None:
             # The magnitude is never negative, so that a negative number has a sign.
             gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)
@@ -125,7 +128,7 @@ class PrintedNumbers:
         if word in OWN_AXES:
             return 0.0  # what axis that is, only the vector with its direction tells
         for vector in self.solved.vectors(name):
-            number = {"x": vector.real, "y": vector.imag}.get(word)
+            number = self.solved.component(vector, word)
             gap = abs(exact) - abs(vector) if number is None else exact - number
             offs.append(_relative(gap, max(self._scale(1 if name.kind == "v" else 2), abs(vector))))
         return min(offs, default=0.0)

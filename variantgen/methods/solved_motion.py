@@ -13,8 +13,8 @@ from functools import cached_property
 
 import numpy as np
 
-from variantgen.algebra.name import Name
-from variantgen.families.quantities import Quantity
+from variantgen.algebra.name import ON_LINE, Name
+from variantgen.families.quantities import Quantity, line_ends
 from variantgen.families.units import unit
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
@@ -34,6 +34,7 @@ class SolvedMotion:
         """The velocity or acceleration of that name: of a point, about a pole, relative, of transport, a component.
 
         There may be several where a point and its pole share no body: the point may move with any body of the pole.
+        So has a pin in the slots of two bodies a relative motion on each.
         """
         now, point = self.task.now, name.of
         table = now.v if name.kind == "v" else now.a if name.kind == "a" else {}
@@ -42,8 +43,10 @@ class SolvedMotion:
         words = name.part.split()
         motion = next((word for word in words if word in ("rel", "tr", "cor")), "")
         if motion:
-            whole = self._compound(name.kind, point, motion, [word for word in words if word != motion])
-            return [] if whole is None else [_component(whole, words)]
+            rest = [word for word in words if word != motion]
+            carriers = [path.body for path in self.task.linkage.slides if path.point == point] or [""]
+            found = [self._compound(name.kind, point, motion, rest, carrier) for carrier in carriers]
+            return [_component(whole, words) for whole in found if whole is not None]
         if name.about:
             return [_component(whole, words) for whole in self._about(name, words)]
         whole = table[point]
@@ -77,11 +80,10 @@ class SolvedMotion:
         normal, along = now.normal(name.of, name.about), now.tangential(name.of, name.about)
         return normal if "n" in words else along if "tau" in words else normal + along
 
-    def _compound(self, kind: str, point: str, motion: str, words: list[str]) -> complex | None:
-        """A vector of the compound motion of a point: relative, of transport, or of Coriolis."""
+    def _compound(self, kind: str, point: str, motion: str, words: list[str], carrier: str) -> complex | None:
+        """A vector of the compound motion of a point on a body: relative, of transport, or of Coriolis."""
         now, task = self.task.now, self.task
-        carrier = next((path.body for path in task.linkage.slides if path.point == point), None)
-        if carrier is None:
+        if not carrier:
             return self._on_a_line(kind, point, motion, words)
         if kind == "v":
             return (now.transport_velocity if motion == "tr" else now.relative_velocity)(point, carrier)
@@ -113,6 +115,17 @@ class SolvedMotion:
             return relative if motion == "rel" else coriolis
         return normal if "n" in words else tangential if "tau" in words else normal + tangential
 
+    def component(self, vector: complex, word: str) -> float | None:
+        """The component of a vector on an axis of the paper, or along or across a line; None for another word."""
+        if word in ("x", "y"):
+            return vector.real if word == "x" else vector.imag
+        ends = line_ends(word.partition("_")[2], self.task.now.z) if word.startswith(ON_LINE) else None
+        if ends is None:
+            return None
+        step = self.task.now.z[ends[1]] - self.task.now.z[ends[0]]
+        seen = vector * step.conjugate() / abs(step)
+        return seen.real if word.startswith(ON_LINE[0]) else seen.imag
+
     def rate(self, name: Name) -> float | None:
         """A rate of rotation, positive counter-clockwise: of a body, or of the line of two points."""
         now = self.task.now
@@ -129,6 +142,9 @@ class SolvedMotion:
     def coordinate(self, name: Name) -> float | None:
         """A coordinate of a point, or its first or second derivative."""
         now = self.task.now
+        if name.kind in ("x", "y") and name.body:
+            place = self._place(name.of, name.body)
+            return None if place is None else place.real if name.kind == "x" else place.imag
         if name.kind not in ("x", "y") or name.of not in now.z:
             return None
         vector = (now.z, now.v, now.a)[name.dots].get(name.of)

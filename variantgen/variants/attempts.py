@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.draw_rules import Screens, frame
 from variantgen.families.family import Family, Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import add_speeds, solve
-from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, starts
+from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
     motion_screens,
@@ -64,7 +64,7 @@ class FormSampler:
         self.tally = tally
         self.names = sorted(form.parameters)
         self.poses = form.pose.frames()
-        self.order = max(q.order for q in self.asked)
+        self.order = motion_order(self.asked)
         self._most = MAX_FRIENDLY_ATTEMPTS if form.friendly else MAX_ATTEMPTS
         self._at_once = max(1, min(_MOST_AT_ONCE, _POINTS_AT_ONCE // len(form.points)))
         self._made = self._looked_at = 0  # attempts, and those of them that were examined
@@ -149,10 +149,42 @@ class FormSampler:
             left[chosen] = False
             promising = promising.take(np.flatnonzero(left))
 
-    def valid(self, attempts: Attempts) -> NDArray[np.int64]:
-        """Owners of the attempts that pass all screens, shape (K,)."""
+    def many(self, stream: Stream, count: int, by_hand: bool = False) -> Attempts:
+        """The first attempts of one stream that pass all screens, so many, in their order.
+
+        The screening's expensive screens, which need an object for each attempt, are used only ``by_hand``. Raises
+        InputError where so many attempts fail that more of them are hopeless.
+        """
+        width, done, chunk = len(self.names) + 1, 0, min(self._at_once, max(_AT_LEAST, 8 * count))
+        found: list[Attempts] = []
+        have = 0
+        while have < count:
+            words, number = stream.words(chunk * width).reshape(-1, width), np.arange(done + 1, done + chunk + 1)
+            passed = self._passed(self._attempts(words, number, number), by_hand)
+            found.append(passed)
+            have, done = have + passed.number.size, done + chunk
+            if have < count and self._is_hopeless(have):
+                raise InputError(self._exhausted())
+            chunk = min(self._at_once, max(_AT_LEAST, round(1.1 * (count - have) * done / max(1, have))))
+        return joined(found).take(np.arange(count))
+
+    def _passed(self, attempts: Attempts, by_hand: bool) -> Attempts:
+        """Those of the attempts, each of an owner of its own, that pass all screens."""
+        left = self.valid(attempts)
+        if self.screening is None or not left.number.size:
+            return left
+        assert left.motion is not None, "valid attempts are solved"
+        screening = self.screening(self.form, self._si(left), self._frame(left), self.asked, left.motion)
+        places = self._keep(screening.of_all(), left.number.size)
+        if by_hand and places.size:
+            variants = [self._variant(left, place) for place in places.tolist()]
+            places = places[self._keep(screening.of_survivors(variants, places.tolist()), places.size)]
+        return left.take(places)
+
+    def valid(self, attempts: Attempts) -> Attempts:
+        """The attempts that pass the screens of the form, with their motion."""
         promising = self._promising(attempts)
-        return promising.owner[self._conditioned(promising)] if promising.owner.size else promising.owner
+        return promising.take(np.flatnonzero(self._conditioned(promising))) if promising.owner.size else promising
 
     def _promising(self, attempts: Attempts) -> Attempts:
         """Attempts that pass the cheap screens, in order."""

@@ -73,3 +73,13 @@ class Attempts:
 def starts(owner: NDArray[np.int64]) -> NDArray[np.int64]:
     """Indices at which the attempts of each owner begin, shape (owners,); attempts are in the order of their owners."""
     return np.flatnonzero(np.concatenate(([True], owner[1:] != owner[:-1])))
+
+
+def joined(parts: Sequence[Attempts]) -> Attempts:
+    """Attempts of one form after each other, without their motion."""
+    return Attempts(
+        {name: np.concatenate([part.index[name] for part in parts]) for name in parts[0].index},
+        np.concatenate([part.pose for part in parts]),
+        np.concatenate([part.owner for part in parts]),
+        np.concatenate([part.number for part in parts]),
+    )

@@ -54,5 +54,5 @@ def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int
             index[name] = index_below(words.words(grid), len(form.parameters[name].printed))
         left = np.flatnonzero(~valid)
         every = Attempts(index, np.zeros(grid, dtype=np.int64), np.arange(grid), np.arange(grid))
-        valid[drawing.valid(every.take(left))] = True
+        valid[drawing.valid(every.take(left)).owner] = True
     return Variety(grid, int(np.sum(valid)), not silent)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.soundness import demands
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -38,7 +38,7 @@ def wrong_answers(
     form: Form, parameters: Mapping[str, Any], on_paper: Frame, asked: Sequence[Quantity], motion: Motion
 ) -> dict[str, Array]:
     """The answers (SI) by each mistake, shape (answers, N); not a number where it leads to no mechanism."""
-    order = max(quantity.order for quantity in asked)
+    order = motion_order(asked)
     found = _by_accelerations(form, asked, motion) if order == 2 else {}
     with np.errstate(all="ignore"):
         return found | _by_positions(form, parameters, on_paper, asked, motion.size)
@@ -120,7 +120,7 @@ def _by_positions(
         other, side = np.ones(count * size), getattr(points[name], "chooses", "")
         other[block] = -1.0
         points[name] = replace(points[name], **{side: getattr(points[name], side) * other})  # type: ignore[type-var]
-    wrong = solve(replace(scene, points=points), max(quantity.order for quantity in asked), form.plan)
+    wrong = solve(replace(scene, points=points), motion_order(asked), form.plan)
     good = wrong.solved
     for demand in demands(form):
         good = good & demand.met(values)

@@ -8,7 +8,7 @@ import numpy as np
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.solve import solve
 
 _NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
@@ -23,7 +23,7 @@ def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
     is examined only where it is asked. What only the exam asks for is examined as well: nobody has looked whether it
     is any good as an answer.
     """
-    order = max(quantity.order for quantity in asked)
+    order = motion_order(asked)
     own = read_ask(form)
     found = [quantity for quantity in own if quantity.order <= order] or own
     found = _without_zeros(form, found, {quantity.name for quantity in asked}) or found
@@ -33,7 +33,7 @@ def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
 
 def _without_zeros(form: Form, answers: Sequence[Quantity], asked: Collection[str]) -> list[Quantity]:
     """Answers that are not zero in the middle of all ranges, and those that are asked."""
-    motion = solve(form.sample, max(quantity.order for quantity in answers), form.plan)
+    motion = solve(form.sample, motion_order(answers), form.plan)
     return [q for q in answers if q.name in asked or not np.all(np.abs(q.whole.value(motion)) <= _NOTHING)]
 
 

@@ -7,19 +7,19 @@ from functools import lru_cache
 
 from variantgen.families.family import Form
 from variantgen.families.parameter import Parameter
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.variant import Variant
 
 
 def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Names of the parameters that are printed, in the order of printing."""
-    return list(_given(variant.form, _points_of(asked), _without(variant, asked)))
+    return list(_given(variant.form, _points_of(variant.form, asked), _without(variant, asked)))
 
 
 def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
     """An upper bound of the different problems on the grid of a form, by printed data and answers."""
-    idle = _unneeded(form, _points_of(asked))
-    velocities_only = max((q.order for q in asked), default=1) == 1
+    idle = _unneeded(form, _points_of(form, asked))
+    velocities_only = motion_order(asked) == 1
     size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)
     for name in form.free_names:
         parameter = form.parameters[name]
@@ -30,9 +30,9 @@ def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
 
 def _ways_on_paper(form: Form, asked: Sequence[Quantity]) -> int:
     """How many different answers the same mechanism has at most, as it is mirrored and turned on paper."""
-    if any(quantity.component in ("x", "y", "angle") for quantity in asked):
+    if any(quantity.refers_to_axes for quantity in asked):
         return len(form.pose.frames())
-    signed = any(quantity.is_rotation and quantity.component != "abs" for quantity in asked)
+    signed = any(quantity.turns_with_mirror for quantity in asked)
     return 2 if signed and form.pose.mirror else 1
 
 
@@ -48,13 +48,13 @@ def _rank(parameter: Parameter) -> int:
 
 def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Points that the figure shows: all but plain points of a body that nobody asks for."""
-    return list(_shown(variant.form, _points_of(asked)))
+    return list(_shown(variant.form, _points_of(variant.form, asked)))
 
 
 def _without(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
     """Parameters of second order that are not printed: all, where only velocities are asked, and zeros."""
     names = _of_second_order(variant.form)
-    if all(quantity.order == 1 for quantity in asked):
+    if motion_order(asked) == 1:
         return names
     return frozenset([name for name in names if variant.printed[name] == 0])
 
@@ -71,8 +71,9 @@ def _given(form: Form, asked: tuple[str, ...], without: frozenset[str]) -> tuple
     return tuple(sorted(names, key=lambda name: _rank(form.parameters[name])))
 
 
-def _points_of(asked: Sequence[Quantity]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(quantity.point for quantity in asked))
+def _points_of(form: Form, asked: Sequence[Quantity]) -> tuple[str, ...]:
+    named = (quantity.points(form.points) or ("",) for quantity in asked)
+    return tuple(dict.fromkeys(point for points in named for point in points))
 
 
 def _unneeded(form: Form, asked: tuple[str, ...]) -> frozenset[str]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.literal_parameters import with_literal_parameters
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.soundness import demands
 from variantgen.mechanism.arithmetic import dot
 from variantgen.mechanism.motion import Motion
@@ -32,8 +32,8 @@ Values = Mapping[str, NDArray[np.float64]]
 VERIFIED = 1e-7
 # How far a point stays from a link that it does not belong to, in spacings of hinges: a fixed hinge has a base.
 _OFF_LINKS, _BASE_OFF_LINKS = 0.75, 1.3
-# How far a velocity or acceleration centre whose distance is asked may lie, in sizes of the mechanism.
-_FAR_CENTRE = 4.0
+# How far a velocity or acceleration centre or a centre of curvature that is asked may lie, in sizes of the mechanism.
+_FAR = 4.0
 # Relative change of a parameter in the search for sensitive answers.
 _STEP = 1e-6
 _AT_ONCE = 1_000_000  # distances of points that are in memory together
@@ -133,9 +133,9 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
         # A direction or a sense is as clear as its vector or rate is large.
         size = np.abs(quantity.whole.value(motion))
         scale = _scale(motion, quantity)
-        clear = (size > 0) & _at_least(size, form.screens.trivial * scale)
-        if quantity.is_centre:
-            clear &= size <= _FAR_CENTRE * scale
+        clear = (size > 0) & np.isfinite(size) & _at_least(size, form.screens.trivial * scale)
+        if quantity.is_length:
+            clear &= size <= _FAR * scale
         found[f"{quantity.name} not trivial"] = clear
     return found | plausibility_screens(form, motion)
 
@@ -157,9 +157,9 @@ def plausibility_screens(form: Form, motion: Motion) -> dict[str, Passed]:
 
 def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:
     """The largest quantity of the same kind in the mechanism."""
-    if quantity.is_centre:
+    if quantity.is_length:
         return motion.length_scale()
-    if quantity.kind == "mu":
+    if not quantity.is_vector and not quantity.is_rotation:  # an angle or a number is as large as it is
         return np.ones(motion.size)
     if quantity.kind == "omega":
         table = [np.abs(x) for x in motion.omega.values()]
@@ -217,7 +217,7 @@ def _moved_motion(
         values[name][k * size : (k + 1) * size] += _STEP * (1.0 if pure else parameters[name])
     solved = {name: np.tile(motion.frame.unplace(z), count) for name, z in motion.z.items()}
     scene = from_picture(form.scene(form.values(values), tiled), solved)
-    return solve(scene, max(q.order for q in asked), form.plan)
+    return solve(scene, motion_order(asked), form.plan)
 
 
 def repeated(

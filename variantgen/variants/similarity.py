@@ -18,7 +18,7 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.examined import examined
 from variantgen.variants.printed_data import given_names
@@ -80,7 +80,7 @@ def traits(variants: Sequence[Variant], asked: Sequence[Sequence[Quantity]], gro
     for (_, questions), members in batches.items():
         own = [variants[i] for i in members]
         looked_at = examined(own[0].form, questions)
-        motion = solve_variants(own, max(quantity.order for quantity in (*questions, *looked_at)))
+        motion = solve_variants(own, motion_order((*questions, *looked_at)))
         answers, sizes = _answers(questions, motion), _sizes(looked_at, motion)
         words = _words(own, questions)
         for k, i in enumerate(members):
@@ -104,7 +104,7 @@ def _number(*parts: object) -> int:
 
 def _words(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[list[bool]]:
     """By variant of one form the words that differ on its sheets: whether each driver speeds up or slows down."""
-    if all(quantity.order == 1 for quantity in asked):
+    if motion_order(asked) == 1:
         return [[] for _ in variants]
     form = variants[0].form
     flags = [

@@ -15,9 +15,10 @@ from variantgen.families.family import Family, Form
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.solve import solve
+from variantgen.notebook import display
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Variant:
     """One drawn variant: printed values of its parameters, and how the scene lies on paper.
 
@@ -49,6 +50,31 @@ class Variant:
         measured = self.form.parameters[parameter].unit
         value = self.printed[parameter]
         return measured.to_si(value) if measured else float(value)
+
+    def motion(self, order: int = 2) -> Motion:
+        """Its motion at the instant of the problem, in SI; ``order`` 0 ends with positions, 1 with velocities.
+
+        Arrays have the shape (1,). ``outcome`` says whether it is solved.
+        """
+        return solve_variants([self], order)
+
+    def __repr__(self) -> str:
+        form = f" {self.form.name}" if self.form.name else ""
+        data = ", ".join(map(self._told, self.printed))
+        return f"<Variant of {self.family.name}{form}{': ' if data else ''}{data}>"
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """What Hypothesis says of an example, and a console of IPython."""
+        printer.text(repr(self))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the problem with its figure."""
+        return display("variant_html", self)
+
+    def _told(self, name: str) -> str:
+        """A parameter with its printed value: ``OA = 26 cm``."""
+        unit = self.form.parameters[name].unit
+        return f"{name} = {self.word(name)}" if unit is None else f"{name} = {self.printed[name]} {unit.name}"
 
 
 def parameter_arrays(variants: Sequence[Variant]) -> dict[str, NDArray[np.float64]]:

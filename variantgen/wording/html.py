@@ -76,8 +76,8 @@ class _Html(Markup):
     def bars(self, content: str) -> str:
         return f"|{content}|"
 
-    def arrow(self, above: str, below: str) -> str:
-        return f"{_SPACE}—<sup>{above}</sup>→<sub>{below}</sub>{_SPACE}"
+    def arrow(self, above: str) -> str:
+        return f"{_SPACE}—<sup>{above}</sup>→{_SPACE}"
 
 
 _HTML = _Html()

@@ -20,11 +20,14 @@ from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import GREEK, Index, Number, Symbol, SymbolProperty, UnitText
+from variantgen.wording.formula import GREEK, Fraction, Index, Number, Symbol, SymbolProperty, UnitText
+from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.notation import USUAL, Notation
 from variantgen.wording.plurals import plural_category
 from variantgen.wording.words import Words
 
+NATURAL = {"t": "tau", "n": "n"}  # components of an acceleration along its path, as solutions call them
+_DIRECTIONS = {"along": "∥", "across": "⟂"}  # before the letters of a line, in the index of a component
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 ANSWER_DIGITS = 4  # significant digits of a printed answer
@@ -121,14 +124,34 @@ class Language:
             index.append(Index(component))
         return Symbol(self.letter(kind), tuple(index))
 
-    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty:
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty | Fraction:
         """The symbol of an asked quantity."""
+        target, component = quantity.target, quantity.component
         if quantity.is_centre:
-            body = bodies.get(quantity.target, quantity.target)
-            return Symbol(quantity.component + quantity.kind, (Index(body),) if body else ())
+            body = tuple(Index(name) for name in (bodies.get(target, target),) if name)
+            if quantity.is_coordinate:
+                return Symbol(component, (Index(quantity.kind), *body))
+            return Symbol(component + quantity.kind, body)
+        if quantity.group == "ratio":
+            return Fraction(*(self.symbol(f"omega_{name}", bodies) for name in (target, component)))
+        if quantity.kind == "distance":
+            return Symbol(target + component)
+        if quantity.kind == "angle":
+            corner, _, last = component.partition(".")
+            return Symbol(ANGLE + target + corner + last) if component else self.symbol(f"phi_{target}", bodies)
+        if quantity.kind == "a" and component in NATURAL:
+            return self.with_component(self.symbol(quantity.whole_name, bodies), NATURAL[component])
+        if quantity.line:
+            return self.symbol(f"{quantity.whole_name}.{on_line(component)}", bodies)
         if quantity.component in _ABOUT:
             return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
+
+
+def on_line(component: str) -> str:
+    """The index of a component along or across a line: ``∥AC`` of ``along_AC``."""
+    side, _, line = component.partition("_")
+    return _DIRECTIONS[side] + line
 
 
 def round_text(value: float, digits: int) -> str:

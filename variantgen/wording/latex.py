@@ -15,6 +15,7 @@ ESCAPES = {  # characters that are commands or not in every font
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "°": r"\textdegree{}", "\N{MINUS SIGN}": r"\textminus{}",
 }  # fmt: skip
 _ABOUT = {"modulus": r"\left|{}\right|", "angle": r"\angle({}, x)", "sense": r"\operatorname{{sgn}} {}"}
+_SIGNS = {"′": "'", "∥": r"\parallel", "⟂": r"\perp"}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
 _WIDE_ARROW = r"\overrightarrow{{{}}}"
 
@@ -86,8 +87,8 @@ class _Latex(Markup):
     def bars(self, content: str) -> str:
         return rf"\mathopen{{}}\left|{content}\right|"
 
-    def arrow(self, above: str, below: str) -> str:
-        return rf" \xrightarrow[{{{below}}}]{{{above}}} "
+    def arrow(self, above: str) -> str:
+        return rf" \xrightarrow{{{above}}} "
 
 
 _LATEX = _Latex()
@@ -106,7 +107,7 @@ def _base(base: str) -> str:
         return _GREEK.get(base, rf"\{base}")
     if base.isdecimal():
         return base
-    written = (letter.replace("′", "'") + (f"_{{{number}}}" if number else "") for letter, number in letters(base))
+    written = (_SIGNS.get(letter, letter) + (f"_{{{number}}}" if number else "") for letter, number in letters(base))
     return " ".join(written)
 
 

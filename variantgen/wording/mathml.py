@@ -119,9 +119,9 @@ class _MathML(Markup):
     def coefficient(self, number: str, root: str) -> str:
         return number + root
 
-    def arrow(self, above: str, below: str) -> str:
+    def arrow(self, above: str) -> str:
         sign = '<mo stretchy="true" lspace="0.3em" rspace="0.3em">⟶</mo>'
-        return f"<munderover>{sign}{_row(below)}{_row(above)}</munderover>"
+        return f"<mover>{sign}{_row(above)}</mover>"
 
 
 _MATHML = _MathML()

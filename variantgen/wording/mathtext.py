@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 from variantgen.wording.formula.markup import Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
-from variantgen.wording.formula.tree import GREEK, Formula, Index, Symbol, UnitText, letters
+from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Symbol, UnitText, letters
 
 # The variants that print as the letters of the rest of a sheet: ε and φ.
 _VARIANTS = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _ABOUT = {"modulus": "|{}|", "angle": r"\angle({},\,x)", "sense": r"\mathrm{{sgn}}\,{}"}
+_SIGNS = {"′": "'", "∥": r"\parallel{}", "⟂": r"\perp{}"}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
 _WIDE_ARROW = r"\overrightarrow{{{}}}"
 # What has a meaning in the markup, as what prints it.
@@ -93,8 +94,8 @@ class _Mathtext(Markup):
     def bars(self, content: str) -> str:
         return rf"{{\left|{content}\right|}}"
 
-    def arrow(self, above: str, below: str) -> str:
-        return rf"\;\underset{{{below}}}{{\overset{{{above}}}{{\longrightarrow}}}}\;"
+    def arrow(self, above: str) -> str:
+        return rf"\;\overset{{{above}}}{{\longrightarrow}}\;"
 
 
 _MATHTEXT = _Mathtext()
@@ -105,7 +106,11 @@ def _base(name: str) -> str:
         return _VARIANTS.get(name, f"\\{name}")
     if name.isdecimal():
         return name
-    return "".join(letter.replace("′", "'") + (f"_{{{number}}}" if number else "") for letter, number in letters(name))
+    if name.startswith(ANGLE):
+        return r"\angle{}" + _base(name.removeprefix(ANGLE))
+    return "".join(
+        _SIGNS.get(letter, letter) + (f"_{{{number}}}" if number else "") for letter, number in letters(name)
+    )
 
 
 def _script(sign: str, parts: Sequence[Index]) -> str:

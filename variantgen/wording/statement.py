@@ -23,7 +23,8 @@ from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.formula.tree import ANGLE
-from variantgen.wording.language import Language
+from variantgen.wording.language import NATURAL, Language
+from variantgen.wording.scene_data import scene_data
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
 
@@ -53,11 +54,23 @@ def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
     needed = {
         "signs": any(q.is_rotation and not q.component for q in asked),
         "magnitudes": any(q.is_vector and not q.component for q in asked),
-        "components": any(q.component in ("x", "y") for q in asked),
+        "components": any(q.component in ("x", "y") or q.is_coordinate for q in asked),
+        "coordinates": any(q.is_coordinate for q in asked),
         "angles": any(q.component == "angle" for q in asked),
         "senses": any(q.component == "sense" for q in asked),
+        "tangential": any(q.kind == "a" and q.component == "t" for q in asked),
+        "ratios": any(q.group == "ratio" for q in asked),
     }
-    return [words[key] for key, wanted in needed.items() if wanted]
+    notes = [words[key] for key, wanted in needed.items() if wanted]
+    lines = dict.fromkeys((q.component.partition("_")[0], q.line) for q in asked if q.line)
+    lines |= dict.fromkeys(("inclination", q.target) for q in asked if q.kind == "angle" and not q.component)
+    return notes + [words[key].format(line=line, **_ends(line)) for key, line in lines]
+
+
+def _ends(line: str) -> dict[str, str]:
+    """The two points of a line by the letters of its name: ``O1A`` goes from O1 to A."""
+    start, *rest = (letter + number for letter, number in letters(line))
+    return {"start": start, "end": "".join(rest)}
 
 
 def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -66,8 +79,12 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
     needed = {
         "velocity_centre": any(q.kind == "P" for q in asked),
         "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
+        "curvature": any(q.kind == "rho" for q in asked),
+        "natural": any(q.kind == "a" and q.component in NATURAL for q in asked),
     }
-    return [words[key] for key, wanted in needed.items() if wanted]
+    notes = [words[key] for key, wanted in needed.items() if wanted]
+    distances = dict.fromkeys((q.target, q.component) for q in asked if q.kind == "distance")
+    return notes + [words["distance"].format(start=start, end=end) for start, end in distances]
 
 
 def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -92,6 +109,9 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
         value = variant.printed[name]
         number = case.language.decimal(abs(value) if is_rate else value)
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
+    if variant.family.folder is None:
+        own = scene_data(variant, case.asked, case.language)
+        places, rates = places + own[0], rates + own[1]
     return places + _found(case, variant) + rates
 
 
@@ -156,8 +176,10 @@ def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
 
 @lru_cache(maxsize=1000)
 def _text(case: _Case) -> Text:
-    """The filled template: few texts differ, as data are printed beside them."""
+    """The filled template: few texts differ, as data are printed beside them. A scene has words of the program."""
     variant, asked, language = case.variant, case.asked, case.language
+    if variant.family.folder is None:
+        return (language.words("sheet")["scene"],)
     path = template_path(variant, language)
     template = load_template(path)
     formulas: list[Formula] = []

@@ -69,7 +69,8 @@ class Reader:
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
         result = line.pieces[-1][1]
-        if isinstance(result, Number) and not re.search(r"[^\W\d]_|[A-Z]{2}|[xyz]", texts[0]):
+        in_numbers = not re.search(r"[^\W\d]_|[A-Z]{2}|[xyz]", texts[0])
+        if isinstance(result, Number) and in_numbers:
             self.side(texts, line.pieces[-1][0], whole)
             return
         if len(texts) == 1:
@@ -83,7 +84,8 @@ class Reader:
         number = result.number.text
         value = number_of(number, self.mark)
         unit = 10.0**-ANGLE_DECIMALS if result.unit.tight else last_unit(number, self.mark, DIGITS)
-        for text in texts[1:-1]:
+        nameless = in_numbers and re.match(r"[−(]*\d", texts[0])  # a sum in numbers, which has no symbol
+        for text in texts[:-1] if nameless else texts[1:-1]:
             # A law may go before what it comes down to: εR = a_O, where no number of ε is written.
             with suppress(UnreadableError) if len(texts) > 3 else nullcontext():
                 self.compare(text, value, unit, line.pieces[-1][0], whole)

@@ -104,6 +104,12 @@ def line(item: Any, at: Places) -> tuple[Any, ...]:
     return (_off(at[item.point], at[item.through], line_ray(item, at)),)
 
 
+def angle(item: Any, at: Places) -> tuple[Any, ...]:
+    """Condition: two links at an angle."""
+    first, second = (at[end] - at[start] for start, end in (item.first, item.second))
+    return ((first.conjugate() * second * unit_vector(-item.size.value)).imag / abs(first),)
+
+
 def _off(z: Any, start: Any, ray: Any) -> Any:
     """Distance from a line, positive on its left."""
     return (ray.conjugate() * (z - start)).imag / abs(ray)

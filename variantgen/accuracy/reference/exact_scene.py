@@ -57,8 +57,8 @@ def data(scene: Scene) -> Iterator[SceneNumber]:
 def perturbed(scene: Scene, datum: SceneNumber, factor: Any) -> Scene:
     """An exact scene with one of its numbers multiplied by a factor."""
 
-    def change(number: int, value: Series, name: str) -> Series:
-        return value * factor if (number, name) == (datum.number, datum.field) else value
+    def change(number: int, value: Series, spec: FieldSpec) -> Series:
+        return value * factor if (number, spec.name) == (datum.number, datum.field) else value
 
     return with_numbers(scene, change)
 

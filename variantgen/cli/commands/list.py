@@ -4,29 +4,52 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from variantgen.cli.messages import say
+from variantgen.cli.columns import in_columns
+from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_families, add_language
+from variantgen.errors import InputError, Problem
 
-HELP = "list the problem families"
-DESCRIPTION = "List the problem families of the catalogue and of your own folders."
+if TYPE_CHECKING:
+    from variantgen.families.family import Family
+
+HELP = "list the problem families, or what a family offers"
+DESCRIPTION = """\
+List the problem families of the catalogue and of your own folders.
+With the name of a family (or the path of a scene): its forms, its parameters with their ranges,
+all that can be asked with symbol and unit, and a problem to paste into an exam file."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
+    parser.add_argument("family", nargs="?", default="", metavar="FAMILY_OR_FILE", help="what this one offers")
+    parser.add_argument(
+        "--figure",
+        type=Path,
+        metavar="FILE",
+        help="draw the family: .svg, .png, .pdf, .tikz or .tex; of several forms each into a file of its own",
+    )
     add_language(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     add_families(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print names, titles and forms."""
+    """Print names, titles and forms, or what one family offers. Raises InputError."""
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names, load_family
     from variantgen.wording.language import load_language
 
     load_language(arguments.lang)
     folders = family_folders(arguments.families)
+    if arguments.family:
+        _one(arguments, load_family(arguments.family, folders), folders)
+        return 0
+    if arguments.figure:
+        raise InputError(Problem("of which family?", key="--figure", remedy="name it: variantgen list four_bar ..."))
     families = [load_family(name, folders) for name in family_names(folders)]
     if arguments.json:
         rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
@@ -37,3 +60,96 @@ def run(arguments: argparse.Namespace) -> int:
         forms = ", ".join(name for name in family.forms if name)
         say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
     return 0
+
+
+def _one(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
+    """What one family offers, and its figures."""
+    from variantgen.overview import overview
+    from variantgen.wording.language import load_language
+
+    named = "" if arguments.family == family.name else arguments.family
+    if arguments.figure:
+        _draw(arguments, family, folders)
+    found = overview(family, load_language(arguments.lang), named)
+    if arguments.json:
+        say(json.dumps(found, ensure_ascii=False, indent=2))
+        return
+    title = family.title(arguments.lang)
+    say(f"{family.name}: {title}" if title and title != family.name else family.name)
+    if family.source:
+        say(f"source: {family.source}")
+    for names, form in _alike(found["forms"]):
+        if names:
+            say(f"\n{'form' if len(names) == 1 else 'forms'} {', '.join(names)}")
+        for line in _told(form):
+            say(line)
+    if not arguments.figure:
+        say(f"\nfigure: variantgen list {arguments.family} --figure {family.name}.svg")
+    say(f"\n{found['problem']}")
+
+
+def _alike(forms: list[dict[str, Any]]) -> Iterator[tuple[list[str], dict[str, Any]]]:
+    """Forms that differ in nothing but their names, together."""
+    left = list(forms)
+    while left:
+        first = left[0]
+        same = [form for form in left if {**form, "form": ""} == {**first, "form": ""}]
+        left = [form for form in left if form not in same]
+        yield [form["form"] for form in same if form["form"]], first
+
+
+def _told(form: Mapping[str, Any]) -> Iterator[str]:
+    """The parameters of a form, and what it can be asked for."""
+    rows = [
+        (f"  {name}", parameter.get("unit", ""), _values(parameter)) for name, parameter in form["parameters"].items()
+    ]
+    yield from ("", "parameters") if rows else ("", "no parameters: one variant")
+    yield from in_columns(rows)
+    yield from ("", "can be asked (* is asked if nothing is named)")
+    yield from in_columns(list(_asked(form)))
+
+
+def _values(parameter: Mapping[str, Any]) -> str:
+    """``10 to 30, step 2``, the values of a list, or the words of a choice."""
+    if "choices" in parameter:
+        return " or ".join(parameter["choices"])
+    unseen = "" if parameter.get("printed", True) else "  (only varies the figure)"
+    if "step" in parameter:
+        return f"{parameter['from']:g} to {parameter['to']:g}, step {parameter['step']:g}{unseen}"
+    shown = [f"{value:g}" for value in parameter["values"]]
+    if len(shown) > _LISTED:
+        shown = [*shown[:_LISTED], f"... {shown[-1]} ({len(shown)} values)"]
+    return ", ".join(shown) + unseen
+
+
+_LISTED = 12  # values that are written one by one
+
+
+def _asked(form: Mapping[str, Any]) -> Iterator[tuple[str, ...]]:
+    """A line for each quantity; what can be asked of it besides, as components, stands behind it."""
+    names = {item["quantity"]: item for item in form["can_be_asked"]}
+    for name, item in names.items():
+        whole, _, part = name.rpartition(".")
+        if part and whole in names:
+            continue
+        mark = "*" if any(own == name or own.startswith(name + ".") for own in form["ask"]) else " "
+        further = [
+            other.removeprefix(name) + (f" ({own['unit']})" if own["unit"] not in (item["unit"], "1") else "")
+            for other, own in names.items()
+            if other.rpartition(".")[0] == name
+        ]
+        yield f"{mark} {name}", item["symbol"], item["unit"], "  ".join(further)
+
+
+def _draw(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
+    """The figure of each form, with the name of the form before the ending where there are several."""
+    from variantgen.outputs.single.picture import picture
+    from variantgen.single import one_variant
+
+    for form in family.forms:
+        variant = one_variant(arguments.family, form=form, folders=folders)
+        goal: Path = arguments.figure
+        if len(family.forms) > 1:
+            goal = goal.with_stem(f"{goal.stem}-{form}")
+        picture(variant, language=arguments.lang).save(goal)
+        tell(f"written: {goal}")

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Iterator
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from variantgen.cli.columns import in_columns
 from variantgen.cli.messages import say
 from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
+    from variantgen.everything import ResultTable
     from variantgen.exam.sheets import Answer
 
+_DIGITS = 5
 HELP = "solve one variant"
 DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."
 
@@ -22,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     add_choice(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document (SI units and radians)")
+    parser.add_argument("--all", action="store_true", help="tables of everything that can be known of it")
     add_language(parser)
     add_explaining(parser)
 
@@ -33,6 +38,9 @@ def run(arguments: argparse.Namespace) -> int:
     """
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
+    for option, chosen in (("--ask", arguments.ask), ("--explain", arguments.explain)):
+        if arguments.all and chosen:
+            raise InputError(Problem("has everything in tables", key="--all", remedy=f"leave out --all or {option}"))
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, solution_document
     from variantgen.wording.language import load_language
@@ -40,6 +48,13 @@ def run(arguments: argparse.Namespace) -> int:
     load_language(arguments.lang)
     variant = wanted_variant(arguments)
     document = solution_document(variant, arguments.ask)
+    solved = Outcome[document["outcome"].upper()] is Outcome.SOLVED
+    if arguments.all and solved:
+        from variantgen.everything import all_values, everything
+
+        document["all"] = all_values(variant)
+        tables = everything(variant)
+        document["tables"] = [table.data for table in tables]
     if arguments.json:
         try:
             say(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
@@ -50,8 +65,15 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     if not arguments.json:
         for name, item in document["parameters"].items():
-            say(f"{name} = {item['value']:g} {item['unit']}" if item["unit"] else f"{name} = {item['value']}")
+            say(
+                f"{name} = {item['value']:g} {item['unit']}".removesuffix(" 1")
+                if item["unit"]
+                else f"{name} = {item['value']}"
+            )
         say()
+        if arguments.all:
+            say("\n\n".join("\n".join(_lines(table)) for table in tables))
+            return 0
         solution = explained(arguments, variant)
         if solution is not None:
             say(solution)
@@ -59,6 +81,13 @@ def run(arguments: argparse.Namespace) -> int:
         for answer in answers(variant, arguments.ask):
             say(_told(answer))
     return 0
+
+
+def _lines(table: ResultTable) -> Iterator[str]:
+    """A table with names and units of its columns, numbers with five digits."""
+    rows = [[table.title, *(name for name, _ in table.columns)], ["", *(unit for _, unit in table.columns)]]
+    rows += [[name, *("-" if x is None else f"{x:.{_DIGITS}g}" for x in row)] for name, row in table.rows.items()]
+    return in_columns(rows, numbers=True)
 
 
 def _told(answer: Answer) -> str:

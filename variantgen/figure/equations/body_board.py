@@ -138,13 +138,23 @@ class BodyBoard:
         """What is drawn, where the points are ``at`` places to a scale."""
         variant = self.subject.variant
         values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
-        members = [tuple(at[p] for p in variant.form.bodies[b] if p in self.points) for b in self._bodies]
+        members = [tuple(at[p] for p in self._drawn_of(body)) for body in self._bodies]
         discs = [disc for disc in variant.form.figure.discs if not disc.arc]
         own = {disc.body for disc in discs if disc.body in self._bodies or disc.centre == self.points[0]}
         own = set() if self._rods else own
         rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
         places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
-        return Surroundings(places, tuple(members), tuple(rims))
+        others = tuple(at[name] for name in self.named if name not in self.points)
+        return Surroundings(places, tuple(members), tuple(rims), others)
+
+    def _drawn_of(self, body: str) -> list[str]:
+        """The points of a body between which it is drawn: where a single one has a name, those without too.
+
+        They join it to the rest of the figure: the slot of a yoke to the end of its rod.
+        """
+        form = self.subject.variant.form
+        own = [name for name in form.bodies[body] if name in self.points]
+        return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
 
 
 def draw_point(board: MotionBoard, point: str) -> None:

@@ -1,12 +1,10 @@
 """The figure of a chain of links between fixed pivots: the links as vectors on axes, and below them their graph.
 
-The graph is that of the guide: ``O -1-> A -2-> B -3-> C``, the numbers of the links above the arrows, below them the
-angles of the links with the axis x.
+The graph is that of the guide: ``O -1-> A -2-> B -3-> C``, the numbers of the links above the arrows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -15,58 +13,53 @@ from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import MEDIUM, Drawing, Layer
 from variantgen.figure.equations.body_board import BodyBoard, FigureSubject
 from variantgen.figure.motion.motion_board import MotionBoard
-from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.placement.label_requests import LabelRequest, along_line, around, label_size
-from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import ChainGraph
 from variantgen.wording.formula import Formula, Number, Symbol
-from variantgen.wording.solution.formulas import Formulas
 
 _AXIS = 15.0  # length of an axis, u
 _PART = 0.58  # of a link where its arrow head is
 _HEAD = 2.6
 _BELOW = 9.0  # from the mechanism to its graph, u
-_LEG, _GAP = 25.0, 3.6  # from point to point of the graph; from a letter to an arrow, u
-_OFF = 1.6  # between an arrow of the graph and what stands above and below it, u
+_LEG, _GAP = 20.0, 3.6  # from point to point of the graph; from a letter to an arrow, u
+_OFF = 1.6  # between an arrow of the graph and the number above it, u
 
 
-def draw_chain(subject: FigureSubject, vectors: Sequence[PointVectors]) -> Drawing:
+def draw_chain(subject: FigureSubject) -> Drawing:
     """The figure of the chain of which the step speaks. Raises InputError where it speaks of none."""
     chain = subject.geometry.chain
     if chain is None:
         raise InputError(Problem("the solution has no chain of links", key="view", value="rate_chain"))
-    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, 1, subject.language, vectors)
-    points = [chain.start, *(leg.end for leg in chain.legs)]
+    points = [chain.start, *chain.ends]
     bodies = subject.variant.form.bodies
     links = [next(name for name, members in bodies.items() if set(pair) <= set(members)) for pair in pairwise(points)]
     board = BodyBoard(subject, links, points)
     drawn = board.drawn(board.scale(lambda scale: [_AXIS, _AXIS * 1j]))
     sketch = drawn.sketch
-    for leg, (start, end) in zip(chain.legs, pairwise(points), strict=True):
+    for number, (start, end) in enumerate(pairwise(points), 1):
         at, way = sketch.at[start], sketch.at[end] - sketch.at[start]
         tip = at + _PART * way
         sketch.arrow(tip - 2 * _HEAD * way / abs(way), tip, Layer.SLIDER, MEDIUM, _HEAD)
-        sketch.label(along_line(Number(str(leg.number)), at, sketch.at[end]))
+        sketch.label(along_line(Number(str(number)), at, sketch.at[end]))
     for axis, letter in ((1 + 0j, "x"), (1j, "y")):
         sketch.arrow(0j, _AXIS * axis, Layer.MARK, MEDIUM, 2.0)
         sketch.label(around(Symbol(letter), _AXIS * axis, 0.3))
-    _draw_graph(drawn, chain, Formulas(named.symbols, subject.variant.family.length_unit))
+    _draw_graph(drawn, chain)
     return sketch.finish({name: sketch.at[name] for name in drawn.shown})
 
 
-def _draw_graph(board: MotionBoard, chain: ChainGraph, formulas: Formulas) -> None:
+def _draw_graph(board: MotionBoard, chain: ChainGraph) -> None:
     """The graph below what is drawn, in its middle."""
     sketch = board.sketch
     low, high = sketch.corners()
-    place = complex(0.5 * (low.real + high.real - _LEG * len(chain.legs)), low.imag - _BELOW)
+    place = complex(0.5 * (low.real + high.real - _LEG * len(chain.ends)), low.imag - _BELOW)
     _write(board, Symbol(chain.start), place)
-    for leg in chain.legs:
-        start, end = place + _GAP, place + _LEG - _GAP
-        sketch.arrow(start, end, Layer.VECTOR, MEDIUM, 2.0)
-        for side, formula in ((1j, Number(str(leg.number))), (-1j, formulas.measured(leg.angle))):
-            _write(board, formula, 0.5 * (start + end) + side * (_OFF + 0.5 * label_size(formula)[1]))
+    for number, end in enumerate(chain.ends, 1):
+        sketch.arrow(place + _GAP, place + _LEG - _GAP, Layer.VECTOR, MEDIUM, 2.0)
+        formula = Number(str(number))
+        _write(board, formula, place + 0.5 * _LEG + 1j * (_OFF + 0.5 * label_size(formula)[1]))
         place += _LEG
-        _write(board, Symbol(leg.end), place)
+        _write(board, Symbol(end), place)
 
 
 def _write(board: MotionBoard, formula: Formula, place: complex) -> None:

@@ -67,6 +67,7 @@ _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
 _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 # A level leader that ends before a number reads as its minus sign.
 _AS_MINUS = np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
+_AS_SHAFT, _NEARLY_AHEAD = 15.0, math.cos(math.radians(20))  # a leader that goes on past a head reads as its shaft
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
 # leader is better.
@@ -114,7 +115,12 @@ def far_from(request: LabelRequest) -> tuple[Places, Costs]:
     support = _support(request.box, _FAR_WAYS)
     places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
     is_number = isinstance(request.formula, Number | Measured)
-    costs = _FAR_RINGS[:, None] + (0.01 * np.arange(24) + is_number * _AS_MINUS)[None, :]
+    ways = 0.01 * np.arange(24) + is_number * _AS_MINUS
+    if request.arrow is not None:
+        start, tip = request.arrow
+        ahead = (_FAR_WAYS * (tip - start).conjugate()).real / abs(tip - start)
+        ways = ways + _AS_SHAFT * (ahead > _NEARLY_AHEAD)
+    costs = _FAR_RINGS[:, None] + ways[None, :]
     return places.ravel(), costs.ravel()
 
 

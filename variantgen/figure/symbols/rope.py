@@ -9,6 +9,7 @@ from itertools import pairwise
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
+from variantgen.figure.symbols import _hoist
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.joints.rope import Bend, Rope
 
@@ -18,6 +19,9 @@ _BRACKET = 4.5
 
 def draw(board: Board, joint: Rope) -> None:
     """Add the rope and what carries it; drums and wheels that are bodies are drawn as discs."""
+    if joint.parallel:
+        _hoist.draw(board, joint)
+        return
     ways = [_straight(board, first, second) for first, second in pairwise(joint.path)]
     last = len(joint.path) - 1
     for i, bend in enumerate(joint.path):

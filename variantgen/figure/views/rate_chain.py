@@ -14,4 +14,4 @@ ORDER = 1
 
 def draw(subject: FigureSubject, vectors: Sequence[PointVectors], which: str) -> Drawing:
     """The figure of the chain that the ``geometry`` of a step names. Raises InputError where it names none."""
-    return draw_chain(subject, vectors)
+    return draw_chain(subject)

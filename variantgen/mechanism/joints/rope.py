@@ -10,7 +10,7 @@ from typing import Annotated, ClassVar, TypeAlias
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot
-from variantgen.mechanism.component import BodyName, PointName, Radius, Side, WordMeaning
+from variantgen.mechanism.component import Angle, BodyName, PointName, Radius, Side, WordMeaning
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.rows import Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
 
@@ -23,6 +23,7 @@ RopeSide: TypeAlias = Annotated[
 ]
 # Of the radii at its ends: how short a straight piece of a moving rope may become.
 _NEAR = 0.25
+_UPRIGHT = 1e-6  # cosine of a direction: less is none
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,8 @@ class Bend:
 
     The rope touches the circle of ``radius`` about ``point`` on the left or right ``side`` of its way; radius 0 is the
     point itself. ``body``: the rope is wound on this body, so that its rotation takes up rope. ``fixed``: the point
-    is at rest and needs no pivot (a pulley on a bracket, an anchor).
+    is at rest and needs no pivot (a pulley on a bracket, an anchor). ``along`` (rad): the direction that the straight
+    pieces at this moving block keep in a ``parallel`` rope.
     """
 
     point: PointName
@@ -39,6 +41,7 @@ class Bend:
     side: RopeSide = 1.0
     body: BodyName | None = None
     fixed: bool = False
+    along: Angle | None = None
     belongs: ClassVar[Mapping[str, str]] = {"point": "body"}
 
 
@@ -52,10 +55,13 @@ class Rope(Joint):
         sum u_j.(v_(j+1) - v_j) + s_0 r_0 omega_0 - s_N r_N omega_N = 0
         sum u_j.(a_(j+1) - a_j) + s_0 r_0 epsilon_0 - s_N r_N epsilon_N + sum (n_j.(v_(j+1) - v_j))^2 / l_j = 0
 
-    because piece j turns at the rate ``n_j.(v_(j+1) - v_j) / l_j``; pulleys in between turn freely.
+    because piece j turns at the rate ``n_j.(v_(j+1) - v_j) / l_j``; pulleys in between turn freely, and the rope may
+    pass a point several times. In a ``parallel`` rope, as in hoists, a piece at a moving block runs ``along`` the way
+    of the block and keeps that direction: its length is the distance of its ends in this direction, whatever the radii.
     """
 
     path: tuple[Bend, ...]
+    parallel: bool = False
 
     @property
     def _drums(self) -> tuple[tuple[Bend, float], ...]:
@@ -74,14 +80,20 @@ class Rope(Joint):
         return tuple(JointCircle(bend.point, bend.radius, bend.body or "") for bend in self.path)
 
     def hanging(self) -> tuple[str, ...]:
-        """Free ends: loads, or points of bodies that the rope is tied to."""
+        """Free ends: loads, or points of bodies that the rope is tied to; all that moves upright on a parallel rope."""
+        if self.parallel:
+            upright = [b for b in self.path if b.along is not None and bool(np.all(np.abs(np.cos(b.along)) < _UPRIGHT))]
+            return tuple(dict.fromkeys(bend.point for bend in upright if not bend.fixed))
         ends = (self.path[0], self.path[-1]) if self.path else ()
         return tuple(end.point for end in ends if end.body is None and not end.fixed)
 
     def sound(self, at: Placement) -> Flags:
         """No two stations overlap."""
         good: Flags = True
-        for first, second in pairwise(self.path):
+        for (first, second), (_, length) in zip(pairwise(self.path), self.pieces(at), strict=True):
+            if self.way(first, second) is not None:
+                good = good & (length > 0)
+                continue
             gap = np.abs(at.z[second.point] - at.z[first.point])
             lever = np.abs(first.side * first.radius - second.side * second.radius)
             good = good & (gap > lever) & (gap > 0)
@@ -108,13 +120,28 @@ class Rope(Joint):
             return (
                 "only the first and the last bend may name a body: split the rope at a wheel that it does not slip on"
             )
+        for first, second in pairwise(self.path):
+            if first.point == second.point:
+                return f"the rope comes to {first.point} twice in a row: name what it passes in between"
         return ""
+
+    def way(self, first: Bend, second: Bend) -> Real | None:
+        """The direction (rad) that the piece between two stations keeps; None where its circles decide."""
+        if not self.parallel:
+            return None
+        return first.along if first.along is not None else second.along
 
     def pieces(self, at: Placement) -> list[tuple[Complex, Real]]:
         """Unit vector and length (m) of each straight piece."""
         sense = at.frame.sense
-        found = []
+        found: list[tuple[Complex, Real]] = []
         for first, second in pairwise(self.path):
+            way = self.way(first, second)
+            if way is not None:
+                along = at.frame.direction(way)
+                gap = dot(along, at.z[second.point] - at.z[first.point])
+                found.append((np.where(gap < 0, -1.0, 1.0) * along, np.abs(gap)))
+                continue
             ray, length, _ = thread_direction(
                 at.z[first.point],
                 first.radius,
@@ -145,7 +172,7 @@ class Rope(Joint):
         total: Real = 0.0
         for (first, second), (ray, length) in zip(pairwise(self.path), self.pieces(at), strict=True):
             ends = [0.0 if bend.fixed else speeds.v[bend.point] for bend in (first, second)]
-            swing = dot(1j * ray, ends[1] - ends[0])
+            swing = 0.0 if self.way(first, second) is not None else dot(1j * ray, ends[1] - ends[0])
             total = total + swing * swing / length
         return (total,)
 

@@ -20,7 +20,7 @@ class Slot(Joint):
 
         n.d = const
         n.(v - v_A) - omega (u.d) = 0
-        n.(a - a_A) - epsilon (u.d) - 2 omega u.(v - v_A) + omega^2 (n.d) = 0
+        n.(a - a_A) - epsilon (u.d) - 2 omega u.(v - v_A) - omega^2 (n.d) = 0
 
     The sleeve swivels on its pin unless ``sleeve`` names the body it is fixed to; then that body keeps its
     orientation relative to ``body``, and the two have the same omega and epsilon.
@@ -59,12 +59,12 @@ class Slot(Joint):
         return line, ScalarRow({}, {self.body: 1.0, self.sleeve: -1.0})
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
-        """``-2 omega u.(v - v_A) + omega^2 n.d``: the Coriolis term and, for an offset line, a normal one."""
+        """``-2 omega u.(v - v_A) - omega^2 n.d``: the Coriolis term and, for an offset line, a normal one."""
         u = self.direction(at)
         d = at.z[self.point] - at.z[self.along[0]]
         omega = speeds.omega[self.body]
         relative = dot(u, speeds.v[self.point] - speeds.v[self.along[0]])
-        term = omega * (omega * cross(u, d) - 2.0 * relative)
+        term = -omega * (omega * cross(u, d) + 2.0 * relative)
         return (term,) if self.sleeve is None else (term, 0.0)
 
     def residual(self, moved: Placement, start: Placement, time: Real) -> tuple[Real, ...]:

@@ -1,17 +1,18 @@
-"""The asked quantities, read from what a solution has found: magnitudes, signed rates, components, directions."""
+"""The asked quantities, read from what a solution has found: magnitudes, signed rates, components, positions."""
 
 from __future__ import annotations
 
-from variantgen.algebra.expression import Applied, Constant, Ratio, Total, Value
+import math
+
+from variantgen.algebra.expression import Expression, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.relative import sliding_points
+from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
+from variantgen.methods.by_groups.vector_answers import curvature_radius, vector_answer
 from variantgen.methods.centres import acceleration_centre, velocity_centre
-from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.groups.carriers import is_translating
-from variantgen.methods.solution.book import Book, Known, resultant
-from variantgen.methods.steps.step import Body, Derived, Point, VectorOf
-from variantgen.methods.vectors.points import components, modulus, vector
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Body, Derived
 
 
 def answer(book: Book, quantity: Quantity) -> Value:
@@ -19,22 +20,23 @@ def answer(book: Book, quantity: Quantity) -> Value:
 
     Rates are positive counter-clockwise. Raises LookupError for a quantity that the steps so far do not lead to.
     """
-    if quantity.is_rotation:
-        return _rate(book, quantity)
-    if not quantity.is_vector:
-        return _of_centre(book, quantity)
-    name, terms = _vector(book, quantity)
-    if quantity.component in ("x", "y"):
-        return _component(book, name, terms, quantity.component)
-    if quantity.component == "angle":
-        return _angle(book, name, terms)
-    if len(terms) == 1 and terms[0].size is not None and terms[0].size.exact > 0:
-        return terms[0].size
-    if len(terms) > 1 and name not in book.values:
-        kind = quantity.kind if quantity.kind.endswith("_rel") else quantity.kind[0]
-        with book.step(f"answers.magnitude_{kind}", point=Point(quantity.target)):
-            return modulus(book, name, terms)
-    return modulus(book, name, terms)
+    if quantity.is_vector:
+        return vector_answer(book, quantity)
+    match quantity.group:
+        case "rotation":
+            return _rate(book, quantity)
+        case "ratio":
+            return _ratio(book, quantity)
+        case "path":
+            return curvature_radius(book, quantity.target)
+        case "position":
+            return position_answer(book, quantity)
+        case "centre angle":
+            return acceleration_centre.asked_angle(book, quantity.target)
+    if quantity.is_coordinate:
+        return centre_coordinate(book, quantity)
+    distance = velocity_centre.distance if quantity.kind == "P" else acceleration_centre.distance
+    return distance(book, quantity.target, quantity.component)
 
 
 def _rate(book: Book, quantity: Quantity) -> Value:
@@ -56,46 +58,20 @@ def _rate(book: Book, quantity: Quantity) -> Value:
     return Value(rate.size.name, measure, -rate.size.exact, -rate.size)
 
 
-def _of_centre(book: Book, quantity: Quantity) -> Value:
-    """A distance from the velocity or acceleration centre, or the angle of the latter."""
-    if quantity.kind == "mu":
-        return acceleration_centre.asked_angle(book, quantity.target)
-    distance = velocity_centre.distance if quantity.kind == "P" else acceleration_centre.distance
-    return distance(book, quantity.target, quantity.component)
-
-
-def _vector(book: Book, quantity: Quantity) -> tuple[Name, Known]:
-    """The name of a vector and its known terms."""
-    point, kind = quantity.target, quantity.kind
-    if kind in ("v", "a"):
-        return Name(kind, point), vector(book, point)
-    carrier = sliding_points(book.task.scene)[point]
-    tables = {"v_rel": book.relative, "a_rel": book.relative_acceleration, "a_cor": book.coriolis}
-    return Name(kind[0], point, part=kind[2:]), tables[kind][point, carrier]
-
-
-def _component(book: Book, name: Name, terms: Known, axis: str) -> Value:
-    """The projection of a vector on an axis of the paper."""
-    own = name.component(axis)
-    if own in book.values:
-        return book.values[own]
-    with book.step(f"answers.components_{name.kind}", vector=VectorOf(name)):
-        components(book, name, terms)
-    return book.values[own]
-
-
-def _angle(book: Book, name: Name, terms: Known) -> Value:
-    """The direction of a vector: that of its only term, or by the arc tangent of its components."""
-    if len(terms) == 1 and terms[0].size is not None:
-        return terms[0].angle if terms[0].size.exact >= 0 else Geometry.turned(terms[0].angle, 180.0)
-    x, y = (_component(book, name, terms, axis) for axis in ("x", "y"))
-    exact = degrees(resultant(terms))
-    if x.exact == 0 or y.exact == 0:
-        return Value(None, "angle", exact)
-    slope = Applied("arctan", Ratio(y, x))
-    turn = round((exact - slope.number(True)) / 180.0) * 180
-    whole = Total(((1, slope), (1 if turn > 0 else -1, Constant(abs(turn), "angle")))) if turn else slope
-    value = Value(Name("heading", name.of, name.about, name.part, name.kind), "angle", exact, whole)
-    with book.step(f"answers.direction_{name.kind}", vector=VectorOf(name)):
-        book.items.append(Derived(value))
-    return value
+def _ratio(book: Book, quantity: Quantity) -> Value:
+    """The quotient of two angular velocities, negative where they have opposite senses; infinite by zero."""
+    name = Name("ratio", quantity.target, quantity.component)
+    bodies = (quantity.target, quantity.component)
+    sizes = [_rate(book, Quantity("omega", body, "abs")) for body in bodies]
+    if sizes[1].exact == 0:
+        return Value(name, "number", math.inf)
+    opposite = math.prod(book.omega[body].sense for body in bodies if body in book.omega) < 0
+    whole: Expression = Ratio(*sizes)
+    with book.step("answers.ratio", first=Body(bodies[0]), second=Body(bodies[1])):
+        if opposite:
+            book.say("answers.opposite", False, first=Body(bodies[0]), second=Body(bodies[1]))
+        whole = -whole if opposite else whole
+        value = Value(name, "number", whole.number(True), whole)
+        book.items.append(Derived(value, symbolic=False))  # in symbols it would be itself
+        book.values[name] = value
+        return value

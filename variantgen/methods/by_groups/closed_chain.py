@@ -15,17 +15,17 @@ solved as usual. A link that slides has no such equation: the method does not ap
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
-from variantgen.algebra.expression import Constant, Expression, Raised, Value
+from variantgen.algebra.expression import Expression, Raised, Value
 from variantgen.algebra.linear import linear
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Maybe, added, product
-from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.group import Dyad
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.shown_system import ZERO, enter_solution, system_of
-from variantgen.methods.steps.step import Body, Derived, EquationLine, Fact, Point
-from variantgen.methods.steps.step_geometry import ChainGraph, ChainLink
+from variantgen.methods.steps.step import Body, Derived, EquationLine, Fact, Point, Segment
+from variantgen.methods.steps.step_geometry import ChainGraph
 
 _KIND = {1: "omega", 2: "epsilon"}
 
@@ -64,27 +64,15 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     kind = _KIND[book.order]
     ends: dict[str, Fact] = {"start": Point(loop.points[0]), "end": Point(loop.points[3])}
     with book.step(f"three_rates.{kind}", "rate_chain", **ends):
-        links = tuple(Body(body) for body in loop.bodies)
-        book.say(
-            f"three_rates.equations_{kind}", book.order > 1, first=links[0], second=links[1], third=links[2], **ends
-        )
+        links = tuple(Segment(*ends) for ends in pairwise(loop.points))
+        book.say(f"three_rates.equations_{kind}", book.order > 1, links=links, **ends)
         if book.order == 1:
-            book.items.append(_graph(book, loop))
+            book.items.append(ChainGraph(loop.points[0], loop.points[1:]))
         known = _signed(book, loop.bodies[0])
         unknowns = [_unknown(book, body) for body in loop.bodies[1:]]
         _solve(book, unknowns, _equations(book, loop, [known, *unknowns]))
         for body, value in zip(loop.bodies[1:], unknowns, strict=True):
             _enter(book, body, value)
-
-
-def _graph(book: Book, loop: Loop) -> ChainGraph:
-    """The chain in the notation of graphs: numbers of links, their angles with the x axis."""
-    legs = []
-    for number, (start, end) in enumerate(zip(loop.points, loop.points[1:], strict=False), 1):
-        exact = degrees(book.geometry.vector(start, end))
-        angle = Value(None, "angle", exact, Constant(exact, "angle"))
-        legs.append(ChainLink(number, angle, end))
-    return ChainGraph(loop.points[0], tuple(legs))
 
 
 def _signed(book: Book, body: str) -> Maybe:

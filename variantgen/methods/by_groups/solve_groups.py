@@ -97,4 +97,4 @@ def _solve(book: Book, group: Group) -> None:
 
 def _asked_points(book: Book, order: int) -> list[str]:
     kind = "v" if order == 1 else "a"
-    return [q.point for q in book.task.asked if q.kind == kind and q.order == order]
+    return [q.point for q in book.task.sought if q.kind == kind and q.order == order]

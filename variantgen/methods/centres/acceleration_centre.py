@@ -45,7 +45,7 @@ def carry(book: Book, point: str, body: str, pole: str) -> None:
 
 
 def _is_direction_asked(book: Book, point: str) -> bool:
-    return any(q.point == point and q.kind == "a" and q.component for q in book.task.asked)
+    return any(q.point == point and q.kind == "a" and q.component for q in book.task.sought)
 
 
 def _term(book: Book, centre: Centre, point: str, ray: CentreRay, size: Value) -> Term:

@@ -73,9 +73,11 @@ def _found(book: Book, body: str) -> Centre:
     if pivot is not None:
         book.say("known_centre.pivot", False, at=Point(pivot), **facts)
         return Centre(body, at=pivot)
-    if is_translating(book, body) or rate is None or not rate.sense:
+    if is_translating(book, body) or (rate is not None and not rate.sense):
         book.say("known_centre.no_rotation", False, **facts)
         return Centre(body, infinite=True)
+    if rate is None:
+        raise LookupError(f"the rotation of {body}")
     known = [p for p in members if p in book.velocity]
     resting = next((p for p in known if not book.velocity[p]), None)
     if resting is not None:

@@ -178,7 +178,7 @@ def _differentiate(
 
 def _asked_points(book: Book) -> list[str]:
     kind = book.letter
-    return list(dict.fromkeys(q.target for q in book.task.asked if q.kind == kind))
+    return list(dict.fromkeys(q.target for q in book.task.sought if q.kind == kind))
 
 
 def _modulus_and_cosines(book: Book, point: str) -> None:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.python_source import number
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, line_ends
+from variantgen.families.quantities.kinds import ACROSS, ALONG, NATURAL
 from variantgen.mechanism.relative import sliding_points
 from variantgen.methods.coordinates.model import Model
 
@@ -34,17 +35,62 @@ class _Outputs:
 
     def of(self, quantity: Quantity) -> str:
         """The expression of a quantity."""
-        match quantity.kind:
-            case "omega" | "epsilon":
+        match quantity.group:
+            case "rotation":
                 return self._part(self._rate(quantity.target, quantity.order), quantity.component)
-            case "v" | "a":
+            case "vector" if quantity.component in NATURAL:
+                return self._natural(quantity.target, quantity.component)
+            case "vector":
                 return self._vector(self._components(quantity.target, quantity.order), quantity.component)
-            case "P" | "Q":
-                return self._distance(quantity)
-            case "mu":
+            case "path":
+                return f"{self._speed(quantity.target)}**2/({self._natural(quantity.target, 'n')})"
+            case "centre":
+                return self._coordinate(quantity) if quantity.is_coordinate else self._distance(quantity)
+            case "centre angle":
                 rates = [self._rate(quantity.target, order) for order in (2, 1)]
                 return f"np.degrees(np.arctan2(abs({rates[0]}), ({rates[1]})**2))"
+            case "ratio":
+                return f"({self._rate(quantity.target, 1)})/({self._rate(quantity.component, 1)})"
+            case "position":
+                return self._position(quantity)
         return self._relative(quantity)
+
+    def _speed(self, point: str) -> str:
+        return "np.hypot({}, {})".format(*self._components(point, 1))
+
+    def _natural(self, point: str, component: str) -> str:
+        """The tangential or normal acceleration: ``a.v / v``, ``|v x a| / v``."""
+        (vx, vy), (ax, ay) = self._components(point, 1), self._components(point, 2)
+        product = f"({vx}*{ax} + {vy}*{ay})" if component == "t" else f"abs({vx}*{ay} - {vy}*{ax})"
+        return f"{product}/{self._speed(point)}"
+
+    def _coordinate(self, quantity: Quantity) -> str:
+        """A coordinate of the point of a body where ``v`` or ``a`` is zero, from its first point."""
+        pole, number = self.model.task.scene.bodies[quantity.target][0], 0 if quantity.component == "x" else 1
+        place, omega = self._place(pole, number), self._rate(quantity.target, 1)
+        x, y = self._components(pole, quantity.order)
+        if quantity.kind == "P":
+            return f"{place} - {y}/({omega})" if number == 0 else f"{place} + {x}/({omega})"
+        epsilon = self._rate(quantity.target, 2)
+        above = f"{x}*({omega})**2 - {y}*({epsilon})" if number == 0 else f"{x}*({epsilon}) + {y}*({omega})**2"
+        return f"{place} + ({above})/(({omega})**4 + ({epsilon})**2)"
+
+    def _position(self, quantity: Quantity) -> str:
+        """A coordinate, a distance, the direction of a line, or a corner between two."""
+        if quantity.is_coordinate:
+            return self._place(quantity.target, 0 if quantity.kind == "x" else 1)
+        points = quantity.points(self.model.task.now.z)
+        if quantity.kind == "distance":
+            return "np.hypot({}, {})".format(*self._way(*points))
+        if not quantity.component:
+            return "np.degrees(np.arctan2({1}, {0}))".format(*self._way(*points))
+        first, corner, last = points
+        (ax, ay), (bx, by) = self._way(corner, first), self._way(corner, last)
+        return f"np.degrees(abs(np.arctan2({ax}*{by} - {ay}*{bx}, {ax}*{bx} + {ay}*{by})))"
+
+    def _way(self, start: str, end: str) -> tuple[str, str]:
+        x, y = (self._difference(self._place(end, axis), self._place(start, axis)) for axis in (0, 1))
+        return x, y
 
     def _part(self, rate: str, component: str) -> str:
         return {"abs": f"abs({rate})", "sense": f"np.sign({rate})"}.get(component, rate)
@@ -58,6 +104,9 @@ class _Outputs:
 
     def _vector(self, components: tuple[str, str], component: str) -> str:
         x, y = components
+        if component.startswith((ALONG, ACROSS)):
+            way = self._unit(component.partition("_")[2]) * (1 if component.startswith(ALONG) else 1j)
+            return f"({x})*({number(way.real)}) + ({y})*({number(way.imag)})"
         match component:
             case "x":
                 return x
@@ -68,6 +117,13 @@ class _Outputs:
         if "0" in components:
             return f"abs({x if y == '0' else y})"
         return f"np.hypot({x}, {y})"
+
+    def _unit(self, line: str) -> complex:
+        """The unit vector of a line from its first point to its second."""
+        z = self.model.task.now.z
+        ends = line_ends(line, z)
+        assert ends is not None, "the name of the quantity has been read"
+        return (z[ends[1]] - z[ends[0]]) / abs(z[ends[1]] - z[ends[0]])
 
     def _place(self, point: str, axis: int) -> str:
         place = self.model.unknown(point, axis)

@@ -50,7 +50,7 @@ class Model:
 
     def _included(self) -> set[str]:
         """Points that are asked, that joints and drivers speak of, and the hinges."""
-        asked = {q.point for q in self.task.asked if q.point}
+        asked = {q.point for q in self.task.sought if q.point}
         found = {point for c in self.relevant for shape in c.shapes() for point in shape.points}
         bodies = self.task.scene.bodies
         hinges = {p for p in self.task.needed.points if sum(p in members for members in bodies.values()) > 1}

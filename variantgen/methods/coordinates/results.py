@@ -16,18 +16,16 @@ from variantgen.methods.solution.book import Known, Rate
 from variantgen.methods.steps.step import Body, Point, Term, VectorOf
 from variantgen.methods.vectors.points import RIGHT, UP, positive
 
-_RELATIVE = ("v_rel", "a_rel", "a_cor")
-
 
 def targets(model: Model) -> list[Value]:
     """The coordinates whose derivatives give what is asked."""
     found: list[Value] = []
-    for quantity in model.task.asked:
+    for quantity in model.task.sought:
         if quantity.kind in ("v", "a", "P", "Q"):
-            found += _of_point(model, quantity.point)
+            found += _of_point(model, quantity.point) if quantity.point else _of_centre(model, quantity.target)
         if quantity.kind in ("omega", "epsilon", "P", "Q", "mu"):
             found += _of_body(model, quantity.target)
-        if quantity.kind in _RELATIVE:
+        if quantity.is_relative:
             carrier = sliding_points(model.task.scene)[quantity.target]
             found += [model.slides[quantity.target, carrier]]
             found += _of_body(model, carrier) if model.is_turning(carrier) else []
@@ -36,6 +34,11 @@ def targets(model: Model) -> list[Value]:
 
 def _of_point(model: Model, point: str) -> list[Value]:
     return [own for axis in (0, 1) if (own := model.unknown(point, axis)) is not None]
+
+
+def _of_centre(model: Model, body: str) -> list[Value]:
+    """The coordinates of the points from which a centre is laid off."""
+    return [value for point in model.task.scene.bodies[body][:2] for value in _of_point(model, point)]
 
 
 def _of_body(model: Model, body: str) -> list[Value]:
@@ -69,13 +72,13 @@ def enter(model: Model, blocks: list[CoordinateBlock]) -> None:
         values = _of_point(model, point)
         if all(value in solved for value in values):
             book.vectors[point] = _vector(model, point)
-    wanted = {q.target for q in book.task.asked if q.kind in ("omega", "epsilon", "P", "Q", "mu")}
+    wanted = {q.target for q in book.task.sought if q.kind in ("omega", "epsilon", "P", "Q", "mu")}
     carriers = sliding_points(book.task.scene)
-    wanted |= {carriers[q.target] for q in book.task.asked if q.kind in _RELATIVE}
+    wanted |= {carriers[q.target] for q in book.task.sought if q.is_relative}
     for body in book.task.scene.bodies:
         if body in wanted and model.is_turning(body):
             _enter_rate(model, body)
-    for quantity in dict.fromkeys(q.target for q in book.task.asked if q.kind in _RELATIVE):
+    for quantity in dict.fromkeys(q.target for q in book.task.sought if q.is_relative):
         _enter_relative(model, quantity, carriers[quantity])
 
 

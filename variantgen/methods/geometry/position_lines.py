@@ -137,15 +137,19 @@ class PositionLines(Layout):
         """Letters of points, with the feet of perpendiculars."""
         return {*self.places, *(pair[0].name.about for pair in self._feet.values() if pair[0].name is not None)}
 
-    def inclination(self, start: str, end: str, line: str, expression: Expression) -> Expression:
-        """The acute angle between a segment and a line that has no second point, under a letter of its own.
+    def inclination(
+        self, start: str, end: str, line: str, expression: Expression, on_line: tuple[str, ...] = ()
+    ) -> Expression:
+        """The acute angle between a segment and a line that has no second point with it, under a letter of its own.
 
-        ``line`` is the key of the sentence that says which angle it is: ``guide``, ``horizontal``, ``vertical``.
+        ``line`` is the key of the sentence that says which angle it is: ``guide``, ``horizontal``, ``vertical``, or
+        ``link``, which two points are ``on_line``.
         """
         if isinstance(expression, Constant) or {start, end} & set(self.task.form.figure.hidden):
             return expression
         value = Value(self.letter(), "angle", expression.number(True), expression)
-        self.say(f"inclination_{line}", False, angle=value, segment=Segment(start, end), point=Point(end))
+        facts: dict[str, Fact] = {"line": Segment(*self.ordered(*on_line))} if on_line else {"point": Point(end)}
+        self.say(f"inclination_{line}", False, angle=value, segment=Segment(start, end), **facts)
         self.items.append(Derived(value))
         return value
 

@@ -114,7 +114,7 @@ def begun(task: Task, letter: str) -> PlanDrawing:
     """An empty plan of velocities (``v``) or accelerations (``a``), to the scale of the printed figure."""
     order = 1 if letter == "v" else 2
     now = _in_si(task)
-    chain = chain_of(task.form, now, task.asked, shown_points(task.variant, task.asked))
+    chain = chain_of(task.form, now, task.sought, shown_points(task.variant, task.asked))
     places = [place / task.length_unit for place in places_of(chain, now, order)]
     scale = Value(Name("scale", letter), "velocity" if order == 1 else "acceleration", float(per_millimetre(places)))
     return PlanDrawing(letter, scale, pole_letter(_moving(chain, now)) if order == 1 else "pi")

@@ -21,7 +21,7 @@ def is_rate_wanted(task: Task, order: int, body: str, known: Collection[str]) ->
     members = task.scene.bodies[body]
     if order < task.order and not task.fixed & set(members):
         return True  # for normal components; those of a point that turns about a fixed one follow from its velocity too
-    if any(q.target == body and q.kind in _FROM_RATE[order] for q in task.asked):
+    if any(q.target == body and q.kind in _FROM_RATE[order] for q in task.sought):
         return True
     if any(p in task.needed.points and p not in known and p not in task.fixed for p in members):
         return True
@@ -49,7 +49,7 @@ def is_last_sought(task: Task, point: str, known: Collection[str]) -> bool:
             case kind:
                 return kind == "a_cor"
 
-    return all(is_settled(quantity) for quantity in task.asked if quantity.order == 2)
+    return all(is_settled(quantity) for quantity in task.sought if quantity.order == 2)
 
 
 def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection[str]) -> bool:
@@ -65,7 +65,7 @@ def leads_on(task: Task, point: str, body: str) -> bool:
         return True
     if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
         return True
-    return any(q.point == point and q.kind in ("v", "a") and q.component for q in task.asked)
+    return any(q.point == point and q.kind in ("v", "a") and q.component for q in task.sought)
 
 
 def is_accelerated(task: Task, group: Group) -> bool:

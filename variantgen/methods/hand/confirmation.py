@@ -26,7 +26,6 @@ _MOST = 64  # steps that are kept for variants to come
 _SAME_ANGLE = 1e-7  # radians
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of a coordinate
 _NOTHING = 1e-12  # of the size: points of one place, but for rounding
-_OF_AXES = ("x", "y", "angle")
 
 
 class UnconfirmedError(VerificationError):
@@ -81,12 +80,12 @@ class _Batch:
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> None:
         self._form, self.family, self._asked = variants[0].form, variants[0].family.name, asked
-        self._lies_as_drawn = any(quantity.component in _OF_AXES for quantity in asked)
+        self._lies_as_drawn = any(quantity.refers_to_axes for quantity in asked)
         self._kinds = [self._kind(variant) for variant in variants]
         self._senses = [variant.sense for variant in variants]
         self._data, self._places = printed_data(self._form, variants), list(places)
         length = variants[0].family.length_unit
-        self._right = [quantity.unit(length).from_si(quantity.value(motion)[self._places]) for quantity in asked]
+        self._right = [quantity.own_unit(length).from_si(quantity.value(motion)[self._places]) for quantity in asked]
         self._shortest = _shortest(motion)[self._places]
         self._near = [self._tolerance(quantity, motion, length) for quantity in asked]
         self.left = list(range(len(variants)))
@@ -102,7 +101,7 @@ class _Batch:
         good = np.ones(len(chosen), dtype=bool)
         for quantity, numbers, right, near in zip(self._asked, found, self._right, self._near, strict=True):
             answers = numbers
-            if quantity.is_rotation and quantity.component != "abs":
+            if quantity.turns_with_mirror:
                 answers = numbers * mirrored
             gap = answers - right[chosen]
             if quantity.is_angle:
@@ -135,7 +134,9 @@ class _Batch:
             largest / size
             if quantity.is_rotation
             else size * (1.0 + value / size) ** 2
-            if quantity.is_centre
+            if quantity.is_length
+            else np.maximum(1.0, value)
+            if quantity.group == "ratio"
             else largest
         )
         if quantity.component in ("angle", "sense"):  # nothing has neither
@@ -144,7 +145,7 @@ class _Batch:
             return np.full(len(self._places), np.degrees(_SAME_ANGLE))
         far = size / self._shortest  # also a rate is of the smallest body, not of the size
         agrees = np.maximum(AGREES, _ROUNDING * far * (far if quantity.is_rotation else 1.0))
-        return np.asarray(quantity.unit(length).from_si(agrees * scale))
+        return np.asarray(quantity.own_unit(length).from_si(agrees * scale))
 
 
 def _shortest(motion: Motion) -> Array:

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from variantgen.algebra.vectorised import Operations
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
 from variantgen.methods.linkage.problem import task_of
@@ -36,7 +36,6 @@ Flags = NDArray[np.bool_]
 
 _SAME = 1e-7  # relative difference within which repeated steps lead to the answers of a variant
 _MODELS = 16  # variants of a form whose steps are repeated with the data of others
-_OF_AXES = ("x", "y", "angle")
 
 
 class HandCalculation:
@@ -63,7 +62,7 @@ class HandCalculation:
         """
         found = np.full((len(self._asked), len(variants)), np.inf)
         length, chosen = variants[0].family.length_unit, list(places)
-        exact = np.array([q.unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
+        exact = np.array([q.own_unit(length).from_si(q.value(motion)[chosen]) for q in self._asked])
         data = printed_data(self._form, variants)
         numbers, left = self._common.begin(data), np.ones(len(variants), dtype=bool)
         with np.errstate(all="ignore"):
@@ -89,7 +88,7 @@ class HandCalculation:
         with np.errstate(all="ignore"):
             right = []
             for quantity, found in zip(self._asked, worked.repeat(data)[:, 0], strict=True):
-                exact = quantity.unit(length).from_si(quantity.value(motion)[place])
+                exact = quantity.own_unit(length).from_si(quantity.value(motion)[place])
                 right.append(bool(_equals_solver(quantity, found, exact)) or exact == 0)
             return np.where(right, worked.errors(data)[:, 0], np.inf)
 
@@ -111,10 +110,10 @@ class HandCalculation:
     def _model(self, number: int) -> RepeatableCalculation | None:
         if self._drawn is None:
             variants = self._draw(_MODELS)
-            if not any(quantity.component in _OF_AXES for quantity in self._asked):
+            if not any(quantity.refers_to_axes for quantity in self._asked):
                 # How a scene lies on paper changes no magnitude: in one pose there are fewer different solutions.
                 variants = [replace(variant, sense=1, turns=0) for variant in variants]
-            order = max(quantity.order for quantity in self._asked)
+            order = motion_order(self._asked)
             self._drawn = variants, solve_variants(variants, order) if variants else None
         variants, motion = self._drawn
         if number >= len(variants):

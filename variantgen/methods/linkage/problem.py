@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 
@@ -11,7 +13,7 @@ from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import unit
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
@@ -27,7 +29,10 @@ CLOSE = 1e-9  # relative difference within which two numbers are one, but for ro
 
 @dataclass(frozen=True)
 class Task:
-    """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s)."""
+    """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s).
+
+    What is asked may be made of plain quantities, such as a ratio of angular velocities: methods look for these.
+    """
 
     variant: Variant
     asked: tuple[Quantity, ...]
@@ -46,7 +51,12 @@ class Task:
     @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
-        return max((quantity.order for quantity in self.asked), default=1)
+        return motion_order(self.asked)
+
+    @cached_property
+    def sought(self) -> tuple[Quantity, ...]:
+        """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
+        return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources))
 
     @property
     def at(self) -> Placement:
@@ -66,12 +76,12 @@ class Task:
     @cached_property
     def needed(self) -> Needed:
         """Points and bodies that lead to what is asked."""
-        return needed_for(self.form, self.asked)
+        return needed_for(self.form, self.sought)
 
     @property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
-        return needed_for(self.form, tuple(quantity for quantity in self.asked if quantity.order == 2))
+        return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
 
     @cached_property
     def translating(self) -> frozenset[str]:
@@ -138,7 +148,13 @@ class Task:
         value.unit = parameter.unit.name
         converted = unit(usual).from_si(parameter.unit.to_si(self.variant.printed[name]))
         factor = unit(usual).from_si(unit(parameter.unit.name).to_si(type(self.variant.printed[name])(1)))
-        shift = Pi() * value / Constant(30) if parameter.unit.name == "rpm" else value * Constant(round(factor, 12))
+        # A rate of turning in other units is so many half turns: 100 rpm are 100 pi / 30, 2 rev/s are 2 * 2 pi.
+        turns = Fraction(parameter.unit.turn / math.pi).limit_denominator(180)
+        if measure.startswith("angular"):
+            many = Pi() if turns.numerator == 1 else Constant(float(turns.numerator)) * Pi()
+            shift = many * value if turns.denominator == 1 else many * value / Constant(float(turns.denominator))
+        else:
+            shift = value * Constant(round(factor, 12))
         return Value(value.name, measure, abs(converted) if parameter.is_rate else converted, shift)
 
     def unit_of(self, measure: str) -> str:

@@ -32,10 +32,11 @@ def note_sum(book: Book, angle: Value, same: Value | None = None) -> None:
     book.named_angles.setdefault(_key(angle_sum(angle if same is None else same)), angle)
 
 
-def named(book: Book, share: Share, line: Fact | None = None) -> Share:
+def named(book: Book, share: Share, line: Fact | None = None, crossed: Fact | None = None) -> Share:
     """A projection whose angle, if it is a long sum or one of corners, has a name: a corner of the figure, a letter.
 
-    ``line`` is the axis in words, a segment or a vector: a letter is said to be the acute angle with it.
+    ``line`` is the axis in words, a segment or a vector: a letter is said to be the acute angle with it. An axis that
+    is neither is told by the line or vector ``crossed``, to which it is perpendicular.
     """
     found = renamed(book, share)
     if found is not share or share.angle is None:
@@ -60,10 +61,13 @@ def named(book: Book, share: Share, line: Fact | None = None) -> Share:
             return replace(share, angle=corner, sign=sign, function=function)
     if is_short(form):
         return share
+    if _RIGHT < valued(None, form).exact < 2 * _RIGHT:  # the letter is that of the acute angle
+        form, share = form.times(-1.0).turned(2 * _RIGHT), replace(share, sign=opposite)
     angle = valued(book.geometry.letter(), form)
-    if line is not None:
-        key = "axes.angle" if share.function == "cos" else "axes.angle_across"
-        book.say(key, False, angle=angle, vector=VectorOf(share.term.name), line=line)
+    other = crossed if line is None else line
+    if other is not None:
+        key = "axes.angle" if (share.function == "cos") == (line is not None) else "axes.angle_across"
+        book.say(key, False, angle=angle, vector=VectorOf(share.term.name), line=other)
     book.items.append(Derived(angle))
     note_sum(book, angle)
     return replace(share, angle=angle)

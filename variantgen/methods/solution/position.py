@@ -32,7 +32,7 @@ _OF_NEXT = (
     "position.projections",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
     *(f"position.triangle_sides_{side}" for side in ("above", "below", "right", "left")),
-    *(f"position.inclination_{line}" for line in ("guide", "horizontal", "vertical")),
+    *(f"position.inclination_{line}" for line in ("guide", "link", "horizontal", "vertical")),
 )
 _LETTERS = ("psi", "beta", "gamma", "delta", "lambda")  # of angles without points
 
@@ -74,9 +74,9 @@ def _is_of_next(item: Item) -> bool:
 
 
 def _axes(items: Sequence[Item]) -> Sentence:
-    """The axes, with the name of the first direction as an example if there is one."""
+    """The axes; where directions are worked out, how they are measured, with the first as an example."""
     names = (item.value.name for item in items if isinstance(item, Derived))
-    example = next((name for name in names if name is not None and name.kind == "direction"), None)
+    example = next((name for name in names if name is not None and name.kind in ("direction", "heading")), None)
     return (
         Sentence("position.axes", {}, detail=False)
         if example is None
@@ -118,8 +118,8 @@ def _used(items: Sequence[Item], later: Sequence[Item], results: Iterable[Value]
 def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[Item]:
     """Move lines of points that the statement does not show to the step that needs them first: it names the points.
 
-    What says what a line is goes with it. Returns the lines that stay: also those which another line that stays is
-    computed from.
+    A length alone makes no step either: the distance of two centres is found where it is used. What says what a line
+    is goes with it. Returns the lines that stay: also those which another line that stays is computed from.
     """
     shown = shown_points(task.variant, task.asked)
     stay: list[Item] = []
@@ -129,17 +129,24 @@ def _put_off(task: Task, items: Sequence[Item], steps: Sequence[Step]) -> list[I
             moved[0].items.insert(moved[1], item)
             continue
         moved = None
-        if isinstance(item, Derived) and _is_of_others(item.value, shown) and not _reads(stay, item.value):
+        others = isinstance(item, Derived) and _is_of_others(item.value, shown)
+        alone = not others and len(items) == 1 and _kind(item) == "length"
+        if isinstance(item, Derived) and (alone or others) and not _reads(stay, item.value):
             goal = next((step for step in steps if _reads(step.items, item.value)), None)
             if goal is not None:
                 first = next(i for i, later in enumerate(goal.items) if _reads([later], item.value))
                 # Nothing comes between a vector equation and its projections.
                 equation = any(isinstance(earlier, VectorLine) for earlier in goal.items[:first])
-                moved = goal, 0 if equation else first
+                moved = goal, 0 if alone or equation else first
                 goal.items.insert(moved[1], item)
                 continue
         stay.insert(0, item)
     return stay
+
+
+def _kind(item: Item) -> str:
+    """The kind of the value that a line works out, if it has a name."""
+    return item.value.name.kind if isinstance(item, Derived) and item.value.name is not None else ""
 
 
 def _is_of_others(value: Value, shown: Sequence[str]) -> bool:

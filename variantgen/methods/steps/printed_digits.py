@@ -84,8 +84,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
                 found += [*parts(first), *parts(second)]
             case ProgramListing(_, results):
                 found += results
-            case ChainGraph(_, legs):
-                found += [leg.angle for leg in legs]
+            case ChainGraph():
+                pass
     return found
 
 

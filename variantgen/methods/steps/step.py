@@ -195,6 +195,12 @@ class Projection:
     axis: Value | None = None
     letter: str = ""
 
+    @property
+    def is_bare(self) -> bool:
+        """Whether the projection is but one whole vector and zero, which the line of the result says."""
+        shares = (*self.left, *self.right)
+        return len(shares) == 1 and shares[0].factor is None
+
 
 @dataclass(frozen=True, slots=True)
 class LinearSystem:

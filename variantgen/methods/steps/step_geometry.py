@@ -37,20 +37,11 @@ class MarkedFoot:
 
 
 @dataclass(frozen=True, slots=True)
-class ChainLink:
-    """A link of a chain: its number, the direction from the last point to the next one, that point."""
-
-    number: int
-    angle: Value
-    end: str
-
-
-@dataclass(frozen=True, slots=True)
 class ChainGraph:
-    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``, with the directions of the links."""
+    """A chain of links in the notation of graphs, ``O -1-> A -2-> B``: its first point, the end of each link."""
 
     start: str
-    legs: tuple[ChainLink, ...]
+    ends: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)

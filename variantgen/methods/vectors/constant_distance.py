@@ -38,7 +38,7 @@ _STEPS = {1: ("distance.velocity", "velocities"), 2: ("distance.acceleration", "
 def is_free(book: Book, group: SlidingPair) -> bool:
     """Whether nothing asked or wished takes the compound motion of the sliding point."""
     point = group.path.point
-    asked = any(q.target == point and q.kind in _RELATIVE for q in book.task.asked)
+    asked = any(q.target == point and q.kind in _RELATIVE for q in book.task.sought)
     return book.style.is_free and book.graphics is None and not asked and not group.driven
 
 

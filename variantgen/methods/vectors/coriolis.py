@@ -34,7 +34,7 @@ def coriolis_of(book: Book, point: str, carrier: str) -> Known:
 
 def say_unneeded(book: Book, terms: Known) -> None:
     """Say that the Coriolis acceleration was not needed, where it is in none of the projections and not asked."""
-    if book.graphics is not None or any(q.kind == "a_cor" for q in book.task.asked):
+    if book.graphics is not None or any(q.kind == "a_cor" for q in book.task.sought):
         return
     met = {
         share.term.name for item in book.items if isinstance(item, Projection) for share in (*item.left, *item.right)

@@ -15,7 +15,7 @@ from variantgen.methods.steps.step import Fact, Point, Segment, Sentence, Term, 
 QUARTERS = ("right", "up", "left", "down")
 _CORNERS = ("right_up", "left_up", "left_down", "right_down")
 _STRAIGHT = 1e-6  # degrees within which a direction is that of an axis
-_SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path")
+_SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path", "ways.groove")
 
 
 def pointed(book: Book, term: Term) -> Term:

@@ -19,7 +19,7 @@ _SAME = 1e-9  # of the segment: nearer places are one
 
 def midpoint_ends(book: Book, point: str, body: str) -> tuple[str, str] | None:
     """The ends of a segment of a body of which a point is the midpoint, both with known vectors that do not vanish."""
-    if book.graphics is not None or any(q.point == point and q.component for q in book.task.asked):
+    if book.graphics is not None or any(q.point == point and q.component for q in book.task.sought):
         return None
     place, hidden = book.task.now.z, book.task.form.figure.hidden
     known = [p for p in book.task.scene.bodies[body] if p != point and book.vectors.get(p) and p not in hidden]

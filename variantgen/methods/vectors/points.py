@@ -59,7 +59,7 @@ def _of_other_point(book: Book, name: Name, body: str, arm: Value) -> Value | No
     """The same component of another asked point of the body at the same distance from the pole, if it is written."""
     if not name.about:
         return None
-    asked = {q.point for q in book.task.asked if q.kind == book.letter} & set(book.task.scene.bodies[body])
+    asked = {q.point for q in book.task.sought if q.kind == book.letter} & set(book.task.scene.bodies[body])
     for point in sorted(asked - {name.of}):
         found = book.values.get(name._replace(of=point))
         if found is not None and is_same(abs(book.geometry.vector(point, name.about)), arm.exact):
@@ -233,7 +233,7 @@ def positive(size: Value) -> Value:
 
 def sum_up(book: Book, point: str) -> None:
     """The magnitude of a vector that is known by components across each other, where it is asked."""
-    asked = any(q.point == point and q.kind == book.letter for q in book.task.asked)
+    asked = any(q.point == point and q.kind == book.letter for q in book.task.sought)
     if asked and len(book.vectors[point]) > 1:
         magnitude(book, point)
 

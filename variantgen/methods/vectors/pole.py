@@ -38,7 +38,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         book.vectors[point] = (*at_path, *directed(path, sizes[0]))
         if len(sizes) > 1:
             enter_rate(book, body, turn, sizes[1], book.geometry.length(point, pole))
-        if len(book.vectors[point]) > 1 and any(q.point == point and q.kind == book.letter for q in book.task.asked):
+        if len(book.vectors[point]) > 1 and any(q.point == point and q.kind == book.letter for q in book.task.sought):
             modulus(book, Name(book.letter, point), book.vectors[point])
 
 
@@ -49,6 +49,8 @@ def solve_floating_dyad(book: Book, group: FloatingDyad) -> None:
     first, second = group.bodies
     view = "velocities" if book.order == 1 else "accelerations"
     facts: dict[str, Fact] = {"first": Body(first), "second": Body(second), "point": Point(point)}
+    kind = "omega" if book.order == 1 else "epsilon"
+    facts["rates"] = (Name(kind, first), Name(kind, second))
     with book.step(f"pole.crossing_{book.letter}", view, **facts):
         poles: dict[str, Fact] = {"pole": Point(group.poles[0]), "other": Point(group.poles[1])}
         book.say(f"pole.two_poles_{book.letter}", **poles, **facts)

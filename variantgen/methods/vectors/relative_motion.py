@@ -92,7 +92,7 @@ def _seen(book: Book, group: SlidingPair) -> SlidingPair:
 def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:
     """What is the relative and what the transport motion, and by which theorem their vectors are added."""
     # Where no velocity is asked, the step of the velocities may not be written.
-    anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.asked)
+    anew = book.order == 2 and all(quantity.order == 2 for quantity in book.task.sought)
     compound = "relative.compound_translation" if is_translating(book, group.carrier) else "relative.compound"
     if anew or not book.has_said(compound, **facts):
         book.say(compound, **facts)
@@ -203,8 +203,10 @@ def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
     if path.line is None:
         return known, across(book, name, None, (point, path.centre), 1)
     angle = book.geometry.direction(*path.line)
-    if set(path.line) & set(book.task.form.figure.hidden):
-        return known, book.term(name, None, angle, "path")
+    figure = book.task.form.figure
+    if set(path.line) & set(figure.hidden):
+        in_slot = any(set(path.line) <= set(slot) for slot in figure.grooves)
+        return known, book.term(name, None, angle, "groove" if in_slot else "path")
     return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
 
 
@@ -259,14 +261,14 @@ def _wanted(book: Book, group: SlidingPair, sides: _Sides) -> list[Term | None]:
     """The unknown vectors that are needed: the relative velocity also for the accelerations that follow from it."""
     point, task = group.path.point, book.task
     kinds = ("v_rel",) if book.order == 1 else ("a_rel",)
-    asked = any(q.target == point and q.kind in kinds for q in task.asked)
+    asked = any(q.target == point and q.kind in kinds for q in task.sought)
     # On a carrier in translation there is no Coriolis acceleration, on a straight path no normal one.
     leading = not is_translating(book, group.carrier) or group.path.line is None
     relative = sides.relative if asked or (leading and book.order < task.order) else None
     last = book.order == 2 and is_last_sought(task, point, book.vectors)
     turn = None if last or not is_rate_wanted(task, book.order, group.carrier, {point}) else sides.turn
     # The vector of the point itself follows from the rate of its body.
-    sought = any(q.target == point and q.kind == book.letter for q in task.asked)
+    sought = any(q.target == point and q.kind == book.letter for q in task.sought)
     known = {group.own_pole} if sought else {point, group.own_pole}
     own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
     return [sides.carrier_path, sides.path, turn, own, relative]
@@ -294,6 +296,6 @@ def _enter(book: Book, group: SlidingPair, sides: _Sides, sizes: dict[Name, Valu
 
 def _sum_up_relative(book: Book, point: str, terms: Known) -> None:
     """The magnitude of a relative vector that is known by components, where it is asked."""
-    asked = any(q.target == point and q.kind == f"{book.letter}_rel" for q in book.task.asked)
+    asked = any(q.target == point and q.kind == f"{book.letter}_rel" for q in book.task.sought)
     if asked and len(terms) > 1:
         modulus(book, Name(book.letter, point, part="rel"), terms)

@@ -17,7 +17,6 @@ from variantgen.methods.steps.step import (
     AxisOf,
     Derived,
     Fact,
-    NumberOf,
     Point,
     Projection,
     Segment,
@@ -92,7 +91,7 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
         other = next((item for item in free if item is not term), None)
         axes.append((term, _axis(term, other), other, letter))
     for term, axis, other, _ in axes:  # an angle has one name on both axes, of which either may be the first to need it
-        named_shares(book, (*left, *right), axis, _axis_line(book, term, axis, other))
+        named_shares(book, (*left, *right), axis, axis_line(book, term, axis, other), crossed_by(other))
     return [_projected(book, left, right, *axis) for axis in axes]
 
 
@@ -111,7 +110,7 @@ def _projected(
     book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
-    line = _axis_line(book, term, axis, other)
+    line = axis_line(book, term, axis, other)
     sides = [named_shares(book, side, axis, line) for side in (left, right)]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
@@ -125,10 +124,16 @@ def _projected(
     if own is None:  # both unknown vectors lie along one line, which the equation does not tell apart
         raise NotApplicableError(f"the vectors {term.name.kind} of {term.name.of} are parallel to another unknown one")
     known = [(flip * side * share.sign, share) for side, share in rest]
-    words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known))
+    total = _close_sum(book, known) if book.style.shortcuts and own.factor is not None else None
+    words = (_axis_words(book, term, axis, other, letter), *_sense_words(book, term, known, total))
+    if total is not None:  # what decides the sense is seen before it is said
+        book.items.extend((words[0], Sentence("axes.sum"), Derived(total, symbolic=False)))
+        words = words[1:]
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
-    if book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
-        expression: Expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
+    if total is not None and own.factor is not None:
+        expression: Expression = total / own.factor
+    elif book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
+        expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
     else:
         expression = _quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
@@ -197,9 +202,14 @@ def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
     return tuple(found)
 
 
-def named_shares(book: Book, terms: Sequence[Term], axis: Value, line: Fact | None = None) -> tuple[Share, ...]:
-    """The same, to be written: angles that are long sums have a name, with a line; ``line`` is the axis in words."""
-    return tuple(named(book, share, line) for share in shares(terms, axis))
+def named_shares(
+    book: Book, terms: Sequence[Term], axis: Value, line: Fact | None = None, crossed: Fact | None = None
+) -> tuple[Share, ...]:
+    """The same, to be written: angles that are long sums have a name, with a line.
+
+    ``line`` is the axis in words, or it has none and is across what is ``crossed``.
+    """
+    return tuple(named(book, share, line, crossed) for share in shares(terms, axis))
 
 
 def share_of(term: Term, axis: Value) -> Share | None:
@@ -219,7 +229,7 @@ def share_of(term: Term, axis: Value) -> Share | None:
 
 def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:
     """How the axis is described: along a line of the figure or across the other unknown vector, or along the wanted."""
-    line = _axis_line(book, term, axis, other)
+    line = axis_line(book, term, axis, other)
     if other is None:
         return Sentence("axes.along", {"vector": VectorOf(term.name)})
     if isinstance(line, Segment):
@@ -232,7 +242,7 @@ def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter:
     )
 
 
-def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segment | VectorOf | None:
+def axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segment | VectorOf | None:
     """The line of the axis: the wanted vector, or the segment that the other unknown vector is across, its way."""
     if other is None:
         return VectorOf(term.name)
@@ -243,8 +253,19 @@ def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segme
     return segment if ahead.real > 0 else Segment(segment.end, segment.start)
 
 
-def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> list[Sentence]:
-    """Why the wanted vector points as it does: by the projections of the known ones, which it balances."""
+def crossed_by(other: Term | None) -> Segment | VectorOf | None:
+    """What the axis is across: the other unknown vector, or the segment along which that one is."""
+    if other is None:
+        return None
+    segment = other.way.facts.get("segment")
+    is_along = other.way.key == "ways.slot" and isinstance(segment, Segment) and not segment.centre_of
+    return segment if is_along and isinstance(segment, Segment) else VectorOf(other.name)
+
+
+def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]], total: Value | None) -> list[Sentence]:
+    """Why the wanted vector points as it does: by the projections of the known ones, which it balances; ``total`` is
+    their sum where that has a line.
+    """
     if not known:
         return []
     facts: dict[str, Fact] = {"vector": VectorOf(term.name), "side": Word(on_paper(term.angle.exact))}
@@ -257,9 +278,17 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]]) -> 
     largest, strongest = max(sizes, key=lambda item: item[0])
     if largest > _CLEAR * against:
         return [Sentence("axes.by_strongest", {**facts, "known": _named_in_text(strongest)})]
-    parts = Total(tuple((sign, _share(share)) for sign, share in known))
-    total = Value(None, book.measure, parts.number(True), parts)
-    return [Sentence("axes.by_sum", {**facts, "sum": NumberOf(total)})]
+    return [Sentence("axes.by_sum" if total is None else "axes.by_total", facts)]
+
+
+def _close_sum(book: Book, known: Sequence[tuple[int, Share]]) -> Value | None:
+    """The sum of known projections of which none dominates; None where the sense is seen without it."""
+    sizes = [sign * _share(share).number(True) for sign, share in known]
+    against = -sum(min(size, 0.0) for size in sizes)
+    if len(sizes) < 2 or against == 0 or max(sizes) > _CLEAR * against:
+        return None
+    parts = Total(tuple(collected(known)))
+    return Value(None, book.measure, parts.number(True), parts, book.size_of(book.measure))
 
 
 def _named_in_text(term: Term) -> Fact:

@@ -43,7 +43,7 @@ def write_records(
 def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
     """Write the key from the pieces of all students."""
     with path.open("wb") as file:
-        file.write(("\ufeff" + _rows([_COLUMNS])).encode())
+        file.write(("\ufeff" + csv_rows([_COLUMNS])).encode())
         for piece in pieces:
             file.write(piece.read_bytes())
         _keep(file)
@@ -71,15 +71,15 @@ def key_rows(sheets: Sequence[Sheet]) -> str:
     Commas part the cells and numbers have points, in every language: it is a file for programs. A spreadsheet that
     guesses what cells are takes ids like ``007`` and ``1E5`` for numbers.
     """
-    return _rows(
+    return csv_rows(
         (
-            *map(_safe, (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)),
+            *map(safe_cell, (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)),
             item.task.number,
-            *map(_safe, (item.variant.family.name, answer.quantity.name)),
+            *map(safe_cell, (item.variant.family.name, answer.quantity.name)),
             repr(answer.value),
-            _safe(answer.unit.name),
+            safe_cell(answer.unit.name),
             repr(answer.tolerance),
-            _safe("; ".join(answer.unnoticed)),
+            safe_cell("; ".join(answer.unnoticed)),
         )
         for sheet in sheets
         for item in sheet.items
@@ -87,13 +87,15 @@ def key_rows(sheets: Sequence[Sheet]) -> str:
     )
 
 
-def _rows(rows: Iterable[Sequence[object]]) -> str:
+def csv_rows(rows: Iterable[Sequence[object]]) -> str:
+    """Rows as CSV."""
     out = io.StringIO(newline="")
     csv.writer(out, lineterminator="\r\n").writerows(rows)
     return out.getvalue()
 
 
-def _safe(text: str) -> str:
+def safe_cell(text: str) -> str:
+    """A text with an apostrophe where a spreadsheet would run it."""
     return _FORMULA.sub(r"\1'", text)
 
 

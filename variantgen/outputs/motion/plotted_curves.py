@@ -55,13 +55,13 @@ def panels(
     length = variant.family.length_unit
     positions = _positions(variant, driver_sweep, asked, language)
     found = [Panel(unit(length), tuple(positions), _letters(positions))] if positions else []
-    printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.name for quantity in asked])}
+    printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.written for quantity in asked])}
     plain = [quantity for quantity in asked if quantity.component != "sense" and math.isfinite(printed[quantity])]
     curves = [_curve(variant, driver_sweep.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:
-        alike = tuple(curve for curve in curves if curve.unit.measures == measure and not curve.constant)
-        if alike:
-            found.append(Panel(alike[0].unit, alike))
+        alike = [curve for curve in curves if curve.unit.measures == measure and not curve.constant]
+        for measured in dict.fromkeys(curve.unit for curve in alike):
+            found.append(Panel(measured, tuple(curve for curve in alike if curve.unit == measured)))
     return found, [curve for curve in curves if curve.constant]
 
 
@@ -103,7 +103,7 @@ def _curve(variant: Variant, sweep: Sweep, quantity: Quantity, now: float, langu
     """An asked quantity along the way, ``now`` as it is printed; over a dead position that is passed it goes on."""
     measured = quantity.unit(variant.family.length_unit)
     values = np.array(quantity.value(sweep.motion), dtype=np.float64)
-    if quantity.component == "angle":
+    if quantity.is_direction:
         values = np.unwrap(values)
         values -= (
             2
@@ -126,8 +126,10 @@ def _scale(sweep: Sweep, quantity: Quantity) -> float:
     motion, at = sweep.motion, sweep.instant
     if quantity.is_angle:
         return 1.0
-    if quantity.is_centre:
+    if quantity.is_length:
         return float(motion.length_scale()[at])
+    if quantity.group == "ratio":
+        return 1.0
     table = motion.v if quantity.order == 1 else motion.a
     if quantity.is_rotation:
         rates = motion.omega if quantity.order == 1 else motion.epsilon

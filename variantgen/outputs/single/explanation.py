@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import cast
 
 from variantgen.families.asking import read_ask
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.solution_options import Depth, SolutionOptions
+from variantgen.notebook import display
 from variantgen.outputs.single.solution_page import write_explained
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import Language, load_language
@@ -32,7 +33,11 @@ class Explanation:
     def __str__(self) -> str:
         return plain_solution(self.text, self.language)
 
-    __repr__ = __str__  # what a notebook shows
+    __repr__ = __str__  # what a console shows
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the problem and its solution with figures."""
+        return display("explanation_html", self)
 
     def save(self, path: str | Path, remark: str = "") -> None:
         """Write the problem with its solution and figures as a page: .pdf, .png or .svg. Raises InputError."""
@@ -57,5 +62,5 @@ def explain(
     asked = tuple(read_ask(variant.form, tuple(ask) or None))
     options = SolutionOptions(tuple(methods), cast(Depth, depth), true_scale)
     spoken = load_language(language, notation_of(notation))
-    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    motion = solve_variants([variant], motion_order(asked))
     return Explanation(variant, asked, spoken, options, wording.explain(variant, motion, 0, asked, spoken, options))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from variantgen.exam.content import with_figures
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.outputs.documents.solution_data import problem_data, solution_words
 from variantgen.outputs.figures import write_whole
@@ -32,7 +32,7 @@ def write_explained(
     Raises InputError for another ending, UnexplainedError where no method leads to what is asked.
     """
     form = page_format(path)
-    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    motion = solve_variants([variant], motion_order(asked))
     text = explain(variant, motion, 0, asked, language, options)
     solved = with_figures(variant, asked, language, (motion, 0), text)
     data = {

@@ -173,7 +173,7 @@ class _Form:
         typed, place = marking.own(row, block.typed + number), marking.own(row, self.place)
         column = block.answers + PER_ANSWER * number
         value, low, high = (self.answers.look_up(column + k, place) for k in range(PER_ANSWER))
-        if own[number].quantity.component == "angle":
+        if own[number].quantity.is_direction:
             right = marking.same_direction(typed, value, high)
         else:
             right = marking.within(typed, low, high)

@@ -52,7 +52,7 @@ SIZES = (Size(0.8, 4.5), Size(0.68, 4.5), Size(0.62, 3.5))
 
 
 @dataclass(frozen=True)
-class Table:
+class AnswerRows:
     """Rows of cells for the answers: how many stand in a row, how wide they are, how high all rows."""
 
     columns: int
@@ -71,7 +71,7 @@ class Arrangement:
     figure: float
     width: float
     beside: bool
-    table: Table
+    table: AnswerRows
     height: float
 
 
@@ -239,11 +239,11 @@ def _lines(widths: Sequence[float], width: float, first: float) -> int:
     return lines
 
 
-def _table(count: int, room: float) -> Table:
+def _table(count: int, room: float) -> AnswerRows:
     rows = ceil(count / floor(room / _NARROWEST_CELL))
     columns = ceil(count / rows)
     height = rows * (MEASURES["heading"] + MEASURES["cell"]) + MEASURES["above"]
-    return Table(columns, min(_WIDEST_CELL, room / columns), height)
+    return AnswerRows(columns, min(_WIDEST_CELL, room / columns), height)
 
 
 def _fewest(heights: Sequence[float], rooms: Sequence[float]) -> int:

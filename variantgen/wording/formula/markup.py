@@ -144,7 +144,7 @@ class Markup(ABC):
                     self.symbol(point), self.parentheses(self.write(x) + self.signs.semicolon + self.write(y))
                 )
             case Graph(start, legs):
-                arrows = (self.arrow(self.write(a), self.write(b)) + self.symbol(point) for a, b, point in legs)
+                arrows = (self.arrow(self.write(number)) + self.symbol(point) for number, point in legs)
                 return self.symbol(start) + "".join(arrows)
 
     def _part(self, formula: Formula, parentheses: bool) -> str:
@@ -279,5 +279,5 @@ class Markup(ABC):
         """Content between bars."""
 
     @abstractmethod
-    def arrow(self, above: str, below: str) -> str:
-        """An arrow of a graph, with what is around it."""
+    def arrow(self, above: str) -> str:
+        """An arrow of a graph, with what is above it."""

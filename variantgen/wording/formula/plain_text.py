@@ -80,8 +80,8 @@ class _Plain(Markup):
     def bars(self, content: str) -> str:
         return f"|{content}|"
 
-    def arrow(self, above: str, below: str) -> str:
-        return f" —{above}→({below}) "
+    def arrow(self, above: str) -> str:
+        return f" —{above}→ "
 
 
 _PLAIN = _Plain()

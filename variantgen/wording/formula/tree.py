@@ -19,7 +19,7 @@ GREEK = {
 ANGLE = "\N{ANGLE}"  # before the letters of the three points of an angle, in the base of a symbol
 # Letters, numbers and units are named tuples: they are looked up and compared far more often than they are made. No two
 # of them may have fields of the same kinds, because then they would be equal.
-_LETTERS = re.compile(r"([A-Za-z/′])(\d*)")
+_LETTERS = re.compile(r"([A-Za-z/′∥⟂])(\d*)")
 
 
 class Index(NamedTuple):
@@ -226,13 +226,13 @@ class Surd:
 
 @dataclass(frozen=True)
 class Graph:
-    """A chain of links in the notation of graphs: a start, then legs (number of the link, its angle, next point).
+    """A chain of links in the notation of graphs: a start, then legs (number of the link, next point).
 
-    Each leg is an arrow with the number above and the angle below: ``O —1→(φ) A —2→(−π/2) B``.
+    Each leg is an arrow with the number above: ``O —1→ A —2→ B``.
     """
 
     start: Symbol
-    legs: tuple[tuple[Formula, Formula, Symbol], ...]
+    legs: tuple[tuple[Formula, Symbol], ...]
 
 
 Formula: TypeAlias = (
@@ -242,5 +242,5 @@ Formula: TypeAlias = (
 
 
 def letters(text: str) -> list[tuple[str, str]]:
-    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``; the signs of ``C′/A`` count as letters."""
+    """``O1A`` as letter and number pairs: ``[("O", "1"), ("A", "")]``; signs as in ``C′/A`` and ``∥AC`` are letters."""
     return [(match[1], match[2]) for match in _LETTERS.finditer(text)]

@@ -12,7 +12,7 @@ from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Number
 _ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: "arrow({})", Mark.DOT: "dot({})", Mark.DOTS: "dot.double({})"}
 
-_SIGNS = {"/": "\\/", "′": "zws'"}  # a bare stroke would make a fraction
+_SIGNS = {"/": "\\/", "′": "zws'", "∥": "parallel", "⟂": "perp"}  # a bare stroke would make a fraction
 
 
 @lru_cache(maxsize=10_000)
@@ -95,8 +95,8 @@ class _Typst(Markup):
     def place(self, point: str, coordinates: str) -> str:
         return f"{point} {coordinates}"
 
-    def arrow(self, above: str, below: str) -> str:
-        return f" limits(stretch(arrow.r, size: #2em))^({above})_({below}) "
+    def arrow(self, above: str) -> str:
+        return f" limits(stretch(arrow.r, size: #2em))^({above}) "
 
 
 _TYPST = _Typst()

@@ -15,7 +15,7 @@ from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence, Solution
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
-from variantgen.wording.formula import Equation, Formula, Measured, Symbol
+from variantgen.wording.formula import Equation, Formula, Measured, Relation, Symbol
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.formulas import Formulas
@@ -26,7 +26,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
-_LONG = 8  # steps of a solution that begins with a plan
+_LONG = 9  # steps of a solution that begins with a plan: of fewer the headings tell enough
 
 
 class UnexplainedError(VariantgenError):
@@ -74,8 +74,9 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
     # Where no answer is a simple root, results on the way to it seldom are.
     closed = not found.approximate and any(surd(value.exact) is not None for _, value in found.answers)
     writer = Writer(symbols, Formulas(symbols, task.variant.family.length_unit), short, closed)
+    length = task.variant.family.length_unit
     answers = [
-        (q, value.shown if found.approximate else value.exact)
+        (q, (value.shown if found.approximate else value.exact) * q.own_unit(length).size / q.unit(length).size)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)
     ]
     sections = tuple(writer.section(step) for step in found.steps)
@@ -125,10 +126,17 @@ def _answer(
 ) -> Text:
     """The asked quantities with their values as in the key; measured ones with the ``digits`` that they are worth."""
     parts: list[str | Formula] = list(preface)
+    length = variant.family.length_unit
     for position, (quantity, value) in enumerate(values):
-        unit = language.unit(quantity.unit(variant.family.length_unit))
+        unit = language.unit(quantity.unit(length))
         symbol = language.quantity(quantity, variant.form.symbols)
         number = language.rounded(value, digits) if digits else language.answer(quantity, value)
         exact = None if digits else surd(value)
-        parts += ["; " if position else "", with_surd(Equation(symbol, Measured(number, unit)), exact)]
+        shown: Formula = with_surd(Equation(symbol, Measured(number, unit)), exact)
+        own, wanted = quantity.own_unit(length), quantity.unit(length)
+        if own != wanted:  # what the steps led to, and the same in the unit that is wanted
+            found = value * wanted.size / own.size
+            before = language.rounded(found, digits) if digits else language.answer(quantity, found)
+            shown = Relation((symbol, Measured(before, language.unit(own)), Measured(number, unit)), ("=", "="))
+        parts += ["; " if position else "", shown]
     return (*parts, ".")

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
-from variantgen.algebra.name import Name
+from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
 from variantgen.mechanism.joints.slot import Slot
-from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Symbol, Vector
+from variantgen.wording.formula import Dotted, Formula, FormulaList, Fraction, Function, Index, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
-from variantgen.wording.language import Language
+from variantgen.wording.language import Language, on_line
 from variantgen.wording.solution.phrases import Phrases
 
 _COMPOUND = ("rel", "tr", "cor")
@@ -36,6 +36,8 @@ class Symbols:
         if name.kind == "cosine":
             vector = self._vector(Name(name.body, name.of))
             return Function(self.phrases.functions["cos"], FormulaList((Vector(vector), Symbol(name.part))))
+        if name.kind == "ratio":
+            return Fraction(*(self.letter(Name("omega", body)) for body in (name.of, name.about)))
         return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
 
     def letter(self, name: Name) -> Symbol:
@@ -48,6 +50,11 @@ class Symbols:
         match name.kind:
             case "parameter":
                 return self.language.symbol(name.of, self.form.symbols)
+            case "x" | "y" if name.body:
+                centre = self.centre(name.of, name.body)
+                return Symbol(name.kind, (Index(centre.base), *centre.index))
+            case "curvature":
+                return Symbol("rho", (Index(name.of),))
             case "x" | "y":
                 return Symbol(name.kind, (Index(name.of),))
             case "angle":
@@ -118,7 +125,8 @@ class Symbols:
     def _vector(self, name: Name) -> Symbol:
         """A vector or its component: ``v_BA``, ``a^n_BA``, ``v_rel D``, ``v_Bx``."""
         words = name.part.split()
-        axes = (Index(self.language.axis(_AXES[w])) for w in words if w in _AXES)
+        axes = [Index(self.language.axis(_AXES[w])) for w in words if w in _AXES]
+        axes += [Index(on_line(word)) for word in words if word.startswith(ON_LINE)]
         carried = self.language.carrying(name.of) if "tr" in words else (Index(name.of),)
         before, point = carried[:-1], carried[-1]
         if name.about:

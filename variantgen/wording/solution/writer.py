@@ -96,6 +96,8 @@ class Writer:
             if isinstance(item, Projection):
                 for sentence in item.words:
                     append_block(found, Paragraph(self.text(sentence, capital=True)))
+                if item.is_bare:
+                    continue
             append_block(found, self._block(item))
         return tuple(found)
 
@@ -125,8 +127,8 @@ class Writer:
                 return FormulaLines((FormulaLine((("", self._graph(item)),)),))
 
     def _graph(self, chain: ChainGraph) -> Formula:
-        """A chain of links as a graph: numbers above its arrows, angles below."""
-        legs = [(Number(str(leg.number)), self.formulas.measured(leg.angle), Symbol(leg.end)) for leg in chain.legs]
+        """A chain of links as a graph, with their numbers above its arrows."""
+        legs = ((Number(str(number)), Symbol(end)) for number, end in enumerate(chain.ends, 1))
         return Graph(Symbol(chain.start), tuple(legs))
 
     def _commented(self, code: str) -> str:
@@ -192,9 +194,8 @@ class Writer:
         return Vector(self.symbols.letter(name))
 
     def _derived(self, item: Derived) -> FormulaLine:
-        """``name = symbols = numbers = result``; what says the same twice is said once."""
+        """``name = symbols = numbers = result``; what says the same twice is said once. A sum may have no name."""
         value, pieces = item.value, []
-        assert value.name is not None
         result = self.formulas.measured(value)
         expression = value.expression
         if expression is not None and not _is_plain(expression):
@@ -206,14 +207,13 @@ class Writer:
         elif isinstance(expression, Value) and item.symbolic and expression.name is not None:
             laws = [item.law] if item.law is not None else []
             pieces = [self.formulas.symbolic(part) for part in (*laws, expression)]
-        kept: list[Formula] = []
-        for piece in pieces:
-            if piece not in kept and not _is_number_of(piece, result):
-                kept.append(piece)
+        kept = list(dict.fromkeys(piece for piece in pieces if not _is_number_of(piece, result)))
         closed = self._closed_form(value)
         sign = _EQUALS if value.comes_out or not kept else _NEARLY
         end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((sign, result),)
-        return FormulaLine((("", self.symbols.of(value.name)), *((_EQUALS, piece) for piece in kept), *end))
+        symbols = [] if value.name is None else [self.symbols.of(value.name)]
+        (_, first), *rest = ((_EQUALS, side) for side in (*symbols, *kept))
+        return FormulaLine((("", first), *rest, *end))
 
     def _closed_form(self, value: Value) -> Surd | None:
         """The root or fraction that a value is; none where its decimal, computed from rounded numbers, is another."""

@@ -68,7 +68,7 @@ def _bend(alt_text: AltText, path: Path, i: int, outwards: complex) -> str:
     touch = alt_text.say("rope_round", side=alt_text.side(outwards)) if abs(outwards) > 1e-3 else ""
     if bend.body is not None:
         return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
-    return alt_text.say("rope_pulley", place=_place(alt_text, path, i), touch=touch)
+    return alt_text.say("rope_pulley" if bend.fixed else "rope_block", place=_place(alt_text, path, i), touch=touch)
 
 
 def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
@@ -85,7 +85,7 @@ def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
         return alt_text.say(key, disc=alt_text.disc(bend.point, bend.body), touch=touch)
     if bend.fixed:
         return alt_text.say("rope_anchor", place=_place(alt_text, path, i))
-    if alt_text.owners(bend.point):
+    if alt_text.owners(bend.point) or (bend.point not in alt_text.board.loads and alt_text.is_shown(bend.point)):
         return alt_text.say("rope_point", point=alt_text.name(bend.point))
     if alt_text.is_shown(bend.point):
         return alt_text.say("rope_load", point=alt_text.name(bend.point))

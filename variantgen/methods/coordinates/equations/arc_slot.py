@@ -20,7 +20,7 @@ def state(model: Model, joint: ArcSlot, template: None) -> None:
     point, centre, body = joint.point, joint.centre, joint.body
     radius = model.geometry.length(centre, point)
     facts: dict[str, Fact] = {"point": Point(point), "centre": Point(centre)}
-    relative = any(q.target == point and q.kind in ("v_rel", "a_rel", "a_cor") for q in model.task.asked)
+    relative = any(q.target == point and q.kind in ("v_rel", "a_rel", "a_cor") for q in model.task.sought)
     if body is None or not (relative or _is_driven(model, joint)):
         model.add_distance("arc", centre, point, radius, **facts)
         return

@@ -25,7 +25,7 @@ def state(model: Model, joint: Rope, template: None) -> None:
     terms: list[tuple[int, Maybe]] = []
     constant = 0.0
     for first, second in pairwise(joint.path):
-        length, exact = _piece(model, first, second)
+        length, exact = _piece(model, joint, first, second)
         terms += length
         constant += exact
     for bend, sign in ((joint.path[0], 1), (joint.path[-1], -1)):
@@ -44,13 +44,16 @@ def _radius(model: Model, bend: Bend) -> Expression:
     return model.radius(bend.point, model.length(bend.radius))
 
 
-def _piece(model: Model, first: Bend, second: Bend) -> tuple[list[tuple[int, Maybe]], float]:
+def _piece(model: Model, joint: Rope, first: Bend, second: Bend) -> tuple[list[tuple[int, Maybe]], float]:
     """The length of a straight piece, with the arcs that its swing winds up; and its part of the constant."""
     ends = [(model.task.now.z[b.point], model.length(b.radius), _side(model, b)) for b in (first, second)]
     ray = complex(thread_direction(*ends[0], *ends[1])[0])
+    parallel = joint.way(first, second) is not None
+    if parallel:
+        ray = complex(joint.pieces(model.task.at)[joint.path.index(first)][0])
     shifts = [model.shift(first.point, second.point, axis) for axis in (0, 1)]
     exact = (model.now(first.point, second.point) * ray.conjugate()).real
-    if _is_steady(model, first, second, ray):
+    if parallel or _is_steady(model, first, second, ray):
         way = Heading(None, degrees(ray)).ray(model.one)
         return [(1, product(shift, part)) for shift, part in zip(shifts, way, strict=True)], exact
     turn = model.coordinate(Name("swing", first.point + second.point), "angle", 0.0)

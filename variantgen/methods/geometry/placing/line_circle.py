@@ -60,7 +60,9 @@ class Derivation(ConstructedPoint):
         ways = [self.geometry.vector(self.point, name) for name in (start, centre)]
         if shown and len(self._way()) == 1 and (ways[0].conjugate() * ways[1]).real > 0:
             return self.geometry.corner(self.point, centre, start, beta)
-        return self.geometry.inclination(centre, self.point, "guide", beta)
+        ahead = self.geometry.ahead_on(start, self.guide(start)) if shown else ""
+        line = "link" if ahead and ahead != self.point else "guide"
+        return self.geometry.inclination(centre, self.point, line, beta, (start, ahead) if line == "link" else ())
 
     def length(self, other: str) -> Expression:
         """The projections of the way and of the link on the line."""

@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 
 from variantgen.algebra.expression import Constant, Expression, Value, cos, sin
 from variantgen.algebra.name import Name
-from variantgen.algebra.normal_form import squared, summed
+from variantgen.algebra.normal_form import product, squared, summed
+from variantgen.mechanism.conditions.angle import LinkAngle
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.geometry.angles import AngleForm
@@ -83,6 +84,8 @@ class Derivation(ConstructedPoint):
     def _equation(self, condition: Any, at: Mapping[str, Pair]) -> EquationLine:
         """A distance as the equation of a circle, a line as proportional differences of coordinates."""
         geometry, fields = self.geometry, condition.fields
+        if condition.component is LinkAngle:
+            return self._angle(condition, at)
         if condition.component is Distance:
             squares = squared(_gap(at[fields["end"]], at[fields["start"]]))
             return EquationLine(squares, geometry.read_length(fields["length"]) ** 2)
@@ -94,6 +97,21 @@ class Derivation(ConstructedPoint):
         line = geometry.angles.on_paper(geometry.angles.read(fields.get("angle")))
         angle = geometry.angle(line)
         return EquationLine(right * sin(angle), up * cos(angle))
+
+    def _angle(self, condition: Any, at: Mapping[str, Pair]) -> EquationLine:
+        """Perpendicular links by their scalar product, parallel ones by their vector product, others by both."""
+        geometry, fields = self.geometry, condition.fields
+        (x, y), (u, v) = (_gap(at[end], at[start]) for start, end in (fields["first"], fields["second"]))
+        along = ((1, product(x, u)), (1, product(y, v)))  # lengths times the cosine, times the sine of the angle
+        across = ((1, product(x, v)), (-1, product(y, u)))
+        form = geometry.angles.relative(geometry.angles.read(fields["size"]))
+        size = geometry.number(form) % 180.0
+        if size == 90.0:
+            return EquationLine(summed(along), summed(()))
+        if size == 0.0:
+            return EquationLine(summed(across), summed(()))
+        angle = geometry.angle(form)
+        return EquationLine(summed(across) * cos(angle), summed(along) * sin(angle))
 
 
 def _gap(second: Pair, first: Pair) -> tuple[Expression, Expression]:
@@ -107,5 +125,8 @@ def _gap(second: Pair, first: Pair) -> tuple[Expression, Expression]:
 
 def _others(conditions: Any, together: list[str]) -> list[str]:
     """Points placed before that the conditions name."""
-    names = [field for item in conditions for field in item.fields.values() if isinstance(field, str)]
+    fields = [field for item in conditions for field in item.fields.values()]
+    names = [
+        name for field in fields for name in (field if isinstance(field, tuple) else (field,)) if isinstance(name, str)
+    ]
     return [name for name in dict.fromkeys(names) if name not in together]

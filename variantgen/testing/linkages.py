@@ -1,4 +1,4 @@
-"""Scenes that several tests use, written out by hand (not read from the catalogue)."""
+"""Textbook linkages as scenes, written out by hand (not read from the catalogue); in SI and radians."""
 
 from __future__ import annotations
 

@@ -1,0 +1,76 @@
+"""Problems of printed books: each scene is solved as on the command line and compared with what the book prints.
+
+Beside a scene ``NAME.toml`` (at most 30 lines) lies ``NAME.book.toml``:
+
+- ``source``: book, number, page; ``problem``: what it is about, in our own words;
+- ``scene``: the file of another problem with the same scene; ``set``: its parameters;
+- ``[answers]``: by asked quantity the number as it is printed, as a text whose digits count, or a table with
+  ``printed``, ``within`` (the deviation that the roundings or the drawing of the book explain, in the printed unit),
+  ``magnitude`` (no sign is printed), ``correct`` (the publication is wrong, this is right).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import tomllib
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from variantgen.cli import main
+
+FOLDER = Path(__file__).parent
+BOOKS = sorted(FOLDER.glob("*.book.toml"))
+_LINES = 30
+_KEYS = {"source", "problem", "scene", "set", "answers"}
+
+
+def _step(printed: str) -> float:
+    """Half a unit of the last printed digit, and what is left of exact halves."""
+    exponent = Decimal(printed).as_tuple().exponent
+    assert isinstance(exponent, int)
+    return 0.5000001 * 10.0**exponent
+
+
+def _deviation(value: float, printed: str, magnitude: bool) -> float:
+    return abs((abs(value) if magnitude else value) - float(printed))
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=[path.name.removesuffix(".book.toml") for path in BOOKS])
+def test_the_printed_answers_are_reached(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    book: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
+    assert set(book) <= _KEYS
+    assert book["source"]
+    assert book["problem"]
+    scene = FOLDER / book.get("scene", path.name.replace(".book.toml", ".toml"))
+    assert len(scene.read_text(encoding="utf-8").splitlines()) <= _LINES
+    settings = [part for name, value in book.get("set", {}).items() for part in ("--set", f"{name}={value}")]
+    asked = list(book["answers"]) if "scene" in book else []
+    code = main(["solve", str(scene), "--json", *settings, *(part for name in asked for part in ("--ask", name))])
+    shown = capsys.readouterr()
+    assert code == 0, shown.err
+    found = {f"{a['quantity']} in {a['unit']}": a["value"] for a in json.loads(shown.out)["answers"]}
+    names = {name.partition(" in ")[0]: name for name in found}
+    for name, said in book["answers"].items():
+        answer = said if isinstance(said, dict) else {"printed": said}
+        assert set(answer) <= {"printed", "within", "magnitude", "correct"}
+        assert names[name.partition(" in ")[0]] == name or " in " not in name, f"another unit: {list(found)}"
+        value, magnitude = found[names[name.partition(" in ")[0]]], answer.get("magnitude", False)
+        right = answer.get("correct", answer["printed"])
+        within = answer.get("within", _step(right))
+        assert math.isfinite(value)
+        assert _deviation(value, right, magnitude) <= within, f"{name}: {value}, {right} in the book"
+        if "correct" in answer:
+            assert _deviation(value, answer["printed"], magnitude) > within, f"{name}: the book is right"
+
+
+def test_every_scene_has_its_book() -> None:
+    scenes = {path.name for path in FOLDER.glob("*.toml")} - {path.name for path in BOOKS}
+    used = {
+        tomllib.loads(path.read_text(encoding="utf-8")).get("scene", path.name.replace(".book", "")) for path in BOOKS
+    }
+    assert scenes == used
+    assert BOOKS

@@ -1,0 +1,40 @@
+"""What answers are worth, as the page about marking says it."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+
+from variantgen.errors import Problem
+from variantgen.exam.marking_policy import CAUSES, read_policy, rounded
+from variantgen.tables import Table, parse_toml
+
+PAGE = Path(__file__).parents[2] / "docs" / "marking.md"
+
+
+def test_the_policy_of_the_docs() -> None:
+    block = re.findall(r"```toml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+    assert len(block) == 1
+    problems: list[Problem] = []
+    asked = {number: frozenset({"v_B", "a_B"}) for number in (1, 2, 3, 4)}
+    policy = read_policy(Table(parse_toml(block[0], PAGE), "", problems), asked)
+    assert problems == []
+    assert policy.points == {1: 5, 2: 3}
+    assert policy.is_struck(3, "v_B")
+    assert policy.is_struck(2, "a_B")
+    assert not policy.is_struck(2, "v_B")
+    assert policy.grade(Fraction(85), Fraction(100)) == "5"
+    assert policy.grade(Fraction(849, 10), Fraction(100)) == "4"
+    assert policy.grade(Fraction(3), Fraction(10)) == ""
+
+
+def test_the_docs_name_every_cause() -> None:
+    assert set(re.findall(r"^\| `(\w+)` \|", PAGE.read_text("utf-8"), re.MULTILINE)) >= set(CAUSES)
+
+
+def test_halves_are_rounded_up() -> None:
+    step = Decimal("0.5")
+    assert [rounded(Fraction(points, 100), step) for points in (24, 25, 74, 75, 100)] == [0, 0.5, 0.5, 1, 1]
+    assert rounded(Fraction(1, 3), Decimal(0)) == Fraction(1, 3)

@@ -1,0 +1,71 @@
+"""Mechanisms of every textbook kind, each a scene of its own: all that can be asked has a worked solution.
+
+A solution is written only where each of its numbers and its answers are those of the solver, whose motion the
+independent computation confirms; so it is enough that there is one.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from variantgen.families.asking import read_ask
+from variantgen.families.quantities import split_name
+from variantgen.families.units import unit
+from variantgen.methods.compose import solution
+from variantgen.methods.linkage.problem import task_of
+from variantgen.single import one_variant, solution_document
+from variantgen.variants.variant import Variant, solve_variants
+
+SCENES = sorted((Path(__file__).parents[1] / "textbook_kinds").glob("*.toml"))
+METHODS = {"by itself": (), "coordinates": ("coordinates",)}
+
+
+def _answered(variant: Variant, names: list[str], methods: tuple[str, ...]) -> list[str]:
+    """The quantities that the solution for these ones answers."""
+    asked = read_ask(variant.form, names)
+    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    return [name for name, _ in solution(task_of(variant, motion, 0, asked), methods).answers]
+
+
+def _wholes(variant: Variant) -> list[str]:
+    """Everything that can be asked, but for components, senses and distances from centres."""
+    return [name for name in variant.form.askable if not split_name(name).component]
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_everything_together(path, method):
+    variant = one_variant(str(path))
+    assert solution_document(variant)["outcome"] == "solved"
+    assert _answered(variant, _wholes(variant), METHODS[method]) == _wholes(variant)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_each_by_itself(path):
+    """A quantity alone needs other steps than together with others."""
+    variant = one_variant(str(path))
+    for name in _wholes(variant):
+        assert _answered(variant, [name], ()) == [name]
+
+
+@pytest.mark.parametrize("digits", [3, 8])
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_points_by_coordinates_with_few_digits(path, digits, tmp_path):
+    """As read off a figure: a pin then lies a little beside its slot."""
+    variant = one_variant(str(path))
+    metre = float(unit(variant.family.length_unit).factor)
+    points = solution_document(variant)["points"]
+    lines = ["[points]"]
+    for name, found in points.items():
+        x, y = (f"{number / metre:.{digits}g}" for number in found["position"])
+        lines.append(f"{name} = {{ coordinates = {{ x = {x}, y = {y} }} }}")
+    text = re.sub(r"\[\[conditions\]\]\n.*\n", "", path.read_text(encoding="utf-8"))
+    text = re.sub(r"\[points\]\n(.+\n)+", "\n".join(lines) + "\n", text)
+    own = tmp_path / path.name
+    own.write_text(text, encoding="utf-8")
+    variant = one_variant(str(own))
+    assert solution_document(variant)["outcome"] == "solved"
+    assert _answered(variant, list(variant.form.ask), ()) == list(variant.form.ask)

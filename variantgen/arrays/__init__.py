@@ -1,0 +1,1 @@
+"""Many variants of a family, and one of them over a turn of its driver, as arrays and columns."""

@@ -1,0 +1,114 @@
+"""How the bodies of a scene of one's own are drawn where its file does not say it.
+
+A body of three and more points that lie on no line is a plate; on a line it is a bar from end to end. What rolls,
+meshes or winds up a rope is a circle. A slot in a plate or in a disc is a groove.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from variantgen.families.expressions import parse
+from variantgen.families.family import Form
+from variantgen.families.figure_hints import DiscMark, FigureHints
+from variantgen.mechanism.joints.gears import Gears
+from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.joints.rope import Rope
+from variantgen.mechanism.joints.slot import Slot
+from variantgen.mechanism.solve import solve
+
+_ON_A_LINE = 1e-3  # of the length of a body
+_SAME = 1e-6  # of a radius
+
+Places = Mapping[str, complex]
+
+
+def with_drawn_bodies(form: Form) -> Form:
+    """The form with hints for the bodies of which its ``[figure]`` says nothing; as it is where it cannot be placed."""
+    motion = solve(form.sample, 0, form.plan)
+    if not motion.solved[0]:
+        return form
+    at = {name: complex(z[0]) for name, z in motion.z.items()}
+    hints = form.figure
+    said = {*hints.plates, *hints.plain, *hints.slotted, *(disc.body for disc in hints.discs)}
+    said |= {body for body, own in form.bodies.items() for line in hints.lines if set(line) <= set(own)}
+    circles = list(_circles(form, at))
+    for body, members in form.bodies.items():
+        own = [(centre, radius) for wheel, centre, radius in circles if wheel == body]
+        if body in said:
+            continue
+        if own:
+            hints = _wheel(hints, body, own, _pins(form, body), at)
+        elif len(members) > 2:
+            hints = _link(hints, body, members, at)
+    return replace(form, figure=_with_grooves(form, hints))
+
+
+def _circles(form: Form, at: Places) -> Iterator[tuple[str, str, float]]:
+    """Bodies that are round, with the centre and the radius (m) of each of their circles."""
+    for joint in form.sample.joints:
+        match joint:
+            case Rolling(body=body, centre=centre, contact=contact):
+                yield body, centre, abs(at[contact] - at[centre])
+            case RollingOnCircle(body=body, centre=centre, radius=radius, around=around, inside=inside, on=on):
+                yield body, centre, float(radius)
+                if on is not None:
+                    yield on, around, _other_radius(at, centre, around, float(radius), inside)
+            case Gears(body=body, centre=centre, radius=radius, other_centre=around, other=other, inside=inside):
+                yield body, centre, float(radius)
+                if other is not None:
+                    yield other, around, _other_radius(at, centre, around, float(radius), inside)
+            case Rope(path=path):
+                for bend in path:
+                    if bend.body is not None and float(bend.radius) > 0:
+                        yield bend.body, bend.point, float(bend.radius)
+
+
+def _other_radius(at: Places, centre: str, around: str, radius: float, inside: bool) -> float:
+    """The radius of the circle about ``around`` that touches the one about ``centre``."""
+    between = abs(at[centre] - at[around])
+    return between + radius if inside else between - radius
+
+
+def _pins(form: Form, body: str) -> list[str]:
+    """The points of a body at which another one is hinged."""
+    others = {point for other, members in form.bodies.items() if other != body for point in members}
+    return [point for point in form.bodies[body] if point in others]
+
+
+def _wheel(
+    hints: FigureHints, body: str, circles: Sequence[tuple[str, float]], pins: Sequence[str], at: Places
+) -> FigureHints:
+    """Its circles, each once, and an arm to each pin beyond them."""
+    marks: list[DiscMark] = []
+    kept: list[float] = []
+    for centre, radius in circles:
+        if not any(abs(radius - other) <= _SAME * other for other in kept):
+            kept.append(radius)
+            marks.append(DiscMark(centre, parse(f"{radius!r} * m"), body=body))
+    centre, largest = circles[0][0], max(kept)
+    arms = tuple((centre, pin) for pin in pins if abs(at[pin] - at[centre]) > (1 + _SAME) * largest)
+    return replace(hints, discs=(*hints.discs, *marks), lines=(*hints.lines, *arms))
+
+
+def _link(hints: FigureHints, body: str, members: Sequence[str], at: Places) -> FigureHints:
+    """A plate, or a bar to its farthest ends."""
+    first = at[members[0]]
+    far = max(members, key=lambda point: abs(at[point] - first))
+    way = (at[far] - first) / abs(at[far] - first)
+    along = {point: (at[point] - first) * way.conjugate() for point in members}
+    if any(abs(place.imag) > _ON_A_LINE * abs(at[far] - first) for place in along.values()):
+        return replace(hints, plates=(*hints.plates, body))
+    ends = tuple(sorted(members, key=lambda point: along[point].real)[k] for k in (0, -1))
+    if set(ends) == set(members[:2]):
+        return hints
+    return replace(hints, lines=(*hints.lines, ends))
+
+
+def _with_grooves(form: Form, hints: FigureHints) -> FigureHints:
+    """Slots of plates and discs as grooves, where the file speaks of no groove."""
+    wide = {*hints.plates, *(disc.body for disc in hints.discs)}
+    found = [joint.along for joint in form.sample.joints if isinstance(joint, Slot) and joint.body in wide]
+    return hints if hints.grooves else replace(hints, grooves=tuple(dict.fromkeys(found)))

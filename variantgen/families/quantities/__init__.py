@@ -1,0 +1,46 @@
+"""The quantities that may be asked: their names, dimensions and values.
+
+========================  ======================================================================================
+name                      meaning
+========================  ======================================================================================
+``v_B  a_B``              magnitude of the velocity, acceleration of a point
+``v_B.x  a_B.y``          component on paper (x to the right, y up)
+``v_B.angle``             direction: angle from the x axis, -180 to 180 degrees, positive counter-clockwise
+``v_B.along_AC``          component along the way from A to C
+``v_B.across_AC``         component across it, 90 degrees counter-clockwise from it
+``a_B.t  a_B.n``          tangential acceleration (positive where B speeds up), normal acceleration
+``rho_B``                 radius of curvature of the path of a point
+``omega_AB  epsilon_AB``  angular velocity, angular acceleration of a body, positive counter-clockwise
+``omega_AB.abs``          its magnitude
+``omega_AB.sense``        its sense: +1 counter-clockwise, -1 clockwise
+``ratio_AB.CD``           ratio of two angular velocities, ``omega_AB / omega_CD``
+``v_rel_C a_rel_C``       magnitude of the relative velocity, relative acceleration of a sliding point
+``a_cor_C``               magnitude of its Coriolis acceleration (components and angle as above)
+``P_AB.A``                distance of a point from the velocity centre P of a body
+``Q_AB.A``                distance of a point from the acceleration centre Q of a body
+``P_AB.x  Q_AB.y``        coordinate of the centre, from the origin of the scene
+``mu_AB``                 angle between accelerations and rays from Q: ``tan mu = |epsilon| / omega^2``
+``x_B  y_B``              coordinate of a point, from the origin of the scene
+``angle_AB``              direction from A to B: angle from the x axis, -180 to 180 degrees
+``angle_O.A.B``           corner OAB at the point A, 0 to 180 degrees
+``distance_A.B``          distance of two points
+========================  ======================================================================================
+
+What there is of a kind is told by one table: :data:`variantgen.families.quantities.kinds.KINDS`.
+"""
+
+from variantgen.families.quantities.kinds import line_ends
+from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
+from variantgen.families.quantities.reading import in_unit, parse_quantity, quantity_names, split_name, split_unit
+
+__all__ = [
+    "Quantity",
+    "in_unit",
+    "line_ends",
+    "motion_order",
+    "parse_quantity",
+    "quantity_names",
+    "recorded",
+    "split_name",
+    "split_unit",
+]

@@ -1,0 +1,174 @@
+"""An asked quantity: its name, what it is of, its unit, its value in a solved motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, NATURAL, line_ends
+from variantgen.families.units import Unit, unit
+from variantgen.mechanism.motion import Field, Motion
+
+_RECORDED = 8  # significant digits
+# An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.
+_NO_ANGLE = 1e-9
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """An asked quantity: ``kind`` (v, a, omega, ...), point or body, and what of it (see the table of the package)."""
+
+    kind: str
+    target: str
+    component: str = ""
+    wanted: str = ""  # the unit of its answer, if it is not that of the family
+
+    @property
+    def name(self) -> str:
+        """The name as written in files, ``v_B.x``."""
+        return f"{self.kind}_{self.target}" + (f".{self.component}" if self.component else "")
+
+    @property
+    def written(self) -> str:
+        """The name with the unit that is wanted, ``v_B in ft/s``."""
+        return f"{self.name} in {self.wanted}" if self.wanted else self.name
+
+    @property
+    def whole_name(self) -> str:
+        """The name without what is asked of it, ``v_B``."""
+        return f"{self.kind}_{self.target}"
+
+    @property
+    def order(self) -> int:
+        """0 if positions are enough to know it, 1 if velocities are, 2 if accelerations are needed."""
+        return KINDS[self.kind].order
+
+    @property
+    def group(self) -> str:
+        """The group of its kind, which tells how it is named and read."""
+        return KINDS[self.kind].group
+
+    @property
+    def is_vector(self) -> bool:
+        """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
+        return self.group in ("vector", "relative")
+
+    @property
+    def is_relative(self) -> bool:
+        """Whether it belongs to the relative motion of a sliding point."""
+        return self.group == "relative"
+
+    @property
+    def is_rotation(self) -> bool:
+        """Whether it belongs to the rotation of a body."""
+        return self.group == "rotation"
+
+    @property
+    def is_centre(self) -> bool:
+        """Whether it is a distance from the velocity or acceleration centre, or a coordinate of it."""
+        return self.group == "centre"
+
+    @property
+    def is_length(self) -> bool:
+        """Whether it is a length or a coordinate."""
+        return KINDS[self.kind].measure == "length"
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether it is an angle: a direction, a corner, that of the acceleration centre."""
+        return self.component == "angle" or KINDS[self.kind].measure == "angle"
+
+    @property
+    def is_direction(self) -> bool:
+        """Whether it is the angle of a direction with the x axis, which whole turns do not change."""
+        return self.component == "angle" or (self.kind == "angle" and not self.component)
+
+    @property
+    def is_coordinate(self) -> bool:
+        """Whether it is a coordinate of a point or of a centre, counted from the origin of the axes."""
+        return self.kind in ("x", "y") or (self.is_centre and self.component in ("x", "y"))
+
+    @property
+    def refers_to_axes(self) -> bool:
+        """Whether it means something only with the axes x and y of the paper."""
+        return self.is_coordinate or self.is_direction or self.component in ("x", "y")
+
+    @property
+    def turns_with_mirror(self) -> bool:
+        """Whether it changes its sign with the mirror image of the mechanism, and nothing else of it does."""
+        return (self.is_rotation and self.component != "abs") or self.component.startswith(ACROSS)
+
+    @property
+    def line(self) -> str:
+        """The two points of the direction that a component is taken along or across, ``AC``; or ''."""
+        named = self.component.startswith((ALONG, ACROSS))
+        return self.component.partition("_")[2] if named else ""
+
+    @property
+    def sources(self) -> tuple[Quantity, ...]:
+        """The plain quantities that a solution finds first: itself, what it is made of, none for positions."""
+        if self.kind == "a" and self.component in NATURAL:
+            return Quantity("v", self.target, "x"), self
+        match self.group:
+            case "position":
+                return ()
+            case "path":
+                return Quantity("v", self.target), Quantity("a", self.target, "x")
+            case "ratio":
+                return Quantity("omega", self.target), Quantity("omega", self.component)
+        return (self,)
+
+    @property
+    def point(self) -> str:
+        """The point it speaks of, or ''."""
+        if self.is_centre:
+            return "" if self.is_coordinate else self.component
+        return self.target if self.is_vector or self.group == "path" or self.is_coordinate else ""
+
+    def points(self, known: Mapping[str, object]) -> tuple[str, ...]:
+        """All points that its name speaks of, those of a named direction or of a line too; ``known`` are all points."""
+        if self.line:
+            return (self.target, *(line_ends(self.line, known) or ()))
+        if self.kind == "distance":
+            return self.target, self.component
+        if self.kind == "angle":
+            return (self.target, *self.component.split(".")) if self.component else line_ends(self.target, known) or ()
+        return (self.point,) if self.point else ()
+
+    @property
+    def whole(self) -> Quantity:
+        """The magnitude or signed rate whose direction or sense this is; else the quantity itself."""
+        return replace(self, component="") if self.component in ("angle", "sense") else self
+
+    def unit(self, length: str) -> Unit:
+        """The unit of its answer: the one that is wanted, or its own."""
+        return unit(self.wanted) if self.wanted else self.own_unit(length)
+
+    def own_unit(self, length: str) -> Unit:
+        """The unit in which solutions work it out, for a family that gives lengths in the unit ``length``."""
+        if self.is_angle:
+            return unit("deg")
+        if self.component == "sense":
+            return unit("1")
+        names = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "number": "1"}
+        names |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2"}
+        return unit(names[KINDS[self.kind].measure])
+
+    def value(self, motion: Motion) -> Field:
+        """Its value in SI, shape (N,); infinite where it has none: a centre at infinity, a ratio by zero."""
+        return KINDS[self.kind].value(motion, self.target, self.component)
+
+
+def motion_order(asked: Iterable[Quantity]) -> int:
+    """The order to which a motion is solved for what is asked: velocities are found also where positions are enough."""
+    return max((1, *(quantity.order for quantity in asked)))
+
+
+def recorded(quantity: Quantity, value: float) -> float:
+    """A value in its printed unit as keys and manifests have it.
+
+    It has so many digits that the last bits of a machine change no byte; what is left of an angle of zero is zero.
+    """
+    if quantity.is_angle and abs(value) < _NO_ANGLE:
+        return 0.0
+    return float(f"{value:.{_RECORDED - 1}e}")

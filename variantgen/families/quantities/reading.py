@@ -1,0 +1,139 @@
+"""Names of quantities read: which of them a scene knows, and what to write in place of another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.families.quantities.kinds import KINDS, NATURAL, line_ends
+from variantgen.families.quantities.quantity import Quantity
+from variantgen.families.units import UNITS, usual_name
+from variantgen.mechanism.relative import sliding_points
+from variantgen.mechanism.scene import Scene, fixed_points
+
+_PART = "[A-Za-z][A-Za-z0-9]*"
+_KIND = "|".join(sorted(KINDS, key=len, reverse=True))
+_PATTERN = re.compile(rf"({_KIND})_({_PART})(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
+_OF_POINT = ("", ".x", ".y", ".angle")
+_OF_BODY = ("", ".abs", ".sense")
+
+
+def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[str] = ()) -> Quantity:
+    """The quantity of that name in a scene; InputError with the nearest (``offered``) names if it has none such."""
+    known = quantity_names(scene)
+    if text in known:
+        return split_name(text)
+    match = _PATTERN.fullmatch(text)
+    quantity = split_name(text) if match else None
+    if quantity is None or not _is_further(quantity, scene):
+        remedy = _proposed(text, quantity, scene, known) or nearest(text, offered or known)
+        raise InputError(Problem("unknown quantity", key=key, value=text, remedy=remedy))
+    return quantity
+
+
+def split_name(text: str) -> Quantity:
+    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
+    name, wanted = split_unit(text)
+    match = _PATTERN.fullmatch(name)
+    if match is None:
+        raise ValueError(f"{text} is no name of a quantity")
+    return Quantity(match[1], match[2], match[3] or "", wanted)
+
+
+def split_unit(text: str) -> tuple[str, str]:
+    """A name and the unit in which its answer is wanted: ``v_B in ft/s`` is ``v_B`` and ``ft/s``; "" without one."""
+    name, _, wanted = text.partition(" in ")
+    return name.strip(), usual_name(wanted)
+
+
+def in_unit(quantity: Quantity, wanted: str, key: str) -> Quantity:
+    """The quantity with the unit in which its answer is wanted. Raises InputError for a unit of another measure."""
+    own = quantity.own_unit("m")
+    fitting = (
+        [own.name] if quantity.is_angle else [other.name for other in UNITS.values() if other.measures == own.measures]
+    )
+    if wanted not in fitting:
+        message = f"{wanted} measures no {own.measures}" if wanted in UNITS else "unknown unit"
+        raise InputError(
+            Problem(message, key=key, value=f"{quantity.name} in {wanted}", remedy="use one of: " + ", ".join(fitting))
+        )
+    return replace(quantity, wanted=wanted)
+
+
+def quantity_names(scene: Scene) -> list[str]:
+    """Names of the plain quantities that a scene can be asked for: velocities, accelerations, rates, centres.
+
+    Of what is made of these or of positions alone there would be too many; :func:`parse_quantity` knows them.
+    """
+    points = _moving_points(scene)
+    sliding = list(sliding_points(scene))
+    names = [f"{kind}_{p}{part}" for kind in ("v", "a") for p in points for part in _OF_POINT]
+    names += [f"{kind}_{body}{part}" for kind in ("omega", "epsilon") for body in scene.bodies for part in _OF_BODY]
+    names += [f"{kind}_{p}{part}" for kind in ("v_rel", "a_rel", "a_cor") for p in sliding for part in _OF_POINT]
+    names += [f"{kind}_{body}.{p}" for kind in ("P", "Q") for body, members in scene.bodies.items() for p in members]
+    return names + [f"mu_{body}" for body in scene.bodies]
+
+
+def _moving_points(scene: Scene) -> list[str]:
+    moving = {p for members in scene.bodies.values() for p in members}
+    moving |= {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
+    fixed = fixed_points(scene)
+    return [p for p in scene.points if p in moving and p not in fixed]
+
+
+def _is_further(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene has a quantity that is not among its plain ones."""
+    target, component = quantity.target, quantity.component
+    if quantity.line:
+        whole = {"vector": _moving_points, "relative": sliding_points}.get(quantity.group)
+        return whole is not None and target in whole(scene) and line_ends(quantity.line, scene.points) is not None
+    match quantity.group:
+        case "vector":
+            return quantity.kind == "a" and component in NATURAL and target in _moving_points(scene)
+        case "centre":
+            return target in scene.bodies and component in ("x", "y")
+        case "ratio":
+            return target != component and {target, component} <= scene.bodies.keys()
+        case "path":
+            return not component and target in _moving_points(scene)
+        case "position":
+            return _is_position(quantity, scene)
+    return False
+
+
+def _is_position(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene has the points or the body that a coordinate, an angle or a distance is of."""
+    if quantity.kind == "angle" and not quantity.component:
+        return line_ends(quantity.target, scene.points) is not None
+    named = [quantity.target, *filter(None, quantity.component.split("."))]
+    count = {"x": 1, "y": 1, "distance": 2, "angle": 3}[quantity.kind]
+    return len(named) == len(set(named)) == count and set(named) <= scene.points.keys()
+
+
+# How others write a quantity, and how it is written here.
+_OTHERWISE = {"alpha": "epsilon", "eps": "epsilon", "w": "omega", "om": "omega", "vel": "v", "acc": "a"}
+_ANGLES = ("theta", "phi", "beta", "gamma", "psi")
+_LENGTHS = ("z", "s", "l", "r")
+
+
+def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequence[str]) -> str:
+    """What to ask for in place of a quantity in other letters, or of one that is not quite written so; "" for none."""
+    letter, _, target = text.partition("_")
+    own = f"{_OTHERWISE.get(letter, letter)}_{target}"
+    if letter in _OTHERWISE and own in known:
+        return f"write {own}: angular velocities are omega, angular accelerations epsilon"
+    if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:
+        return f"after along_ and across_ stand two points: {', '.join(scene.points)}"
+    if quantity is not None and quantity.group == "ratio":
+        return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(scene.bodies)}"
+    if letter in _ANGLES or letter == "angle":
+        if line_ends(target, scene.points):
+            return f"the direction of {target} is angle_{target}, a corner of three points angle_O.A.B"
+        names = ", ".join(scene.points)
+        return f"the direction of a link AB is angle_AB, the corner of three points angle_O.A.B; points: {names}"
+    if letter in (*_LENGTHS, "x", "y", "distance"):
+        names = ", ".join(scene.points)
+        return f"a coordinate is x_B or y_B, the distance of two points distance_A.B; points: {names}"
+    return ""

@@ -1,0 +1,209 @@
+"""Tables with the answers of a class, as they come: CSV or XLSX, long, wide, or the form for marking of a build.
+
+=====  ======================================================================================================
+long   columns for the student, the problem, the quantity, the answer: one row for each answer
+wide   a column for the student, and one for each answer, headed ``1.v_B``: one row for each student
+form   ``grading.xlsx`` of the build, filled in
+=====  ======================================================================================================
+
+What a table says is kept as text, with the place where it stands; what cannot be matched is told and never guessed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.roster.table_files import read_worksheets
+from variantgen.exam.roster.worksheet import Worksheet
+from variantgen.limits import TITLE_ROWS
+from variantgen.resources import languages
+from variantgen.wording.language import load_language
+
+_ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
+_STUDENT = ("code", "id", "name", "student")
+
+
+@dataclass(frozen=True)
+class HandedIn:
+    """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row."""
+
+    where: str
+    who: tuple[str, ...]
+    problem: int
+    quantity: str
+    text: str
+
+
+@dataclass(frozen=True)
+class NotMatched:
+    """What could not be read or matched: where it stands, what it says, why, and what to do."""
+
+    where: str
+    text: str
+    why: str
+    remedy: str = ""
+
+
+@dataclass(frozen=True)
+class ReadAnswers:
+    """What the files hold: answers in their order, and rows and columns that say nothing that is understood."""
+
+    answers: tuple[HandedIn, ...]
+    not_matched: tuple[NotMatched, ...]
+
+
+@dataclass(frozen=True)
+class FormWords:
+    """The words by which the form for marking is known: heads of its first columns, of the column that says what is
+    asked, of the last column of each problem; and the numbers of the problems in their order.
+    """
+
+    heads: tuple[str, ...]
+    asked: str
+    last: str
+    problems: tuple[int, ...]
+
+    @classmethod
+    def of(cls, exam: Exam) -> FormWords:
+        """The words of the form of an exam."""
+        language = exam.spoken
+        words = language.words("spreadsheet")
+        heads = (language.words("key")["variant"], words["id"], words["name"], words["group"])
+        return cls(heads, words["asked"], words["adjustment"], tuple(task.number for task in exam.tasks))
+
+    def columns(self, cells: Sequence[str]) -> dict[int, tuple[int, int]]:
+        """Where answers are typed, by column the number of the problem and of the answer in it; {} for another table.
+
+        ``cells`` are those of a row that may be the head. A problem has a column for each answer, then one for the
+        points of each, then the last one.
+        """
+        ends = [column for column, cell in enumerate(cells) if cell == self.last]
+        if tuple(cells[: len(self.heads)]) != self.heads or len(ends) != len(self.problems):
+            return {}
+        found: dict[int, tuple[int, int]] = {}
+        start = len(self.heads) + 2 + len(self.problems)  # behind the sum, the per cent, the sums of the problems
+        for number, end in zip(self.problems, ends, strict=True):
+            first = start + (cells[start] == self.asked)
+            found |= {first + answer: (number, answer) for answer in range((end - first) // 2)}
+            start = end + 1
+        return found
+
+
+def read_answers(paths: Sequence[Path], form: FormWords) -> ReadAnswers:
+    """All answers of some files. Raises InputError for a file that is no table, or one without answers."""
+    answers: list[HandedIn] = []
+    left: list[NotMatched] = []
+    for path in paths:
+        try:
+            found = _Tables(path.name, read_worksheets(path), form)
+            found.read()
+        except InputError as error:
+            raise error.located(str(path)) from None
+        answers += found.answers
+        left += found.left
+    return ReadAnswers(tuple(answers), tuple(left))
+
+
+class _Tables:
+    """The worksheets of one file."""
+
+    def __init__(self, name: str, sheets: Sequence[Worksheet], form: FormWords) -> None:
+        self.name, self.form = name, form
+        self.sheets = [sheet for sheet in sheets if sheet.rows]
+        self.answers: list[HandedIn] = []
+        self.left: list[NotMatched] = []
+
+    def read(self) -> None:
+        """Read every worksheet that has answers."""
+        if not self.sheets:
+            raise InputError(Problem("the table is empty", remedy="its first row names the columns"))
+        understood = [self._sheet(sheet) for sheet in self.sheets]
+        if not any(understood):
+            raise InputError(
+                Problem(
+                    "no table of answers",
+                    value=", ".join(self.sheets[0].rows[0][1])[:80],
+                    remedy="expected columns  student, problem, quantity, answer,  or  student, 1.v_B, 1.omega_AB, ...,"
+                    "  or a filled grading.xlsx",
+                )
+            )
+
+    def _sheet(self, sheet: Worksheet) -> bool:
+        """Read a worksheet; False where it holds no answers."""
+        for place, (_, cells) in enumerate(sheet.rows[:TITLE_ROWS]):
+            if columns := self.form.columns(cells):
+                self._filled(sheet, place, columns)
+                return True
+            kinds = [_kind(cell) for cell in cells]
+            heads = {column: found for column, cell in enumerate(cells) if (found := _asked(cell))}
+            if not set(kinds) & set(_STUDENT):
+                continue
+            if {"problem", "quantity", "answer"} <= set(kinds):
+                self._long(sheet, place, kinds)
+                return True
+            if heads:
+                self._wide(sheet, place, kinds, heads)
+                return True
+        return False
+
+    def _where(self, sheet: Worksheet, number: int) -> str:
+        return f"{self.name}, " + (f"worksheet {sheet.title}, " if sheet.title else "") + f"row {number}"
+
+    def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
+        for number, cells in sheet.rows[head + 1 :]:
+            for column, (problem, answer) in columns.items():
+                if cells[0] and column < len(cells) and cells[column]:
+                    where = self._where(sheet, number)
+                    self.answers.append(HandedIn(where, (cells[0],), problem, f"#{answer}", cells[column]))
+
+    def _long(self, sheet: Worksheet, head: int, kinds: Sequence[str]) -> None:
+        places = {kind: kinds.index(kind) for kind in kinds if kind}
+        for number, cells in sheet.rows[head + 1 :]:
+            row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
+            where = self._where(sheet, number)
+            problem = row["problem"].removesuffix(".")
+            if not problem.isdecimal():
+                self.left.append(NotMatched(where, row["problem"], "the problem is no number"))
+                continue
+            self.answers.append(HandedIn(where, _who(row), int(problem), row["quantity"], row["answer"]))
+
+    def _wide(self, sheet: Worksheet, head: int, kinds: Sequence[str], asked: Mapping[int, tuple[int, str]]) -> None:
+        places = {kind: kinds.index(kind) for kind in kinds if kind in _STUDENT}
+        others = [
+            cell
+            for column, cell in enumerate(sheet.rows[head][1])
+            if cell and not kinds[column] and column not in asked
+        ]
+        if others:
+            where = self._where(sheet, sheet.rows[head][0])
+            self.left.append(NotMatched(where, ", ".join(others), "columns that are not used"))
+        for number, cells in sheet.rows[head + 1 :]:
+            row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
+            for column, (problem, quantity) in asked.items():
+                text = cells[column] if column < len(cells) else ""
+                self.answers.append(HandedIn(self._where(sheet, number), _who(row), problem, quantity, text))
+
+
+def _who(row: Mapping[str, str]) -> tuple[str, ...]:
+    return tuple(row[kind] for kind in _STUDENT if row.get(kind))
+
+
+def _asked(head: str) -> tuple[int, str] | None:
+    """The problem and the quantity of a column, ``1.v_B`` or ``1.v_B, cm/s``."""
+    found = _ANSWER_HEAD.fullmatch(head)
+    return (int(found[1]), found[2]) if found else None
+
+
+def _kind(head: str) -> str:
+    """What a column holds, by the words of any language (table ``[answer_columns]``); '' for others."""
+    word = " ".join(head.casefold().replace("_", " ").split())
+    for language in languages():
+        for kind, words in load_language(language).words("answer_columns").items():
+            if word in (other.strip() for other in words.split(",")):
+                return kind
+    return ""

@@ -1,0 +1,114 @@
+"""How a wrong number may have come about: what the answer would be by each mistake, and which of them fits best.
+
+A mistake is recognised where its result is as near to the number as the tolerance of the answer allows; of several the
+nearest is told, of equally near ones the first in the order of the rules. It is a suspicion and nothing more: it may
+give a share of the points (see :mod:`variantgen.exam.marking_policy`), and never takes any.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from variantgen.exam.sheets import Answer
+from variantgen.marking.key import is_right, scale
+
+_POWERS = (1, -1, 2, -2, 3, -3)
+# Factors between units that are no power of ten: revolutions a minute, degrees, kilometres an hour, feet and inches.
+_UNITS = (math.pi / 30, math.pi / 180, 2 * math.pi, 3.6, 12.0, 0.3048, 0.0254)
+_METRES = {1: (100.0, 1000.0), 2: ()}  # exponent of length: metres taken for centimetres, for millimetres
+_NEAR = 3.0  # tolerances within which a number is right but for rounding
+_TIED = 0.02  # tolerances by which results differ that no one can tell apart: the first one counts
+_SAME = 1e-9
+_OTHER_PART = {"x": "y", "y": "x"}
+
+
+@dataclass(frozen=True)
+class Cause:
+    """Why an answer may be wrong: one of ``marking_policy.CAUSES``, and what it is about (a mistake, a quantity)."""
+
+    name: str
+    detail: str = ""
+
+
+OTHER = Cause("other")
+
+
+@dataclass(frozen=True)
+class Comparisons:
+    """What else a number may be: of the student's own sheet, and results of plausible mistakes.
+
+    ``siblings`` are the other answers of the sheet by ``problem.quantity``; ``parts`` components and magnitudes of the
+    same vector by name; ``mistakes`` results of this answer by the name of the mistake, all in units of the answer.
+    """
+
+    siblings: Mapping[str, Answer] = field(default_factory=dict)
+    parts: Mapping[str, float] = field(default_factory=dict)
+    mistakes: Mapping[str, float] = field(default_factory=dict)
+
+
+def cause_of(value: float, answer: Answer, around: Comparisons) -> Cause:
+    """The likeliest cause of a wrong value (in the unit of the answer)."""
+    best, least = OTHER, math.inf
+    for cause, result in _results(answer, around):
+        distance = _distance(value, result, answer)
+        if distance < least - _TIED:
+            best, least = cause, distance
+    if least <= 1.0:
+        return best
+    return Cause("rounding") if _distance(value, answer.value, answer) <= _NEAR else OTHER
+
+
+def _distance(value: float, result: float, answer: Answer) -> float:
+    """How far a value is from the result of a mistake, in tolerances of the answer that are as wide as the result."""
+    if not math.isfinite(result):
+        return math.inf
+    size = scale(answer)
+    width = answer.tolerance if answer.quantity.is_angle or not size else answer.tolerance * abs(result) / size
+    gap = abs(value - result)
+    if answer.quantity.is_direction:
+        gap = abs(math.remainder(gap, 360.0))
+    if width == 0:
+        return 0.0 if gap <= _SAME * max(abs(result), 1.0) else math.inf
+    return gap / width
+
+
+def _results(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
+    """What the answer would be by each mistake, where that is not right all the same."""
+    for cause, result in _every(answer, around):
+        if math.isfinite(result) and not is_right(answer, result):
+            yield cause, result
+
+
+def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
+    right = answer.value
+    if answer.quantity.is_direction:
+        yield Cause("sign"), -right
+        yield Cause("sign"), right - 180.0 if right > 0 else right + 180.0
+        for other in (90.0 - right, 180.0 - right):
+            yield Cause("component"), other
+    else:
+        yield Cause("sign"), -right
+    for name, result in around.mistakes.items():
+        yield Cause("mistake", name), result
+    if not answer.quantity.is_angle:
+        for name, result in around.mistakes.items():
+            yield Cause("mistake", name), -result
+    for name, result in around.parts.items():
+        yield Cause("component", name), result
+        yield Cause("component", name), -result
+    if answer.quantity.is_angle or answer.quantity.component == "sense":
+        return
+    metres = _METRES.get(answer.unit.dimension[0], ())
+    for power in _POWERS:
+        factor = 10.0**power
+        unit = factor in metres or 1 / factor in metres
+        yield Cause("unit" if unit else "power_of_ten"), right * factor
+        yield Cause("unit" if unit else "power_of_ten"), -right * factor
+    for factor in _UNITS:
+        for other in (factor, 1 / factor):
+            yield Cause("unit"), right * other
+    for name, sibling in around.siblings.items():
+        if sibling.unit.dimension == answer.unit.dimension:
+            yield Cause("other_answer", name), answer.unit.from_si(sibling.value * sibling.unit.size)

@@ -1,0 +1,90 @@
+"""What is right: the answers of a finished exam as its manifest records them, to be looked up for each student."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.exam.manifest import Manifest, RecordedProblem
+from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import split_name
+from variantgen.families.units import unit
+from variantgen.finished.find import find
+
+
+@dataclass(frozen=True)
+class Key:
+    """The key of a class; ``widening`` multiplies all tolerances."""
+
+    record: Manifest
+    widening: Decimal = Decimal(1)
+
+    @cached_property
+    def _answers(self) -> dict[tuple[int, int], list[Answer]]:
+        return {}
+
+    @cached_property
+    def places(self) -> Mapping[int, Mapping[int, RecordedProblem]]:
+        """The problems of each student, by the place of the student and the number of the problem."""
+        return {
+            i: {problem.number: problem for problem in sheet.problems} for i, sheet in enumerate(self.record.sheets)
+        }
+
+    @cached_property
+    def asked(self) -> Mapping[int, frozenset[str]]:
+        """The names of what a problem asks of any student, by its number."""
+        found: dict[int, set[str]] = {}
+        for sheet in self.record.sheets:
+            for problem in sheet.problems:
+                found.setdefault(problem.number, set()).update(answer.quantity for answer in problem.answers)
+        return {number: frozenset(names) for number, names in sorted(found.items())}
+
+    def answers(self, place: int, problem: int) -> list[Answer]:
+        """The answers of a student to a problem, in the order of the sheet."""
+        known = self._answers.get((place, problem))
+        if known is None:
+            known = self._answers[place, problem] = [
+                Answer(split_name(a.quantity), unit(a.unit), a.value, float(Decimal(repr(a.tolerance)) * self.widening))
+                for a in self.places[place][problem].answers
+            ]
+        return known
+
+    def student(self, who: tuple[str, ...]) -> int:
+        """The place of the one student of whom all these words tell. Raises InputError."""
+        found = {find(self.record, text) for text in who}
+        if len(found) != 1:
+            raise InputError(
+                Problem("the words of this row name different students", remedy="correct the code or the name")
+            )
+        return found.pop()
+
+    def quantity(self, place: int, problem: int, name: str) -> tuple[str, str]:
+        """The name of an asked quantity as the key has it, and '' or why there is none. ``#2`` is the third one."""
+        own = self.places[place].get(problem)
+        if own is None:
+            return "", "the sheet has no such problem: its problems are " + ", ".join(map(str, self.places[place]))
+        names = [answer.quantity for answer in own.answers]
+        if name.startswith("#"):
+            number = int(name[1:])
+            return (names[number], "") if number < len(names) else ("", "the problem asks this student for less")
+        plain = "".join(name.split())
+        if plain in names:
+            return plain, ""
+        alike = [known for known in names if known.casefold() == plain.casefold()]
+        if len(alike) == 1:
+            return alike[0], ""
+        return "", f"the problem asks this student for {', '.join(names)}; {nearest(plain, names)}"
+
+
+def is_right(answer: Answer, value: float) -> bool:
+    """Whether a value in the unit of the key is within the tolerance of an answer, its ends included."""
+    typed = Decimal(repr(value))
+    return any(low <= typed <= high for low, high in answer.exact_intervals)
+
+
+def scale(answer: Answer) -> float:
+    """By what deviations from an answer are measured: its size, for an angle a radian."""
+    return float(180 / 3.141592653589793) if answer.quantity.is_angle else abs(answer.value)

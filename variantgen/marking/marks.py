@@ -1,0 +1,281 @@
+"""The marks of a class: a verdict for every answer of every student, its cause, and the points by a policy."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from fractions import Fraction
+
+from variantgen.errors import InputError
+from variantgen.exam.marking_policy import MarkingPolicy, rounded
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import Quantity
+from variantgen.finished.restore import Finished
+from variantgen.marking.answer_tables import HandedIn, NotMatched, ReadAnswers
+from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
+from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.key import Key, is_right
+from variantgen.marking.neighbours import Neighbours
+from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
+from variantgen.marking.typed_number import read_number
+
+_NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands alone
+
+
+class Verdict(Enum):
+    """What an answer is found to be."""
+
+    RIGHT = "right"
+    FOLLOW_THROUGH = "follow_through"
+    WRONG = "wrong"
+    BLANK = "blank"
+    UNREADABLE = "unreadable"
+
+
+@dataclass(frozen=True)
+class MarkedAnswer:
+    """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it."""
+
+    place: int
+    problem: int
+    form: str
+    answer: Answer
+    text: str
+    value: float | None
+    verdict: Verdict
+    cause: Cause | None = None
+    points: Fraction = Fraction(0)
+    of: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True)
+class StudentTotal:
+    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in."""
+
+    student: Student
+    code: str
+    problems: Mapping[int, Fraction]
+    points: Fraction
+    of: Fraction
+    grade: str
+    handed_in: int
+
+
+@dataclass(frozen=True)
+class Marked:
+    """The marks of a class in the order of the manifest, the sums, and what could not be matched."""
+
+    marks: tuple[MarkedAnswer, ...]
+    totals: tuple[StudentTotal, ...]
+    not_matched: tuple[NotMatched, ...]
+
+
+def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked:
+    """Mark the answers of a class. Raises InputError where the exam cannot be restored."""
+    key = Key(finished.record, policy.tolerance)
+    left = list(read.not_matched)
+    typed = _matched(key, read.answers, left)
+    marks = _judged(key, typed)
+    marks = _following(finished, _with_causes(finished, key, marks))
+    worth = _worth(finished, key, policy)
+    marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
+    totals = _totals(key, marks, policy)
+    return Marked(tuple(marks), tuple(totals), tuple(left))
+
+
+Typed = dict[tuple[int, int, str], HandedIn]
+
+
+def _matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Typed:
+    """The answers by student, problem and quantity; what cannot be matched, or contradicts an earlier one, is told."""
+    found: Typed = {}
+    students: dict[tuple[str, ...], int | None] = {}
+    for item in answers:
+        if item.who not in students:
+            students[item.who] = _student(key, item, left)
+        place = students[item.who]
+        if place is None:
+            continue
+        name, why = key.quantity(place, item.problem, item.quantity)
+        if not name:
+            left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}", why))
+            continue
+        known = found.get((place, item.problem, name))
+        if known is None or _is_blank(known.text):
+            found[place, item.problem, name] = item
+        elif not _is_blank(item.text) and item.text != known.text:
+            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
+            text = f"{item.problem}.{name}: {item.text}"
+            left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
+    return found
+
+
+def _student(key: Key, item: HandedIn, left: list[NotMatched]) -> int | None:
+    """The place of the student of a row; None where there is none, which is told once."""
+    words = ", ".join(item.who) or "nothing"
+    if not item.who:
+        left.append(NotMatched(item.where, words, "the row names no student"))
+        return None
+    try:
+        return key.student(item.who)
+    except InputError as error:
+        problem = error.problems[0]
+        left.append(NotMatched(item.where, words, problem.message, problem.remedy))
+        return None
+
+
+def _is_blank(text: str) -> bool:
+    return not text.strip() or text.strip() in _NOTHING
+
+
+def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
+    """A verdict for every answer of the class; causes come later."""
+    marks = []
+    for place, problems in key.places.items():
+        for number, problem in problems.items():
+            form = f"{problem.family} {problem.form}".strip()
+            for answer in key.answers(place, number):
+                item = typed.get((place, number, answer.quantity.name))
+                marks.append(MarkedAnswer(place, number, form, answer, *_verdict(answer, item.text if item else "")))
+    return marks
+
+
+def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cause | None]:
+    if _is_blank(text):
+        return text, None, Verdict.BLANK, None
+    number = read_number(text)
+    if number is None:
+        return text, None, Verdict.UNREADABLE, None
+    values = number.in_unit(answer.unit)
+    if values is None:
+        return text, number.values[0], Verdict.WRONG, Cause("unit", number.unit.name if number.unit else "")
+    right = next((value for value in values if is_right(answer, value)), None)
+    if right is not None:
+        return text, right, Verdict.RIGHT, None
+    return text, values[0], Verdict.WRONG, OTHER
+
+
+def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
+    """The marks with the causes of what is wrong."""
+    wrong: dict[tuple[int, int], list[MarkedAnswer]] = defaultdict(list)
+    for item in marks:
+        if item.verdict is Verdict.WRONG and item.cause == OTHER:
+            wrong[item.place, item.problem].append(item)
+    if not wrong:
+        return list(marks)
+    mistakes = mistakes_of(finished, wrong)
+    classes = _classes(key)
+    known: dict[tuple[int, str], Neighbours] = {}
+    found: dict[tuple[int, int, str], Cause] = {}
+    for (place, number), own in wrong.items():
+        group = number, own[0].form
+        if group not in known:
+            known[group] = Neighbours(key, number, classes[group])
+        near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
+        for item in own:
+            cause = _cause(key, item, mistakes[place, number])
+            if near is not None and cause.name in ("other", "rounding"):
+                cause = Cause("neighbour", key.record.sheets[near].code)
+            found[place, number, item.answer.quantity.name] = cause
+    keys = ((item.place, item.problem, item.answer.quantity.name) for item in marks)
+    return [replace(item, cause=found.get(own, item.cause)) for own, item in zip(keys, marks, strict=True)]
+
+
+def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
+    """The likeliest cause of one wrong answer."""
+    assert item.value is not None, "a wrong answer has a value"
+    name = item.answer.quantity.name
+    siblings = {
+        f"{number}.{other.quantity.name}": other
+        for number in key.places[item.place]
+        for other in key.answers(item.place, number)
+        if (number, other.quantity.name) != (item.problem, name)
+    }
+    mistakes, parts = results
+    return cause_of(item.value, item.answer, Comparisons(siblings, parts[name], mistakes[name]))
+
+
+def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
+    """The marks with the verdict of those answers that follow from earlier wrong ones of the same problem."""
+    found = list(marks)
+    problems: dict[tuple[int, int], list[int]] = defaultdict(list)
+    for i, item in enumerate(marks):
+        problems[item.place, item.problem].append(i)
+    known: dict[tuple[str, tuple[Quantity, ...]], FollowThrough] = {}
+    for (place, number), own in problems.items():
+        answers = [marks[i].answer for i in own]
+        wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
+        if len(wrong) < 2:
+            continue
+        group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
+        rules = known.setdefault(group, FollowThrough(group[1]))
+        index = [problem.number for problem in finished.record.sheets[place].problems].index(number)
+        for k, earlier in rules.granted(finished.variants[place][index], answers, wrong).items():
+            names = ", ".join(answers[other].quantity.name for other in earlier)
+            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=Cause("from", names))
+    return found
+
+
+def _is_wrong(item: MarkedAnswer) -> bool:
+    """Whether an answer is a number in a unit of its own kind that is not right."""
+    return item.verdict is Verdict.WRONG and not (item.cause and item.cause.name == "unit" and item.cause.detail)
+
+
+def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
+    """The places of the students who have a problem of a form, by the number of the problem and the form."""
+    found: dict[tuple[int, str], list[int]] = defaultdict(list)
+    for place, problems in key.places.items():
+        for number, problem in problems.items():
+            found[number, f"{problem.family} {problem.form}".strip()].append(place)
+    return found
+
+
+def _worth(finished: Finished, key: Key, policy: MarkingPolicy) -> dict[tuple[int, int], Fraction]:
+    """The points of an answer, by student and problem: those of the problem in equal parts of what counts in it."""
+    most = {
+        number: max(len(own[number].answers) for own in key.places.values() if number in own) for number in key.asked
+    }
+    usual = {task.number: task.points for task in finished.exam.tasks}
+    found = {}
+    for place, problems in key.places.items():
+        for number, problem in problems.items():
+            counted = [a for a in problem.answers if not policy.is_struck(number, a.quantity)]
+            points = Fraction(policy.points.get(number, usual.get(number) or most[number]))
+            found[place, number] = points / len(counted) if counted else Fraction(0)
+    return found
+
+
+def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> MarkedAnswer:
+    """A mark with its points, and those it could have."""
+    of = Fraction(0) if policy.is_struck(item.problem, item.answer.quantity.name) else worth
+    share = Fraction(0)
+    if item.verdict is Verdict.RIGHT:
+        share = Fraction(1)
+    elif item.verdict is Verdict.FOLLOW_THROUGH:
+        share = Fraction(policy.follow_through)
+    elif item.cause is not None:
+        share = Fraction(policy.shares.get(item.cause.name, 0))
+    return replace(item, points=share * of, of=of)
+
+
+def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> list[StudentTotal]:
+    """The sums of all students."""
+    own: dict[int, list[MarkedAnswer]] = defaultdict(list)
+    for item in marks:
+        own[item.place].append(item)
+    found = []
+    for place, sheet in enumerate(key.record.sheets):
+        problems: dict[int, Fraction] = defaultdict(Fraction)
+        most = Fraction(0)
+        for item in own[place]:
+            problems[item.problem] += item.points
+            most += Fraction(0) if str(item.problem) in policy.bonus else item.of
+        by_problem = {number: rounded(points, policy.problem_step) for number, points in problems.items()}
+        points = rounded(sum(by_problem.values(), Fraction(0)), policy.total_step)
+        handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
+        grade = policy.grade(points, most)
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
+    return found

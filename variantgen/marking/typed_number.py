@@ -1,0 +1,202 @@
+"""Numbers as students write them: ``2,95``, ``1 234.5 cm/s``, ``5·10^-2``, ``40√3/3``, ``7/2``, ``−0,8 рад/с``.
+
+A text is a number or it is not: nothing is guessed. Where a comma may part thousands or decimals (``1,234``), both
+readings are given, and whoever asks decides.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from variantgen.families.units import UNITS, Unit, usual_name
+from variantgen.resources import languages
+from variantgen.wording.language import load_language
+
+LONGEST = 60  # characters of a text that may be a number
+_LARGEST_POWER = 12
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_ALIKE = str.maketrans(
+    {
+        "−": "-",
+        "–": "-",
+        "—": "-",
+        "‐": "-",
+        "·": "*",
+        "×": "*",
+        "⋅": "*",
+        "∙": "*",
+        "÷": "/",
+        "⁄": "/",
+        "²": "^2",
+        "³": "^3",
+    }
+)
+_SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
+_GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
+_POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
+_PLAIN = re.compile(r"\d+(?:\.\d+)?|\.\d+")
+_TOKEN = re.compile(rf"\s*(?:({_PLAIN.pattern})(?:[eE]([+-]?\d{{1,3}})(?![\d.]))?|(sqrt|√|pi|π|[-+*/^()]))")
+
+
+@dataclass(frozen=True)
+class TypedNumber:
+    """A number as it was written: its possible readings, and the unit behind it (None where there is none)."""
+
+    values: tuple[float, ...]
+    unit: Unit | None = None
+
+    def in_unit(self, own: Unit) -> tuple[float, ...] | None:
+        """The readings in another unit; None where the written unit measures something else."""
+        if self.unit is None or self.unit.name == own.name:
+            return self.values
+        if self.unit.dimension != own.dimension:
+            return None
+        return tuple(own.from_si(value * self.unit.size) for value in self.values)
+
+
+def read_number(text: str) -> TypedNumber | None:
+    """What a text says, or None where it is no number with or without a unit of the program."""
+    if len(text) > LONGEST:
+        return None
+    plain = _POWER.sub(lambda found: "10^" + found[0][2:].translate(_SUPERSCRIPTS), text)
+    plain = _SPACE.sub(" ", plain.translate(_ALIKE)).strip()
+    for spelled, unit in _spellings():
+        if plain.casefold().endswith(spelled):
+            values = _values(plain[: -len(spelled)].rstrip(" *"))
+            if values:
+                return TypedNumber(values, unit)
+    values = _values(plain)
+    return TypedNumber(values) if values else None
+
+
+def _values(text: str) -> tuple[float, ...]:
+    """The readings of an expression without a unit."""
+    text = _GROUPED.sub("", text)
+    found = [value for reading in _decimal_points(text) if (value := _Reader(reading).value()) is not None]
+    return tuple(dict.fromkeys(found))
+
+
+def _decimal_points(text: str) -> tuple[str, ...]:
+    """The text with decimal points alone: which mark parts decimals, where that is plain, and both where it is not."""
+    if "," not in text:
+        return (text,) if text.count(".") < 2 or "/" in text or "*" in text else ()
+    if "." in text:  # the last one of them parts the decimals, the others thousands
+        thousands, decimal = (",", ".") if text.rindex(".") > text.rindex(",") else (".", ",")
+        return (text.replace(thousands, "").replace(decimal, "."),)
+    comma = text.replace(",", ".")
+    if re.search(r"\d,\d+,", text) and not set(text) & set("/*"):
+        return (text.replace(",", ""),) if re.fullmatch(r"-?\d{1,3}(,\d{3})+", text) else ()
+    return (comma, text.replace(",", "")) if re.fullmatch(r"-?[1-9]\d{0,2},\d{3}", text) else (comma,)
+
+
+class _Reader:
+    """Products, quotients, powers and roots of plain numbers, with one sign in front: what an answer consists of."""
+
+    def __init__(self, text: str) -> None:
+        self._tokens: list[str | float] | None = []
+        place = 0
+        while place < len(text):
+            found = _TOKEN.match(text, place)
+            if found is None:
+                self._tokens = None
+                return
+            number, exponent, sign = found.groups()
+            self._tokens.append(sign if number is None else float(f"{number}e{exponent or 0}"))
+            place = found.end()
+
+    def value(self) -> float | None:
+        """The value, or None for what is no number, or no finite one."""
+        if not self._tokens:
+            return None
+        try:
+            found = self._signed()
+        except (ArithmeticError, ValueError, IndexError):
+            return None
+        return found if not self._tokens and math.isfinite(found) else None
+
+    def _peek(self) -> str | float:
+        return self._tokens[0] if self._tokens else ""
+
+    def _next(self) -> str | float:
+        assert self._tokens is not None
+        return self._tokens.pop(0)
+
+    def _signed(self) -> float:
+        sign = 1.0
+        if self._peek() in ("-", "+"):
+            sign = -1.0 if self._next() == "-" else 1.0
+        return sign * self._product()
+
+    def _product(self) -> float:
+        found = self._power()
+        while True:
+            ahead = self._peek()
+            if ahead in ("*", "/"):
+                self._next()
+                other = self._power()
+                found = found * other if ahead == "*" else found / other
+            elif ahead in ("sqrt", "√", "pi", "π", "("):  # 40√3: a factor without a sign between
+                found *= self._power()
+            else:
+                return found
+
+    def _power(self) -> float:
+        base = self._factor()
+        if self._peek() == "^":
+            self._next()
+            exponent = self._signed_whole()
+            if abs(exponent) > _LARGEST_POWER:
+                raise ValueError("a power beyond all quantities")
+            base = base**exponent
+        return base
+
+    def _signed_whole(self) -> int:
+        sign = -1 if self._peek() == "-" else 1
+        if self._peek() in ("-", "+", "("):
+            bracket = self._next() == "("
+            found = self._signed_whole() if bracket else sign * self._signed_whole()
+            if bracket and self._next() != ")":
+                raise ValueError("a bracket is open")
+            return found
+        number = self._next()
+        if not isinstance(number, float) or number != int(number):
+            raise ValueError("not a whole power")
+        return int(number)
+
+    def _factor(self) -> float:
+        part = self._next()
+        if isinstance(part, float):
+            return part
+        if part in ("sqrt", "√"):
+            return math.sqrt(self._factor())
+        if part in ("pi", "π"):
+            return math.pi
+        if part == "(":
+            found = self._signed()
+            if self._next() != ")":
+                raise ValueError("a bracket is open")
+            return found
+        raise ValueError("not a number")
+
+
+@cache
+def _spellings() -> tuple[tuple[str, Unit], ...]:
+    """How units are written in any language of the program, longest first: ``см/с^2``, ``rad/s``, ``1/s``, ``s^-1``."""
+    found: dict[str, Unit] = {}
+    for name, unit in UNITS.items():
+        if name == "1":
+            continue
+        words = {name, *(load_language(language).tables["units"].get(name, name) for language in languages())}
+        for word in words:
+            found.setdefault(usual_name(word).casefold(), unit)
+    for word, unit in list(found.items()):
+        if word.endswith("^2"):
+            found.setdefault(word.replace("^2", "2"), unit)  # m/s2
+    for second in ("s", "с"):
+        found[f"1/{second}"] = found[f"{second}^-1"] = UNITS["rad/s"]
+        found[f"1/{second}^2"] = found[f"{second}^-2"] = UNITS["rad/s^2"]
+    found["°"] = UNITS["deg"]
+    return tuple(sorted(found.items(), key=lambda item: -len(item[0])))

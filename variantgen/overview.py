@@ -1,0 +1,112 @@
+"""What there is to choose from in a family: forms, parameters with their values, all that can be asked, a problem."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from decimal import Decimal
+from itertools import pairwise
+from typing import Any
+
+from variantgen.families.asking import read_ask
+from variantgen.families.family import Family, Form
+from variantgen.families.parameter import Parameter
+from variantgen.families.quantities import split_name
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import Language
+
+_POINTS = 10
+
+
+def overview(family: Family, language: Language, named: str = "") -> dict[str, Any]:
+    """A family as plain data (the document of ``list FAMILY --json``); numbers of parameters in their printed units.
+
+    ``named`` is how an exam file names it, where that is not its name: a path.
+    """
+    return {
+        "family": family.name,
+        "title": family.title(language.name),
+        "source": family.source,
+        "length_unit": family.length_unit,
+        "forms": [_form(family, form, language) for form in family.forms.values()],
+        "problem": problem_table(family, named),
+    }
+
+
+def _form(family: Family, form: Form, language: Language) -> dict[str, Any]:
+    return {
+        "form": form.name,
+        "parameters": {name: _parameter(p, form, language) for name, p in form.parameters.items()},
+        "ask": list(form.ask),
+        "can_be_asked": list(_askable(family, form, language)),
+        "grid_size": form.grid_size,
+    }
+
+
+def _parameter(parameter: Parameter, form: Form, language: Language) -> dict[str, Any]:
+    """A range with its step, a list of values, or the words of a choice."""
+    if parameter.unit is None:
+        return {"choices": list(parameter.words)}
+    found: dict[str, Any] = {
+        "symbol": to_plain(language.symbol(parameter.symbol, form.symbols)),
+        "unit": parameter.unit.name,
+    }
+    if not parameter.given:
+        found["printed"] = False
+    step = _step(parameter.printed)
+    if step is None:
+        return {**found, "values": [float(value) for value in parameter.printed]}
+    low, high = parameter.printed[0], parameter.printed[-1]
+    return {**found, "from": float(low), "to": float(high), "step": float(step)}
+
+
+def _step(values: Sequence[Decimal]) -> Decimal | None:
+    """The step between values that follow each other evenly, at least three of them."""
+    steps = {b - a for a, b in pairwise(values)}
+    return steps.pop() if len(steps) == 1 and len(values) > 2 else None
+
+
+def _askable(family: Family, form: Form, language: Language) -> Iterable[dict[str, str]]:
+    """Every quantity that the form can be asked for, but for its data."""
+    given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
+    for name in form.askable:
+        if name.removesuffix(".abs").removesuffix(".sense") not in given:
+            quantity = split_name(name)
+            symbol = to_plain(language.quantity(quantity, form.symbols))
+            yield {"quantity": name, "symbol": symbol, "unit": quantity.unit(family.length_unit).name}
+
+
+def _number(value: Decimal) -> str:
+    return f"{value.normalize():f}"
+
+
+def problem_table(family: Family, named: str = "") -> str:
+    """A ``[[problem]]`` of an exam file with this family; what may be chosen besides stands in comments."""
+    forms = [name for name in family.forms if name]
+    first = next(iter(family.forms.values()))
+    lines = ["[[problem]]", f'family = "{named or family.name}"']
+    if forms:
+        lines.append(f"# form = {_listed(forms)}")
+    if len({form.ask for form in family.forms.values()}) == 1:
+        lines.append(f"ask = {_listed(q.name for q in read_ask(first))}")
+    else:
+        lines += [f"# ask.{name} = {_listed(form.ask)}" for name, form in family.forms.items()]
+    drawn = [
+        p for p in first.parameters.values() if p.unit is not None and len(p.printed) > 1 and _is_common(family, p)
+    ]
+    for ranged in drawn[:1]:
+        low, high = min(ranged.printed), max(ranged.printed)
+        lines.append(f"# range = {{ {ranged.name} = [{_number(low)}, {_number(high)}] }}")
+    for fixed in drawn[1:2]:
+        lines.append(f"# set = {{ {fixed.name} = {_number(fixed.printed[len(fixed.printed) // 2])} }}")
+    return "\n".join([*lines, f"points = {_POINTS}"])
+
+
+def _is_common(family: Family, parameter: Parameter) -> bool:
+    """Whether all forms draw the parameter from the same values."""
+    others = (form.parameters.get(parameter.name) for form in family.forms.values())
+    return all(other is not None and other.printed == parameter.printed for other in others)
+
+
+def _listed(names: Iterable[str]) -> str:
+    return json.dumps(list(names))
