@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from variantgen.families.family import Form
+from variantgen.families.literal_data import rate_name
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.component import DIMENSIONS, field_specs
 from variantgen.mechanism.linkage import Linkage
@@ -89,8 +90,7 @@ class Board:
         template = self.form.drivers[next(i for i, own in enumerate(self.scene.drivers) if own is driver)]
         names = self._sources(template.fields[field_name].names)
         if not names:
-            target = next(value for value in template.fields.values() if isinstance(value, str))
-            return self.symbol(f"{field_name}_{target}")
+            return self.symbol(rate_name(template, field_name))
         spec = next(spec for spec in field_specs(template.component) if spec.name == field_name)
         wanted, parameters = DIMENSIONS[spec.dimension], self.form.parameters
         same = [name for name in sorted(names) if (unit := parameters[name].unit) and unit.dimension == wanted]

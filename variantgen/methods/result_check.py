@@ -119,15 +119,18 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     if terms[0].size is terms[1].size or terms[0].angle.exact == terms[1].angle.exact:
         return []
     axis = book.geometry.direction(first, second)
-    found = [None if share is None else renamed(book, share) for share in (share_of(term, axis) for term in terms)]
-    if any(share is None for share in found):
+    on_line = [share_of(term, axis) for term in terms]
+    found = [renamed(book, share) for share in on_line if share is not None]
+    if len(found) < len(terms):
         return []
+    if _projection(found[0]).exact < 0:  # to the side to which the velocities point
+        found = [replace(share, sign=-share.sign) for share in found]
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
     facts |= {"first": VectorOf(terms[0].name), "second": VectorOf(terms[1].name)}
     items: list[Item] = [Sentence("check.projections", facts, detail=False)]
-    angles = [share.angle for share in found if share is not None and share.angle is not None]
+    angles = [share.angle for share in found if share.angle is not None]
     items += [Derived(corner) for corner in in_order(angles) if _is_new(book, corner)]
-    return items + [Derived(_projection(share)) for share in found if share is not None]
+    return items + [Derived(_projection(share)) for share in found]
 
 
 def _is_new(book: Book, value: Value) -> bool:

@@ -24,6 +24,7 @@ from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import NATURAL, Language
+from variantgen.wording.scene_data import scene_data
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
 
@@ -108,6 +109,9 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
         value = variant.printed[name]
         number = case.language.decimal(abs(value) if is_rate else value)
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
+    if variant.family.folder is None:
+        own = scene_data(variant, case.asked, case.language)
+        places, rates = places + own[0], rates + own[1]
     return places + _found(case, variant) + rates
 
 
@@ -172,8 +176,10 @@ def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
 
 @lru_cache(maxsize=1000)
 def _text(case: _Case) -> Text:
-    """The filled template: few texts differ, as data are printed beside them."""
+    """The filled template: few texts differ, as data are printed beside them. A scene has words of the program."""
     variant, asked, language = case.variant, case.asked, case.language
+    if variant.family.folder is None:
+        return (language.words("sheet")["scene"],)
     path = template_path(variant, language)
     template = load_template(path)
     formulas: list[Formula] = []

@@ -37,8 +37,9 @@ def line_angle(book: Book, point_path: PointPath) -> Value:
     """The angle of a straight path with the x axis: one of the data, or that of a side of a body along the path."""
     way = forward(point_path.line)
     exact = degrees(way)
+    same_motion = _moving_alike(book, point_path.point)
     for template, joint in zip(book.task.form.joints, book.task.scene.joints, strict=True):
-        if isinstance(joint, Guide) and joint.point == point_path.point:
+        if isinstance(joint, Guide) and joint.point in same_motion:
             stated = book.geometry.stated_angle(template.fields.get("angle"), way)
             if stated.expression is not None:
                 return stated
@@ -49,6 +50,12 @@ def line_angle(book: Book, point_path: PointPath) -> Value:
         ahead = (book.geometry.vector(point_path.point, other).conjugate() * way).real > 0
         return angle if ahead else Geometry.turned(angle, 180.0)
     return Value(None, "angle", exact, Constant(exact, "angle"))
+
+
+def _moving_alike(book: Book, point: str) -> set[str]:
+    """A point and those of bodies in translation of which it is one."""
+    scene = book.task.scene
+    return {point}.union(*(scene.bodies[body] for body in book.task.translating if point in scene.bodies[body]))
 
 
 def _side_along(book: Book, point_path: PointPath) -> str | None:

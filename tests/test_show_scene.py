@@ -1,0 +1,102 @@
+"""``show`` of a scene of one's own: the data of its file as given, a figure, answers, a page with the solution."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from variantgen.cli import main
+from variantgen.families.load import load_family
+from variantgen.families.parameter import Parameter
+
+KINDS = Path(__file__).parent / "textbook_kinds"
+
+
+def _shown(capsys, *arguments: str) -> str:
+    assert main(["show", *arguments]) == 0
+    return re.sub(r"\s+", " ", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(
+    ("scene", "given"),
+    [
+        (
+            "crank_shaper",
+            "OA = 120 mm, CD = 600 mm, DE = 200 mm, ∠(OA, x) = 20°, x_C = 0 mm, y_C = 0 mm, x_O = 0 mm, y_O = 300 mm,"
+            " y_E = 620 mm, ω_OA = 4 rad/s.",
+        ),
+        (
+            "frame_on_cart",
+            "CD = 2 m, CM = 1.2 m, ∠(CD, x) = 50°, ∠(CM, x) = 50°, x_C = 0 m, y_C = 0 m, x_E = 1 m, y_E = 0 m,"
+            " v_C = 2 m/s, a_C = 1 m/s², ω_rod/cart = 1.5 rad/s, α_rod/cart = 0.5 rad/s², v_rel M = 0.4 m/s,"
+            " a_rel M = 0.2 m/s².",
+        ),
+        ("planetary_compound", "AM = 25 mm, r_planet = 25 mm, ∠(AM, x) = 60°, x_O = 0 mm, y_O = 0 mm, x_A = 65 mm,"),
+        ("whitworth", "OA = 16 cm, CD = 12 cm, DE = 40 cm,"),
+    ],
+)
+def test_the_numbers_of_the_file_are_given(scene, given, capsys):
+    out = _shown(capsys, str(KINDS / f"{scene}.toml"))
+    assert f"Given: {given}" in out
+    assert "The figure shows the mechanism to scale" in out
+
+
+def test_rates_of_second_order_are_given_for_accelerations_alone(capsys):
+    out = _shown(capsys, str(KINDS / "frame_on_cart.toml"), "--ask", "v_M")
+    assert "v_C = 2 m/s" in out
+    assert "a_C" not in out
+
+
+def test_parameters_stand_with_the_numbers(tmp_path, capsys):
+    text = (KINDS / "crank_shaper.toml").read_text(encoding="utf-8")
+    text = text.replace("[points]", '[parameters]\nphi = { unit = "deg", values = [25] }\n\n[points]')
+    path = tmp_path / "shaper.toml"
+    path.write_text(text.replace("angle = 20", 'angle = "phi"'), encoding="utf-8")
+    out = _shown(capsys, str(path), "--lang", "ru")
+    assert "Дано: φ = 25°, OA = 120 мм" in out
+    assert "∠(OA, x)" not in out
+    assert "На рисунке показан" in out
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf"])
+def test_a_page_with_the_solution(ending, tmp_path):
+    goal = tmp_path / f"page.{ending}"
+    assert main(["show", str(KINDS / "crank_shaper.toml"), "--explain", "--out", str(goal)]) == 0
+    assert goal.stat().st_size > 1000
+
+
+def test_a_number_is_no_parameter():
+    form = load_family(str(KINDS / "crank_shaper.toml")).forms[""]
+    assert not [p for p in form.parameters.values() if isinstance(p, Parameter)]
+
+
+# What the shapes of bodies are by their points and joints; each file says nothing of it.
+DRAWN = {
+    "watt_six_bar": {"plates": ("CBD",), "discs": [], "lines": ()},
+    "chebyshev_linkage": {"plates": (), "discs": [], "lines": (("A", "M"),)},
+    "planetary_compound": {"plates": (), "discs": [("A", "planet"), ("O", "sun")], "lines": ()},
+    "two_wheels_rod": {"plates": (), "discs": [("O", "w1"), ("Q", "w2")], "lines": ()},
+    "moving_frame_disc": {"plates": ("disc",), "discs": [], "lines": ()},
+}
+
+
+@pytest.mark.parametrize("scene", DRAWN)
+def test_how_bodies_are_drawn(scene):
+    hints = load_family(str(KINDS / f"{scene}.toml")).forms[""].figure
+    found = sorted((disc.centre, disc.body) for disc in hints.discs)
+    assert {"plates": hints.plates, "discs": found, "lines": hints.lines} == DRAWN[scene]
+
+
+def test_a_slot_in_a_plate_is_a_groove():
+    assert load_family(str(KINDS / "moving_frame_disc.toml")).forms[""].figure.grooves == (("A", "B"),)
+
+
+def test_what_the_file_says_of_a_body_stands(tmp_path):
+    path = tmp_path / "own.toml"
+    text = (KINDS / "watt_six_bar.toml").read_text(encoding="utf-8")
+    path.write_text(text + '\n[figure]\nlines = [["C", "D"], ["D", "B"]]\n', encoding="utf-8")
+    hints = load_family(str(path)).forms[""].figure
+    assert hints.plates == ()
+    assert hints.lines == (("C", "D"), ("D", "B"))

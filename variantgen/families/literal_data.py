@@ -1,0 +1,122 @@
+"""The data that a scene of one's own states as numbers, with the names that a reader gives them.
+
+Places of points have coordinates; lengths and angles are those of the lines between two points; rates have the letter
+of the point or body that they drive.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from variantgen.families.expressions import FamilyExpression
+from variantgen.families.family import ComponentTemplate, Form
+from variantgen.mechanism.component import field_specs
+
+_RATES = ("v", "a", "omega", "epsilon")
+# The lines of a construction: the field of its other end, and that of the length.
+_LINES = {
+    "polar": (("origin", "distance"),),
+    "circle_circle": (("first", "first_distance"), ("second", "second_distance")),
+    "line_circle": (("centre", "distance"),),
+    "on_body": (("origin", "along"),),
+    "fraction": (("start", "part"),),
+}
+_LEVEL = 1e-9  # rad
+
+
+@dataclass(frozen=True)
+class LiteralDatum:
+    """A number of a scene: its ``kind``, the ``name`` it is known by, what it measures.
+
+    Kinds: ``place`` of a point, ``x`` or ``y`` of one in a guide, ``length`` and ``angle`` of the line of two
+    ``points``, all of which are measured on the solved position; ``radius`` of a body and ``rate`` with their SI value.
+    ``second`` says whether only accelerations depend on it, ``unless`` names a point that tells it, if it is seen.
+    """
+
+    kind: str
+    name: str
+    measures: str
+    si: float = 0.0
+    second: bool = False
+    points: tuple[str, ...] = ()
+    unless: str = ""
+
+
+def literal_data(form: Form) -> Iterator[LiteralDatum]:
+    """The numbers of a form in the order of its file: places, conditions, joints, rates."""
+    for name, template in form.points.items():
+        yield from _of_point(name, template)
+    for template in form.conditions:
+        if _kind(template) == "distance":
+            yield from _length(template, "start", template.fields["end"], "length")
+    for template in form.joints:
+        radius = _literal(template, "radius")
+        if radius is not None and "body" in template.fields:
+            yield LiteralDatum("radius", template.fields["body"], "length", radius)
+        for bend in template.fields.get("path", ()):
+            if bend.fields.get("body") and (radius := _literal(bend, "radius")):
+                yield LiteralDatum("radius", bend.fields["body"], "length", radius)
+    for template in form.drivers:
+        for field in _RATES:
+            if (rate := _literal(template, field)) is not None:
+                second = field in ("a", "epsilon")
+                if rate or not second:
+                    yield LiteralDatum("rate", rate_name(template, field), _measure(template, field), rate, second)
+
+
+def rate_name(template: ComponentTemplate, field: str) -> str:
+    """The name of a rate that a driver gives as a number: ``omega_OA``, ``v_rel_M``, ``v_PQ`` of a cylinder."""
+    fields = template.fields
+    match _kind(template):
+        case "rotation":
+            other = fields.get("relative_to")
+            return f"{field}_{fields['body']}" + (f"/{other}" if other else "")
+        case "relative_travel" | "circling":
+            return f"{field}_rel_{fields['point']}"
+        case "extension":
+            return f"{field}_{fields['start']}{fields['end']}"
+    return f"{field}_{next(value for value in fields.values() if isinstance(value, str))}"
+
+
+def _of_point(name: str, template: ComponentTemplate) -> Iterator[LiteralDatum]:
+    kind = _kind(template)
+    if kind == "coordinates" and any(_literal(template, axis) is not None for axis in ("x", "y")):
+        yield LiteralDatum("place", name, "length", points=(name,))
+    for other, length in _LINES.get(kind, ()):
+        yield from _length(template, other, name, length)
+    if kind == "on_body" and _literal(template, "across"):
+        yield from _length(template, "towards", name, "along")
+    through: str = template.fields.get("through", "")
+    if kind == "line_circle" and (angle := _literal(template, "angle")) is not None:
+        for axis, across in (("y", math.sin(angle)), ("x", math.cos(angle))):
+            if abs(across) < _LEVEL:
+                yield LiteralDatum(axis, name, "length", points=(name,), unless=through)
+    if kind == "polar" and "towards" not in template.fields and _literal(template, "angle") is not None:
+        ends = (template.fields["origin"], name)
+        yield LiteralDatum("angle", "".join(ends), "angle", points=ends)
+
+
+def _length(template: ComponentTemplate, start: str, end: str, field: str) -> Iterator[LiteralDatum]:
+    if _literal(template, field) is not None:
+        ends = (template.fields[start], end)
+        yield LiteralDatum("length", "".join(ends), "length", points=ends)
+
+
+def _literal(template: ComponentTemplate, field: str) -> float | None:
+    """The SI value of a field that depends on no parameter."""
+    source = template.fields.get(field)
+    if not isinstance(source, FamilyExpression) or source.names:
+        return None
+    value = float(source.value({}))
+    return value if math.isfinite(value) else None
+
+
+def _measure(template: ComponentTemplate, field: str) -> str:
+    return str(next(spec.dimension for spec in field_specs(template.component) if spec.name == field))
+
+
+def _kind(template: Any) -> str:
+    return str(template.component.__module__.rpartition(".")[2])
