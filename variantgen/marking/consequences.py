@@ -6,6 +6,7 @@ A follow-through is granted only where the steps of the solution and one of thes
 - for points of one body ``omega = r x (v_B - v_A) / r^2`` and ``v_B = v_A + omega x r``, and so accelerations;
 - for a point C that slides along a line of a body through its point A, with the components along and across the line of
   ``v_C = v_A + omega x r + v_rel`` and ``a_C = a_A + epsilon x r - omega^2 r + 2 omega x v_rel + a_rel``;
+- for centres ``PA = v_A / omega``, ``QA = a_A / sqrt(epsilon^2 + omega^4)``, ``tan mu = |epsilon| / omega^2``;
 - the accelerations that the solver finds where some rates are wrong in the proportion of a wrong answer.
 """
 
@@ -42,7 +43,7 @@ def confirms(variant: Variant, motion: Motion, wrong: Mapping[Quantity, float], 
         ):
             return True
     mixed = _mixed(motion, wrong)
-    results = (*_by_theorems(mixed, asked), *_by_sliding(motion, mixed, wrong, asked))
+    results = (*_by_theorems(mixed, asked), *_by_sliding(motion, mixed, wrong, asked), *_by_centres(mixed, asked))
     if any(_same(found, number) for found in results):
         return True
     return asked.order == 2 and _by_solver(variant, motion, wrong, factors, asked, number)
@@ -102,6 +103,8 @@ def _by_sliding(motion: Motion, mixed: Motion, wrong: Mapping[Quantity, float], 
         omega, v_rel = mixed.omega[body], parts["v_rel"]
         if asked.kind == "a_cor" and asked.target == point:
             yield float(np.abs(2.0 * omega * v_rel)[0])
+        if asked.target == point:
+            yield from _sums(motion, mixed, parts, asked, body)
         for start in motion.scene.bodies[body]:
             r = complex(motion.z[point][0] - motion.z[start][0])
             u = complex(own.velocity[0])
@@ -120,6 +123,33 @@ def _by_sliding(motion: Motion, mixed: Motion, wrong: Mapping[Quantity, float], 
                     yield _shown(asked, float(cross(r, step - coriolis)) / abs(r) ** 2)
             if asked.kind == "a_rel" and asked.target == point:
                 yield abs(float(dot(r, step)) / abs(r) + float(omega[0]) ** 2 * abs(r))
+
+
+def _sums(motion: Motion, mixed: Motion, parts: Mapping[str, Any], asked: Quantity, body: str) -> Iterator[float]:
+    """A velocity or acceleration as the sum of the transport and relative parts."""
+    point, omega = asked.target, mixed.omega[body]
+    for start in motion.scene.bodies[body]:
+        r = motion.z[point] - motion.z[start]
+        if asked.kind == "v":
+            moved = mixed.v[start] + 1j * omega * r + parts["v_rel"]
+            yield float(asked.value(replace(mixed, v={**mixed.v, point: moved}))[0])
+        elif asked.kind == "a" and parts["a_rel"] is not None:
+            transport = mixed.a[start] + (1j * mixed.epsilon[body] - omega**2) * r + parts["a_rel"]
+            for coriolis in (parts["a_cor"], 2j * omega * parts["v_rel"]):
+                moved = transport + coriolis
+                yield float(asked.value(replace(mixed, a={**mixed.a, point: moved}))[0])
+
+
+def _by_centres(mixed: Motion, asked: Quantity) -> Iterator[float]:
+    """Distances from the centres and the angle of the acceleration centre."""
+    if asked.kind == "mu":
+        yield float(asked.value(mixed)[0])
+    if asked.is_centre and not asked.is_coordinate:
+        omega, epsilon = mixed.omega[asked.target], mixed.epsilon.get(asked.target, 0.0)
+        rate = np.abs(omega) if asked.kind == "P" else np.sqrt(np.square(epsilon) + omega**4)
+        vector = (mixed.v if asked.kind == "P" else mixed.a)[asked.component]
+        if np.all(rate > 0):
+            yield float((np.abs(vector) / rate)[0])
 
 
 def _shown(asked: Quantity, rate: float) -> float:
