@@ -142,7 +142,7 @@ def test_a_scene_of_ones_own_without_parameters(tmp_path: Path) -> None:
     assert found.answers["v_B"] == pytest.approx([0.6, 0.6])
     assert repr(found[0]) == "<Variant of crank>"
     assert "<svg" in found[0]._repr_html_()
-    assert "v_B" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
+    assert "Answer" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
 
 
 def test_the_table_has_columns_of_one_length() -> None:

@@ -48,7 +48,7 @@ def variant_html(variant: Variant) -> str:
     writing = page_writing(_name(variant))
     figure = writing.figure(statement_figure(variant, motion, 0, asked, language))(1.0, _MILLIMETRES)
     parts = [figure]
-    with suppress(InputError):  # a scene file has no statement
+    with suppress(InputError):  # there may be no statement in this language
         parts.insert(0, markup(statement_html(statement(variant, asked, language), language, writing)))
     return _shown(variant.family.title("en"), parts, remark=repr(variant)[1:-1])
 
@@ -60,7 +60,7 @@ def explanation_html(explanation: Explanation) -> str:
     title = variant.family.title(language.name)
     try:
         solved = with_figures(variant, asked, language, (motion, 0), explanation.text)
-    except InputError:  # a scene file has no statement
+    except InputError:  # there may be no statement in this language
         return _shown(title, [markup(f"<pre>{escape(str(explanation))}</pre>")])
     writing = page_writing(_name(variant, language.name, *explanation.options.methods))
     problem = statement_html(solved.statement, language, writing)
