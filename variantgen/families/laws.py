@@ -39,14 +39,20 @@ def split_law(table: Table, name: str) -> tuple[Any, Unit | None]:
         inner.need("unit", str, "m", "a unit"),
     )
     inner.finish()
+    found: list[Unit] = []
     with inner.collecting("unit"):
-        found = unit(named)
-        if found.dimension not in _MEASURES:
-            known = [other.name for other in UNITS.values() if other.dimension in _MEASURES and other.name != "1"]
-            problem = Problem("expected a unit of length or angle", value=named, remedy="one of " + ", ".join(known))
-            raise InputError(problem)
-        return text, found
-    return text, None
+        found.append(_of_law(named))
+    return text, found[0] if found else None
+
+
+def _of_law(named: str) -> Unit:
+    """The unit of a law. Raises InputError for one that is not of length or angle."""
+    found = unit(named)
+    if found.dimension not in _MEASURES:
+        known = [other.name for other in UNITS.values() if other.dimension in _MEASURES and other.name != "1"]
+        problem = Problem("expected a unit of length or angle", value=named, remedy="one of " + ", ".join(known))
+        raise InputError(problem)
+    return found
 
 
 def measured_law(
