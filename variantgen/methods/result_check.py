@@ -36,6 +36,7 @@ from variantgen.methods.vectors.vector_equation import share_of, shares, unknown
 _AXES = {"right": RIGHT, "up": UP}
 _UNKNOWNS = 2  # vectors that an equation determines
 _EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
+_RIGHT_ANGLE = 90.0  # degrees
 _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
@@ -102,8 +103,10 @@ def _by_number(share: Share) -> Share:
     """A projection whose angle, unless it is one of the solution, is a number: only numbers are printed of a check."""
     if share.angle is None or share.angle.name is not None:
         return share
-    number = share.angle.exact
-    return replace(share, angle=Value(None, "angle", number, Constant(number, "angle")))
+    number, sign = share.angle.exact, share.sign
+    if _RIGHT_ANGLE < number < 2 * _RIGHT_ANGLE:  # the acute angle is the one that the solution has
+        number, sign = 2 * _RIGHT_ANGLE - number, sign if share.function == "sin" else -sign
+    return replace(share, sign=sign, angle=Value(None, "angle", number, Constant(number, "angle")))
 
 
 def by_links(found: Mapping[str, Value]) -> list[Item]:
@@ -119,15 +122,18 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     if terms[0].size is terms[1].size or terms[0].angle.exact == terms[1].angle.exact:
         return []
     axis = book.geometry.direction(first, second)
-    found = [None if share is None else renamed(book, share) for share in (share_of(term, axis) for term in terms)]
-    if any(share is None for share in found):
+    seen = [share for share in (share_of(term, axis) for term in terms) if share is not None]
+    if len(seen) < len(terms):
         return []
+    found = [renamed(book, share) for share in seen]
+    if found[0].size.number(True) * found[0].sign < 0:  # to the side to which the points move
+        found = [replace(share, sign=-share.sign) for share in found]
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
     facts |= {"first": VectorOf(terms[0].name), "second": VectorOf(terms[1].name)}
     items: list[Item] = [Sentence("check.projections", facts, detail=False)]
-    angles = [share.angle for share in found if share is not None and share.angle is not None]
+    angles = [share.angle for share in found if share.angle is not None]
     items += [Derived(corner) for corner in in_order(angles) if _is_new(book, corner)]
-    return items + [Derived(_projection(share)) for share in found if share is not None]
+    return items + [Derived(_projection(share)) for share in found]
 
 
 def _is_new(book: Book, value: Value) -> bool:
