@@ -97,8 +97,12 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     turning, turn = about_pole(book, support.point, pole, body)
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
-    words = (Sentence("axes.across", {"vector": VectorOf(private.name), "axis": AxisOf(AXES[0])}),)
-    sides = named_shares(book, (*own, private), axis), named_shares(book, (*known, path, *turning, turn), axis)
+    crossed = VectorOf(private.name)
+    words = (Sentence("axes.across", {"vector": crossed, "axis": AxisOf(AXES[0])}),)
+    sides = (
+        named_shares(book, (*own, private), axis, crossed=crossed),
+        named_shares(book, (*known, path, *turning, turn), axis, crossed=crossed),
+    )
     book.items.append(Projection(words, sides[0], sides[1], axis, AXES[0]))
     right = [(share.sign, share.size) for share in named_shares(book, own, axis)]
     right += [(-share.sign, share.size) for share in named_shares(book, (*known, *turning), axis)]
