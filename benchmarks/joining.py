@@ -27,6 +27,7 @@ from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.documents.solution_data import solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
 from variantgen.outputs.join import join_pdfs
+from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 
@@ -54,7 +55,7 @@ def parts_of(folder: Path, count: int) -> dict[str, list[Path]]:
         for start in range(0, count, STUDENTS_PER_PART):
             content = Content(exam, sheets[start : start + STUDENTS_PER_PART])
             for kind, standards in ((SHEETS, ()), (TAGGED, ("ua-1",))):
-                data = sheets_data(content, TYPST)
+                data = with_pages(sheets_data(content, TYPST), engine)
                 put(kind, engine.compile("sheets.typ", data, tagged=kind == TAGGED, standards=standards))
             for number in range(len(content.sheets)):
                 data = solutions_data(content, number, TYPST)

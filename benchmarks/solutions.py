@@ -39,7 +39,8 @@ from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
-from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.sheet_pages import with_pages
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.wording.solution.explain import written
 from variantgen.wording.statement import statement
@@ -92,17 +93,22 @@ def typesetting_cost(exam: Path, students: int) -> Clock:
     sheets = drawn_sheets(replace(plan, seed="0"), numbered(students))
     clock = Clock()
     with typesetter() as engine:
-        for target, template, data in _documents(plan, sheets):
+        for target, template, data in _documents(plan, sheets, engine, clock):
             with clock.measuring(target):
                 engine.compile(template, data, tagged=False)
     return clock
 
 
-def _documents(plan: Exam, sheets: Sequence[Sheet]) -> Iterator[tuple[str, str, dict[str, Any]]]:
+def _documents(
+    plan: Exam, sheets: Sequence[Sheet], engine: Typesetter, clock: Clock
+) -> Iterator[tuple[str, str, dict[str, Any]]]:
     """What a build gives to the engine: target, template and data."""
     for i in range(0, len(sheets), STUDENTS_PER_PART):
         content = Content(plan, sheets[i : i + STUDENTS_PER_PART])
-        yield SHEETS, "sheets.typ", sheets_data(content, TYPST)
+        data = sheets_data(content, TYPST)
+        with clock.measuring(SHEETS):
+            data = with_pages(data, engine)
+        yield SHEETS, "sheets.typ", data
         yield from ((SOLUTIONS, "solutions.typ", solutions_data(content, n, TYPST)) for n in range(len(content.sheets)))
     for data in (key_by_student, key_by_problem):
         yield from ((KEY, "key.typ", data(plan, sheets[i : i + 40], i == 0, TYPST)) for i in range(0, len(sheets), 40))

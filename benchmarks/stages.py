@@ -59,6 +59,8 @@ HOOKS = (
     Hook(_DATA, "variantgen.outputs.documents.solution_data:solutions_data"),
     Hook(_DATA, "variantgen.outputs.typst.writing:figure_data"),
     Hook(_JSON, "variantgen.outputs.typst.typesetter:_json"),
+    Hook("pages of the sheets", "variantgen.outputs.typst.sheet_pages:with_pages"),
+    Hook("Typst: {}", "variantgen.outputs.typst.typesetter:Typesetter.query"),
     Hook("Typst: {}", "variantgen.outputs.typst.typesetter:Typesetter.compile"),
     Hook("joining", "variantgen.outputs.join:join_pdfs", whole=True),
     Hook(_PARTS, "variantgen.exam.packing:pack", whole=True),

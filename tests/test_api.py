@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -32,6 +33,10 @@ def modules_after(code: str) -> set[str]:
     script = f"import sys\n{code}\nimport json; print(json.dumps([m for m in sys.modules]))"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     return {name.split(".")[0] for name in json.loads(done.stdout.splitlines()[-1])}
+
+
+def test_types_are_told_to_those_who_import_it() -> None:
+    assert (Path(variantgen.__file__).parent / "py.typed").is_file()
 
 
 def test_help_needs_nothing() -> None:

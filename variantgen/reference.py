@@ -84,9 +84,9 @@ def _sizes() -> str:
 
 def _expressions() -> str:
     rows = [
-        ("operators", "`+ - * /`, `**` with a whole power, brackets"),
+        ("operators", "`+ - * /`, `^` or `**` with a whole power, brackets"),
         ("functions", ", ".join(f"`{name}`" for name in FUNCTIONS)),
-        ("constants", ", ".join(f"`{name}`" for name in CONSTANTS)),
+        ("constants", ", ".join(f"`{name}`" for name in CONSTANTS).replace("`inch`", "`in` or `inch`")),
     ]
     return "\n".join(["| | |", "|---|---|", *(f"| {name} | {text} |" for name, text in rows)])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -103,6 +104,45 @@ def test_values_are_fixed_and_ranges_narrowed() -> None:
     assert found.answers.keys() and all(name.startswith(("v", "omega")) for name in found.answers)
     fixed = variantgen.batch("four_bar", 20, set={"OA": "0.3 m"})
     assert set(fixed.parameters["OA"]) == {30}
+
+
+def test_without_a_form_the_first_that_fits_is_taken() -> None:
+    family = variantgen.load_family("four_bar")
+    assert variantgen.batch(family, 3).form.name == next(iter(family.forms)) == "crank"
+    assert variantgen.batch(family, 3, set={"omega_BC": 2}).form.name == "rocker"
+    assert variantgen.batch(family, 3, range={"beta": [10, 40]}).form.name == "directions"
+    nice = variantgen.batch(family, 3, nice=True)
+    assert nice.form.name in family.nice_forms
+
+
+SCENE = """
+schema = 1
+title = { en = "Crank and slider" }
+length_unit = "m"
+ask = ["v_B", "a_B"]
+bodies = { OA = ["O", "A"], AB = ["A", "B"] }
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { coordinates = { x = 0, y = 0.3 } }
+B = { coordinates = { x = 0.4, y = 0 } }
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+guide = { point = "B", angle = 0 }
+[[drivers]]
+rotation = { body = "OA", omega = 2, epsilon = 0 }
+"""
+
+
+def test_a_scene_of_ones_own_without_parameters(tmp_path: Path) -> None:
+    path = tmp_path / "crank.toml"
+    path.write_text(SCENE, "utf-8")
+    found = variantgen.batch(str(path), 2)
+    # A is at the top: the rod is in translation with v = 2 * 0.3 m/s.
+    assert found.answers["v_B"] == pytest.approx([0.6, 0.6])
+    assert repr(found[0]) == "<Variant of crank>"
+    assert "<svg" in found[0]._repr_html_()
+    assert "Answer" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
 
 
 def test_the_table_has_columns_of_one_length() -> None:

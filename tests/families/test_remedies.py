@@ -130,12 +130,12 @@ def test_what_rounding_left_of_a_zero_is_zero(output, small):
 
 
 def test_a_fraction_among_values(output):
-    text = CRANK.replace("distance = 20", 'distance = "R"')
-    message = output(
-        '[parameters]\nR = { unit = "cm", values = ["5/3"] }\n' + text.replace('length_unit = "cm"', ""), 2
-    )
-    assert "parameters.R.values: expected a list of numbers (got ['5/3'])" in message
-    assert "write each as a decimal number without quotes, 1.667 for 5/3" in message
+    text = CRANK.replace("distance = 20", 'distance = "R"').replace('length_unit = "cm"', "")
+    table = '[parameters]\nR = { unit = "cm", values = ["5/3"] }\n'
+    assert "R = 1.66667 cm" in output(table + text, 0)
+    message = output(table.replace("5/3", "five") + text, 2)
+    assert "parameters.R.values: expected a list of numbers (got ['five'])" in message
+    assert 'write each as a number, or as "2 cm" or "5/3"' in message
     assert "unknown name" not in message  # R is known, only wrong
 
 

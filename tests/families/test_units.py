@@ -104,3 +104,31 @@ def test_a_unit_that_does_not_fit(ask: str, message: str, tmp_path: Path, capsys
 
 def test_one_quantity_is_asked_in_one_unit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "asked twice" in solved(tmp_path, capsys, '"v_A"', "--ask", "v_A", "--ask", "v_A in mph")
+
+
+def test_units_and_fractions_in_grids_and_expressions(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = """
+length_unit = "in"
+ask = ["v_A"]
+[parameters]
+R = { unit = "in", values = ["1/2 ft"] }
+t = { unit = "s", from = "1/4 min", to = "20 s", step = 5 }
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { coordinates = { x = "R", y = "5/2 in" } }
+B = { coordinates = { x = "2 * in + 1 * ft", y = 0 } }
+[bodies]
+crank = ["O", "A", "B"]
+[[joints]]
+pivot = { point = "O" }
+[[drivers]]
+rotation = { body = "crank", omega = "1 / t + (R / R)^2 / (1 * t)" }
+"""
+    path = tmp_path / "grid.toml"
+    path.write_text(text, encoding="utf-8")
+    assert main(["solve", str(path), "--set", "t=20", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["parameters"]["R"]["value"] == 6
+    assert document["points"]["A"]["position"] == pytest.approx([0.1524, 0.0635])
+    assert document["points"]["B"]["position"] == pytest.approx([0.3556, 0])
+    assert document["answers"][0]["value"] == pytest.approx(6.5 * 0.1)

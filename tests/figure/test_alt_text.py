@@ -23,6 +23,7 @@ from variantgen.figure.alt_text.directions import compass, is_parallel, line, si
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.single.picture import picture
+from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.single import asked_quantities, one_variant
@@ -144,7 +145,7 @@ def test_sheets_carry_the_text_of_every_figure(sample: str) -> None:
     exam = read_exam(exam_path(Path(sample)))
     data = sheets_data(Content(exam, drawn_sheets(exam, numbered(2))), TYPST)
     with typesetter() as engine:
-        made = engine.compile("sheets.typ", data)[0]
+        made = engine.compile("sheets.typ", with_pages(data, engine))[0]
     wanted = [problem["figure"]["alt"].alt for student in data["students"] for problem in student["problems"]]
     assert all(wanted)
     with pikepdf.open(io.BytesIO(made)) as pdf:
@@ -165,6 +166,7 @@ def test_figures_are_told_in_words_only_where_these_are_shown() -> None:
     data = sheets_data(content, TYPST)
     figures = [posed.figure for own in content.posed for posed in own]
     with typesetter() as engine:
+        data = with_pages(data, engine)
         engine.compile("sheets.typ", data, tagged=False)
         assert not any("alt" in vars(figure) for figure in figures)
         engine.compile("sheets.typ", data)

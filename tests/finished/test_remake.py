@@ -143,7 +143,7 @@ def test_another_look_is_noticed(
 
     shutil.copytree(resources.templates_dir(), tmp_path / "templates")
     sheets = tmp_path / "templates" / "typst" / "sheets.typ"
-    sheets.write_text(sheets.read_text("utf-8").replace("units = (0.8mm,", "units = (0.7mm,"), "utf-8")
+    sheets.write_text(sheets.read_text("utf-8").replace("stroke: (bottom: 0.5pt)", "stroke: (bottom: 1pt)"), "utf-8")
     for where in (manifest, typesetter):
         monkeypatch.setattr(where, "templates_dir", lambda: tmp_path / "templates")
     remade(out, "s2", code=1)

@@ -81,19 +81,21 @@ def parameters(built: Path, place: int) -> dict[str, Any]:
     }
 
 
-def acceleration(data: dict[str, Any], normal: bool = True) -> float:
+def acceleration(data: dict[str, Any], normal: bool = True, rod: float = 1.0) -> float:
     """|a_B| in cm/s^2 of the central slider-crank, with or without the normal acceleration of the crank.
+
+    ``rod`` is a factor by which omega_AB is wrong.
 
     Components along the rod: a_B cos psi = a_A along AB + omega_AB^2 AB, with sin psi = OA sin phi / AB.
     """
-    r, rod, phi = data["OA"], data["AB"], radians(data["phi"])
+    r, l_ab, phi = data["OA"], data["AB"], radians(data["phi"])
     w = data["omega_OA"] * (1.0 if data["sense"] == "counter_clockwise" else -1.0)
     e = data["epsilon_OA"]  # counter-clockwise
-    psi = asin(r * sin(phi) / rod)
-    w_rod = -r * w * cos(phi) / (rod * cos(psi))
+    psi = asin(r * sin(phi) / l_ab)
+    w_ab = -rod * r * w * cos(phi) / (l_ab * cos(psi))
     ax = -r * e * sin(phi) - (r * w**2 * cos(phi) if normal else 0.0)
     ay = r * e * cos(phi) - (r * w**2 * sin(phi) if normal else 0.0)
-    return abs((ax * cos(psi) - ay * sin(psi) - w_rod**2 * rod) / cos(psi))
+    return abs((ax * cos(psi) - ay * sin(psi) - w_ab**2 * l_ab) / cos(psi))
 
 
 def test_the_formula_of_this_test_gives_the_key(built: Path) -> None:
@@ -137,6 +139,38 @@ def test_verdicts_and_causes(built: Path, mark: Mark, tmp_path: Path) -> None:
     assert (total["1"], total["2"], total["points"], total["of"], total["answers"]) == ("2", "0", "2", "9", "5")
     others = [row for row in marks if row["id"] != first]
     assert {row["verdict"] for row in others} == {"blank"}
+
+
+@pytest.mark.parametrize(
+    ("factor", "verdict", "points"),
+    [(1.3, "follow_through", "2"), (0.6, "follow_through", "2"), (-1.3, "wrong", "0"), (20.0, "wrong", "0")],
+)
+def test_follow_through(factor: float, verdict: str, points: str, built: Path, mark: Mark, tmp_path: Path) -> None:
+    """The acceleration by the student's own omega_AB; not by one with the other sense, or of another order."""
+    right = key(built)
+    first = order(built)[0]
+    handed_in = [
+        (first, "1.omega_AB", f"{factor * right[first, '1.omega_AB']:.6g}"),
+        (first, "1.a_B", f"{acceleration(parameters(built, 0), rod=factor):.5g}"),
+    ]
+    _, marks, _, _ = mark(long(tmp_path, handed_in))
+    own = {row["quantity"]: row for row in marks if row["id"] == first and row["problem"] == "1"}
+    assert own["omega_AB"]["verdict"] == "wrong"
+    assert (own["a_B"]["verdict"], own["a_B"]["points"]) == (verdict, points)
+    if verdict == "follow_through":
+        assert own["a_B"]["cause"] == "from: omega_AB"
+
+
+def test_a_number_that_follows_by_no_theorem_is_wrong(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right = key(built)
+    first = order(built)[0]
+    handed_in = [
+        (first, "1.omega_AB", f"{1.3 * right[first, '1.omega_AB']:.6g}"),
+        (first, "1.a_B", f"{1.11 * acceleration(parameters(built, 0), rod=1.3):.5g}"),
+    ]
+    _, marks, _, _ = mark(long(tmp_path, handed_in))
+    own = {row["quantity"]: row["verdict"] for row in marks if row["id"] == first and row["problem"] == "1"}
+    assert own["a_B"] == "wrong"
 
 
 def test_shares_struck_rounding_and_grades(built: Path, mark: Mark, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import html5lib
@@ -71,6 +72,16 @@ def test_a_variant_is_shown_as_its_problem_with_a_figure() -> None:
     assert "Determine:" in text
     assert f"OA = {FOUND[0].printed['OA']} cm" in text
     assert len([element for element in whole.iter() if str(element.tag).endswith("svg")]) == 1
+
+
+def test_a_family_without_a_statement_in_the_language_is_shown_without_it(tmp_path: Path) -> None:
+    form = replace(FOUND.form)  # a form remembers its texts
+    alone = replace(FOUND[0], form=form, family=replace(FOUND.family, folder=tmp_path, forms={form.name: form}))
+    whole = parsed(alone._repr_html_())
+    assert "Given:" not in words(whole)
+    assert [element for element in whole.iter() if str(element.tag).endswith("svg")]
+    explained = variantgen.explain(alone, ask=["v_B"])
+    assert str(explained).strip() in "".join(parsed(explained._repr_html_()).itertext())
 
 
 def test_a_variant_that_does_not_assemble_says_so() -> None:

@@ -130,6 +130,20 @@ def test_variants_are_those_that_are_wanted(variant: Variant) -> None:
     assert variant.motion().solved[0]
 
 
+def test_variants_are_of_all_forms_that_have_what_is_wanted() -> None:
+    seen: dict[str, set[str]] = {"any": set(), "narrowed": set()}
+
+    @given(testing.variants("four_bar"), testing.variants("four_bar", range={"phi": [60, 90]}))
+    def collected(variant: Variant, narrowed: Variant) -> None:
+        seen["any"].add(variant.form.name)
+        seen["narrowed"].add(narrowed.form.name)
+
+    collected()
+    assert seen["any"] >= {"crank", "rocker", "directions"}
+    assert {"crank", "rocker"} <= seen["narrowed"]
+    assert "directions" not in seen["narrowed"], "it has no angle phi"
+
+
 def test_an_example_is_told_in_one_line() -> None:
     @given(testing.variants("slotted_rocker"))
     def wrong(variant: Variant) -> None:

@@ -8,7 +8,7 @@ student: the variants of a batch are like those of an exam, and none of them is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -149,7 +149,7 @@ def batch(
     units: str = "",
     folders: tuple[Path, ...] = (),
 ) -> Batch:
-    """``n`` valid variants of one form of a family (its first one unless ``form`` names another), solved, as arrays.
+    """``n`` valid variants of one form of a family, solved, as arrays.
 
     >>> import variantgen
     >>> rods = variantgen.batch("four_bar", 1000, seed=1, ask=["v_B", "omega_AB"], range={"phi": [30, 60]})
@@ -158,18 +158,19 @@ def batch(
     >>> bool((rods.parameters["phi"] <= 60).all())
     True
 
-    ``family`` is a name, a path or a family that is loaded. ``set`` fixes parameters, ``range`` narrows them, as the
-    options of ``variantgen show`` do; bare numbers are in printed units. The screens are those of the family, mistakes
-    that must be seen in the answers among them. What takes the steps of a solution is done only ``for_sheets``: a
-    calculation by hand with three digits stays within the family's ceiling, and the independent computation confirms
-    every variant; some 0.1 to 0.5 ms each. Variants may repeat. Raises InputError, and VerificationError where that
-    computation finds something else: a defect of the program.
+    ``family`` is a name, a path or a family that is loaded; without ``form`` it is the first of its forms that has what
+    is fixed or narrowed (and, for ``nice``, hand-friendly variants). ``set`` fixes parameters, ``range`` narrows them,
+    as the options of ``variantgen show`` do; bare numbers are in printed units. The screens are those of the family,
+    mistakes that must be seen in the answers among them. What takes the steps of a solution is done only
+    ``for_sheets``: a calculation by hand with three digits stays within the family's ceiling, and the independent
+    computation confirms every variant; some 0.3 to 3 ms each. Variants may repeat. Raises InputError, and
+    VerificationError where that computation finds something else: a defect of the program.
     """
     if isinstance(n, bool) or not isinstance(n, int) or not 0 < n <= _LARGEST:
         raise InputError(Problem(f"expected a whole number from 1 to {_LARGEST}", key="n", value=repr(n)))
     whole = family if isinstance(family, Family) else load_family(str(family), folders)
     ranges = {name: list(limits) if isinstance(limits, tuple) else limits for name, limits in (range or {}).items()}
-    chosen = form or next(iter(whole.forms))
+    chosen = form or _first_form(whole, {*(set or {}), *ranges}, nice)
     narrowed = restrict(whole, set, ranges, (chosen,) if chosen else (), nice, True, units)
     if ask is not None:
         ask = (ask,) if isinstance(ask, str) else ask
@@ -184,6 +185,12 @@ def batch(
     if for_sheets and not np.all(verification(found.motion, 2)):
         raise VerificationError(f"{whole.name}: the solver and the independent computation disagree (seed {seed})")
     return found
+
+
+def _first_form(family: Family, named: Collection[str], nice: bool) -> str:
+    """The first form that has parameters of these names; the very first where none has, to say so."""
+    forms = (family.nice_forms if nice else []) or list(family.forms)
+    return next((form for form in forms if all(name in family.forms[form].parameters for name in named)), forms[0])
 
 
 def _solved(

@@ -182,8 +182,9 @@ def _put_together(
             pieces[name].setdefault(target, []).append(path)
         unexplained.update(made.unexplained)
     notes: list[str] = []
+    pages: dict[str, dict[int, int]] = {}
     for name in exam.formats:
-        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes))
+        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes, pages))
     redrawn, alike, cut = parts.drawn_marks()
-    write_records(folder, exam, spec.made_with, redrawn, pieces[RECORDS])
+    write_records(folder, exam, spec.made_with, redrawn, pages, pieces[RECORDS])
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

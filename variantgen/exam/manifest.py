@@ -70,7 +70,7 @@ class Manifest:
 
     ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been
     changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
-    of students who drew again.
+    of students who drew again, ``pages`` how many students have so many pages, by document.
     """
 
     path: Path
@@ -86,6 +86,7 @@ class Manifest:
     tolerance: Tolerance = Tolerance()
     floors: Mapping[int | None, float] = field(default_factory=dict)
     redrawn: tuple[str, ...] = ()
+    pages: Mapping[str, Mapping[int, int]] = field(default_factory=dict)
 
     def differences(self, exam: Exam) -> list[str]:
         """The versions and files that differ from those the exam was made with, in words."""
@@ -155,6 +156,7 @@ def _manifest(top: Table, path: Path) -> Manifest:
         _tolerance(exam),
         _floors(exam.table("problem_tolerances")),
         top.strings("redrawn"),
+        _pages(top.table("pages")),
     )
 
 
@@ -168,6 +170,15 @@ def _tolerance(exam: Table) -> Tolerance:
         None if ceiling is None else float(exam.number("tolerance_ceiling", 0)),
         exam.take("mistakes_screened", bool, usual.mistakes),
     )
+
+
+def _pages(table: Table) -> dict[str, dict[int, int]]:
+    """How many students have so many pages, by document."""
+    return {
+        document: {int(pages): own.need(pages, int, 0) for pages in own.data if pages.isascii() and pages.isdigit()}
+        for document in table.data
+        for own in (table.table(document),)
+    }
 
 
 def _floors(table: Table) -> dict[int | None, float]:

@@ -5,6 +5,7 @@ A file like this one, or the table ``[marking]`` of an exam file, with what diff
     tolerance = 1.5                              # times the tolerances of the key
     points = { 1 = 5, 2 = 3 }                    # of problems, in place of those of the exam
     shares = { sign = 0.5, power_of_ten = 0.5 }  # of the points of an answer, by the cause of a wrong one
+    follow_through = 0.8                         # of the points, where an answer is right given earlier wrong ones
     struck = ["3", "2.a_B"]                      # problems or answers that do not count
     bonus = ["4"]                                # problems whose points add to the sum, and not to the most
     rounding = { problem = 0.25, total = 0.5 }   # steps that points are rounded to, halves up
@@ -33,11 +34,15 @@ _MOST_POINTS = 1000
 
 @dataclass(frozen=True)
 class MarkingPolicy:
-    """See the module; ``shares`` are fractions of an answer's points by cause, none where nothing is said."""
+    """See the module; ``shares`` are fractions of an answer's points by cause, none where nothing is said.
+
+    An answer that follows from wrong ones has all its points if nothing is said: a slip is paid for once.
+    """
 
     tolerance: Decimal = Decimal(1)
     points: Mapping[int, Decimal] = field(default_factory=dict)
     shares: Mapping[str, Decimal] = field(default_factory=dict)
+    follow_through: Decimal = Decimal(1)
     struck: frozenset[str] = frozenset()
     bonus: frozenset[str] = frozenset()
     problem_step: Decimal = Decimal(0)
@@ -84,6 +89,7 @@ def read_policy(table: Table, asked: Mapping[int, frozenset[str]]) -> MarkingPol
         _within(table, "tolerance", 10, Decimal(1)),
         points,
         {name: _within(shares, name, 1) for name in shares.data if name in CAUSES},
+        _within(table, "follow_through", 1, Decimal(1)),
         _named(table, "struck", asked),
         _named(table, "bonus", asked, whole=True),
         _within(steps, "problem", _MOST_POINTS, Decimal(0)),

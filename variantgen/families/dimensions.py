@@ -20,6 +20,7 @@ from variantgen.algebra.expression import (
     Variable,
 )
 from variantgen.errors import InputError, Problem
+from variantgen.families.units import LENGTHS
 
 Dimension = tuple[float, float]
 _PURE: Dimension = (0, 0)
@@ -27,9 +28,7 @@ _PURE: Dimension = (0, 0)
 CONSTANTS: dict[str, tuple[float, Dimension]] = {
     "pi": (float(np.pi), _PURE),
     "deg": (float(np.pi / 180), _PURE),
-    "m": (1.0, (1, 0)),
-    "cm": (0.01, (1, 0)),
-    "mm": (0.001, (1, 0)),
+    **{"inch" if name == "in" else name: (float(factor), (1, 0)) for name, factor in LENGTHS.items()},
 }
 
 

@@ -1,12 +1,13 @@
 """Arithmetic in family files: a small safe language, no ``eval``.
 
-Numbers, names of parameters and derived quantities, ``+ - * / **``, brackets, a few functions, the constants ``pi``
-and ``deg`` and the units ``m cm mm``. Everything else is refused when the file is read, with the place.
+Numbers, names of parameters and derived quantities, ``+ - * /``, powers ``^`` or ``**``, brackets, a few functions, the
+constants ``pi`` and ``deg`` and the units of length. Everything else is refused when the file is read, with the place.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
@@ -56,6 +57,7 @@ _APPLIED: dict[str, Callable[..., Any]] = {
     "max": np.maximum,
     "atan2": np.arctan2,
 }
+_INCH = re.compile(r"([*/]\s*)in\b")
 _MAX_LENGTH, _MAX_POWER, _MAX_NODES = 200, 8, 600
 
 Computation = Callable[[Mapping[str, Real]], Any]  # from SI values to a value
@@ -158,7 +160,8 @@ def parse(text: str) -> FamilyExpression:
             Problem(f"expression longer than {_MAX_LENGTH} characters", value=text[:40] + "...", remedy="use [derived]")
         )
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
+        # In TOML and in books a power is x^2; "in" is a word of Python.
+        tree = ast.parse(_INCH.sub(r"\1inch", text.strip().replace("^", "**")), mode="eval").body
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise InputError(
             Problem("not an arithmetic expression", value=text, remedy='write it like "OA * cos(phi)"')

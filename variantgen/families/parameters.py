@@ -13,10 +13,11 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.dimensions import CONSTANTS
 from variantgen.families.expressions import FUNCTIONS
 from variantgen.families.parameter import Parameter
-from variantgen.families.units import UNITS, checked, unit
+from variantgen.families.units import UNITS, Unit, checked, parse_value, unit, usual_name
 from variantgen.limits import VALUES
 from variantgen.tables import Table
 
+_PLAIN = re.compile(r"[\s\d.eE+-]*")  # a number in quotes needs none
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
 
 
@@ -83,31 +84,39 @@ def _grid(table: Table, name: str, symbol: str) -> Parameter:
     unit_name = table.need("unit", str, "1", "a unit: " + ", ".join(UNITS))
     with table.collecting("unit"):
         unit(unit_name)
-    values = _listed(table) if "values" in table.data else _stepped(table)
-    measured = UNITS.get(unit_name, UNITS["1"])
+    measured = UNITS.get(usual_name(unit_name), UNITS["1"])
+    values = _listed(table, measured) if "values" in table.data else _stepped(table, measured)
     return Parameter(name, measured, values, (), symbol)
 
 
-def _listed(table: Table) -> tuple[Decimal, ...]:
+def _listed(table: Table, measured: Unit) -> tuple[Decimal, ...]:
+    """The listed values: numbers, or texts like "2 ft" and "5/3"."""
     values = table.take("values", list, [], "a list of numbers")
-    wrong = [v for v in values if isinstance(v, bool) or not isinstance(v, int | Decimal) or not _is_sound(v)]
+    read = [_read(value, measured) for value in values]
+    wrong = [v for v in read if isinstance(v, bool) or not isinstance(v, int | Decimal) or not _is_sound(v)]
     if wrong or not values:
         remedy = ""
-        if any(isinstance(value, str) for value in values):
-            remedy = (
-                "write each as a decimal number without quotes, 1.667 for 5/3: what is printed is what is solved;"
-                " an exact fraction of another quantity is made where it is used, or in [derived]"
-            )
+        if any(isinstance(value, str) for value in wrong):
+            remedy = f'write each as a number, or as "2 {measured.name}" or "5/3"; an expression belongs into [derived]'
         table.problem("expected a list of numbers", "values", values, remedy)
         return (Decimal(1),)
-    return tuple(dict.fromkeys(Decimal(v) for v in values))
+    return tuple(dict.fromkeys(Decimal(v) for v in read))
 
 
-def _stepped(table: Table) -> tuple[Decimal, ...]:
+def _read(value: Any, measured: Unit) -> Any:
+    """A text with a number and a unit as a number in this unit; anything else as it is."""
+    try:
+        return parse_value(value, measured, "") if isinstance(value, str) and not _PLAIN.fullmatch(value) else value
+    except InputError:
+        return value
+
+
+def _stepped(table: Table, measured: Unit) -> tuple[Decimal, ...]:
     numbers = {}
     for key in ("from", "to", "step"):
         if key not in table.data:
             table.problem("missing, expected a number", key)
+        table.data = {**table.data, key: _read(table.data.get(key, 1), measured)}
         value = table.number(key, 1)
         if not _is_sound(value):
             table.problem("expected a number of ordinary size", key, str(value))

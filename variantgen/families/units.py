@@ -91,7 +91,9 @@ def _table() -> dict[str, Unit]:
 UNITS = _table()
 _LARGEST_EXPONENT = 12
 _DECIMALS = 12  # of a number in another unit, where it does not end
-_NUMBER_WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*((?:[^\W\d_]|°)[\w/^°²*-]*)?\s*")
+_NUMBER_WITH_UNIT = re.compile(
+    r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?:\s*/\s*(\d+\.?\d*))?\s*((?:[^\W\d_]|°)[\w/^°²*-]*)?\s*"
+)
 
 
 def usual_name(name: str) -> str:
@@ -123,10 +125,10 @@ def is_number(text: str) -> bool:
 
 
 def parse_value(text: str, default: Unit, key: str) -> Decimal:
-    """A number, with or without a unit, as a value in the unit ``default``.
+    """A number or a fraction, with or without a unit, as a value in the unit ``default``.
 
-    ``"30"`` and ``"0.3 m"`` with default cm both give 30. Raises InputError for anything else and for a unit of
-    another dimension.
+    ``"30"`` and ``"0.3 m"`` with default cm both give 30, ``"5/3"`` 1.666666666667. Raises InputError for anything else
+    and for a unit of another dimension.
     """
     match = _NUMBER_WITH_UNIT.fullmatch(text)
     if match is None:
@@ -134,7 +136,9 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
             Problem("expected a number", key=key, value=text, remedy=f'write it like "30" or "30 {default.name}"')
         )
     try:
-        value, name = checked(Decimal(match[1]), key), match[2] and usual_name(match[2])
+        value, name = checked(Decimal(match[1]), key), match[3] and usual_name(match[3])
+        if match[2] is not None:
+            value = checked(_rounded(float(value / Decimal(match[2]))), key)
     except ArithmeticError:
         raise InputError(Problem("expected a number of ordinary size", key=key, value=text[:40])) from None
     if name is None or name == default.name:
@@ -154,4 +158,10 @@ def parse_value(text: str, default: Unit, key: str) -> Decimal:
         )
     if given.turn == default.turn and (value * given.factor) % default.factor.scaleb(-_DECIMALS) == 0:
         return value * given.factor / default.factor
-    return Decimal(repr(round(default.from_si(given.to_si(value)), _DECIMALS)))
+    return _rounded(default.from_si(given.to_si(value)))
+
+
+def _rounded(value: float) -> Decimal:
+    """A number that does not end, with so many decimals, or as many digits where it is small."""
+    small = max(0, -Decimal(value).adjusted()) if value else 0
+    return Decimal(repr(round(value, _DECIMALS + small)))

@@ -19,6 +19,7 @@ _POWERS = (1, -1, 2, -2, 3, -3)
 _UNITS = (math.pi / 30, math.pi / 180, 2 * math.pi, 3.6, 12.0, 0.3048, 0.0254)
 _METRES = {1: (100.0, 1000.0), 2: ()}  # exponent of length: metres taken for centimetres, for millimetres
 _NEAR = 3.0  # tolerances within which a number is right but for rounding
+_TIED = 0.02  # tolerances by which results differ that no one can tell apart: the first one counts
 _SAME = 1e-9
 _OTHER_PART = {"x": "y", "y": "x"}
 
@@ -52,7 +53,7 @@ def cause_of(value: float, answer: Answer, around: Comparisons) -> Cause:
     best, least = OTHER, math.inf
     for cause, result in _results(answer, around):
         distance = _distance(value, result, answer)
-        if distance < least * (1 - _SAME):
+        if distance < least - _TIED:
             best, least = cause, distance
     if least <= 1.0:
         return best
@@ -66,7 +67,7 @@ def _distance(value: float, result: float, answer: Answer) -> float:
     size = scale(answer)
     width = answer.tolerance if answer.quantity.is_angle or not size else answer.tolerance * abs(result) / size
     gap = abs(value - result)
-    if answer.quantity.component == "angle":
+    if answer.quantity.is_direction:
         gap = abs(math.remainder(gap, 360.0))
     if width == 0:
         return 0.0 if gap <= _SAME * max(abs(result), 1.0) else math.inf
@@ -82,7 +83,7 @@ def _results(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float
 
 def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
     right = answer.value
-    if answer.quantity.component == "angle":
+    if answer.quantity.is_direction:
         yield Cause("sign"), -right
         yield Cause("sign"), right - 180.0 if right > 0 else right + 180.0
         for other in (90.0 - right, 180.0 - right):
@@ -91,7 +92,8 @@ def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]
         yield Cause("sign"), -right
     for name, result in around.mistakes.items():
         yield Cause("mistake", name), result
-        if not answer.quantity.is_angle:
+    if not answer.quantity.is_angle:
+        for name, result in around.mistakes.items():
             yield Cause("mistake", name), -result
     for name, result in around.parts.items():
         yield Cause("component", name), result

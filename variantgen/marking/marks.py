@@ -12,9 +12,11 @@ from variantgen.errors import InputError
 from variantgen.exam.marking_policy import MarkingPolicy, rounded
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import HandedIn, NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
+from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
@@ -77,7 +79,7 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
     left = list(read.not_matched)
     typed = _matched(key, read.answers, left)
     marks = _judged(key, typed)
-    marks = _with_causes(finished, key, marks)
+    marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
     totals = _totals(key, marks, policy)
@@ -196,6 +198,32 @@ def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
     return cause_of(item.value, item.answer, Comparisons(siblings, parts[name], mistakes[name]))
 
 
+def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
+    """The marks with the verdict of those answers that follow from earlier wrong ones of the same problem."""
+    found = list(marks)
+    problems: dict[tuple[int, int], list[int]] = defaultdict(list)
+    for i, item in enumerate(marks):
+        problems[item.place, item.problem].append(i)
+    known: dict[tuple[str, tuple[Quantity, ...]], FollowThrough] = {}
+    for (place, number), own in problems.items():
+        answers = [marks[i].answer for i in own]
+        wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
+        if len(wrong) < 2:
+            continue
+        group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
+        rules = known.setdefault(group, FollowThrough(group[1]))
+        index = [problem.number for problem in finished.record.sheets[place].problems].index(number)
+        for k, earlier in rules.granted(finished.variants[place][index], answers, wrong).items():
+            names = ", ".join(answers[other].quantity.name for other in earlier)
+            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=Cause("from", names))
+    return found
+
+
+def _is_wrong(item: MarkedAnswer) -> bool:
+    """Whether an answer is a number in a unit of its own kind that is not right."""
+    return item.verdict is Verdict.WRONG and not (item.cause and item.cause.name == "unit" and item.cause.detail)
+
+
 def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
     """The places of the students who have a problem of a form, by the number of the problem and the form."""
     found: dict[tuple[int, str], list[int]] = defaultdict(list)
@@ -226,6 +254,8 @@ def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> 
     share = Fraction(0)
     if item.verdict is Verdict.RIGHT:
         share = Fraction(1)
+    elif item.verdict is Verdict.FOLLOW_THROUGH:
+        share = Fraction(policy.follow_through)
     elif item.cause is not None:
         share = Fraction(policy.shares.get(item.cause.name, 0))
     return replace(item, points=share * of, of=of)

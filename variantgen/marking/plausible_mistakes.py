@@ -35,12 +35,12 @@ def mistakes_of(finished: Finished, wanted: Iterable[tuple[int, int]]) -> dict[t
         groups[variant.family.name, variant.form.name, asked].append((place, number, variant))
     found: dict[tuple[int, int], OfProblem] = {}
     for (_, _, names), members in groups.items():
-        own = _of_batch([variant for _, _, variant in members], [split_name(name) for name in names])
+        own = of_batch([variant for _, _, variant in members], [split_name(name) for name in names])
         found |= {(place, number): item for (place, number, _), item in zip(members, own, strict=True)}
     return found
 
 
-def _of_batch(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[OfProblem]:
+def of_batch(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[OfProblem]:
     """The results for variants of one form, in their order."""
     form = variants[0].form
     length = variants[0].family.length_unit

@@ -122,11 +122,11 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     if terms[0].size is terms[1].size or terms[0].angle.exact == terms[1].angle.exact:
         return []
     axis = book.geometry.direction(first, second)
-    seen = [share for share in (share_of(term, axis) for term in terms) if share is not None]
-    if len(seen) < len(terms):
+    on_line = [share_of(term, axis) for term in terms]
+    found = [renamed(book, share) for share in on_line if share is not None]
+    if len(found) < len(terms):
         return []
-    found = [renamed(book, share) for share in seen]
-    if found[0].size.number(True) * found[0].sign < 0:  # to the side to which the points move
+    if _projection(found[0]).exact < 0:  # to the side to which the velocities point
         found = [replace(share, sign=-share.sign) for share in found]
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
     facts |= {"first": VectorOf(terms[0].name), "second": VectorOf(terms[1].name)}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -26,8 +25,8 @@ def join_pdfs(
     language: str,
     even: bool,
     names: Sequence[BookmarkName] | None = None,
-) -> Counter[int]:
-    """Write the pages of all parts to one PDF; how many bookmarks have so many pages.
+) -> None:
+    """Write the pages of all parts to one PDF.
 
     ``even`` pads each part but the last to an even number of pages, so that the next part starts on an odd page.
     ``names`` are given to the bookmarks of the parts (not to those inside others). Tags, metadata and output intents
@@ -39,7 +38,15 @@ def join_pdfs(
             with pikepdf.open(path) as source:
                 whole.add(source, even and number < len(parts))
         whole.finish(title, language, names)
-        return whole.lengths
+
+
+def page_counts(parts: Sequence[Path]) -> list[int]:
+    """The number of pages from each bookmark of the parts to the next."""
+    found = []
+    for path in parts:
+        with pikepdf.open(path) as source:
+            found += _lengths(source)
+    return found
 
 
 class _Whole:
@@ -52,7 +59,6 @@ class _Whole:
         self._nodes: list[int] = []
         self._count = 0
         self._bookmarks: list[Bookmark] = []
-        self.lengths = Counter[int]()
 
     def add(self, source: pikepdf.Pdf, even: bool) -> None:
         """Write what a part holds."""
@@ -71,7 +77,6 @@ class _Whole:
         if self._structure:
             self._structure.add(part)
         self._bookmarks += read_bookmarks(part)
-        self.lengths.update(_lengths(source))
         part.copy()
         self._nodes.append(node)
         self._count += len(kids)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from variantgen.arrays.batch import batch
-from variantgen.errors import missing_package
+from variantgen.errors import InputError, missing_package
 from variantgen.families.family import Family
+from variantgen.families.load import load_family
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
@@ -27,19 +28,31 @@ _SEEDS = 2**32
 
 
 def variants(family: str | Family, **options: Any) -> SearchStrategy[Variant]:
-    """Valid variants of one form of a family, one of the catalogue or of your own.
+    """Valid variants of a family, of the catalogue or of your own, in all forms that have what the options name.
 
     ``options`` are those of :func:`variantgen.batch`: ``form``, ``ask``, ``set``, ``range``, ... Raises InputError
-    where it does, and ToolMissingError without Hypothesis.
+    where no form has them, and ToolMissingError without Hypothesis.
     """
     st = _strategies()
     batch(family, 1, **options)  # a mistake is told here, and not for an example
+    whole = family if isinstance(family, Family) else load_family(family, options.get("folders", ()))
+    forms = [options["form"]] if options.get("form") else [form for form in whole.forms if _has(whole, form, options)]
 
     def drawn(draw: Any) -> Variant:
-        return batch(family, 1, draw(st.integers(0, _SEEDS - 1)), **options)[0]
+        chosen = {**options, "form": draw(st.sampled_from(forms))}
+        return batch(whole, 1, draw(st.integers(0, _SEEDS - 1)), **chosen)[0]
 
     found: SearchStrategy[Variant] = st.composite(drawn)()
     return found
+
+
+def _has(family: Family, form: str, options: dict[str, Any]) -> bool:
+    """Whether there are variants of a form with these options."""
+    try:
+        batch(family, 1, **{**options, "form": form})
+    except InputError:
+        return False
+    return True
 
 
 def mechanisms() -> SearchStrategy[Scene]:

@@ -60,7 +60,8 @@ class Variant:
 
     def __repr__(self) -> str:
         form = f" {self.form.name}" if self.form.name else ""
-        return f"<Variant of {self.family.name}{form}: {', '.join(map(self._told, self.printed))}>"
+        data = ", ".join(map(self._told, self.printed))
+        return f"<Variant of {self.family.name}{form}{': ' if data else ''}{data}>"
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
         """What Hypothesis says of an example, and a console of IPython."""

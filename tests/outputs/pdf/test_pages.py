@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
+from typing import Any, cast
 
 import pypdfium2
 import pytest
 
 from variantgen.cli import main
+from variantgen.outputs.typst.heights import Heights
+from variantgen.outputs.typst.sheet_pages import SIZES, Filling
 
 # Statements and figures of these are among the largest: with figures of full size they take three pages and a blank.
 FAMILIES = ("four_bar", "spool", "guided_plate", "movable_pulley", "slider_crank_with_second_rod")
@@ -71,3 +75,57 @@ def test_order_of_problems(reorder: bool, tmp_path: Path) -> None:
     numbers = [int(number) for number in re.findall(r"Problem (\d) ", text)]
     assert sorted(numbers) == sorted([*range(1, 8)] * 8)
     assert (numbers == [*range(1, 8)] * 8) != reorder
+
+
+# Data that just fill their lines: where the lines are miscounted, a sheet of this class takes a page more.
+def test_every_student_has_as_many_pages(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exam, out = tmp_path / "exam.toml", tmp_path / "out"
+    families = ("hydraulic_hoist", "disc_on_arc_with_rod", "gear_pair_with_crank", "sliding_block_on_rotating_rod")
+    problems = "".join(f'[[problem]]\nfamily = "{family}"\n' for family in families)
+    exam.write_text(f'title = "Plane motion of a rigid body"\nlanguage = "ru"\nseed = 503\n{problems}', "utf-8")
+    assert main(["build", str(exam), "--variants", "26", "--no-solutions", "--out", str(out)]) == 0
+    assert "sheets.pdf: 2 pages for each student" in capsys.readouterr().err
+    assert json.loads((out / "manifest.json").read_text("utf-8"))["pages"] == {"sheets": {"2": 26}}
+
+
+def problem(width: float, height: float) -> dict[str, Any]:
+    """A problem with a figure of so many units, and one answer."""
+    return {
+        "number": "1",
+        "points": "",
+        "text": "",
+        "asked": [],
+        "letters": [],
+        "signs": [],
+        "given": [],
+        "headings": ["v"],
+        "figure": {"w": width, "h": height},
+    }
+
+
+class Short:
+    """Statements that are lower than any figure."""
+
+    line, given_width = 4.5, 10.0
+
+    def of(self, request: object) -> float:
+        """A height."""
+        return 1.0
+
+    def width(self, markup: object) -> float:
+        """A width."""
+        return 1.0
+
+
+@pytest.mark.parametrize(("height", "unit", "pages"), [(100, 0.8, 1), (120, 0.68, 1), (135, 0.62, 1), (150, 0.8, 2)])
+def test_figures_are_smaller_only_where_that_saves_a_page(height: int, unit: float, pages: int) -> None:
+    """Two figures beside their tables and 2 × 4.5 mm (3.5 mm) of room between fit a page of 180 mm if they are lower
+    than 85.5 mm (86.5 mm): 106 units of 0.8 mm, 125 of 0.68 mm, 139 of 0.62 mm.
+    """
+    filling = Filling([problem(50, height)] * 2, [180.0, 180.0], cast(Heights, Short()), False)
+    for size in SIZES:
+        if filling.may_gain:
+            filling.take(size)
+    found = filling.pages()
+    assert len(found) == pages
+    assert {own["unit"] for page in found for own in page["problems"]} == {unit}

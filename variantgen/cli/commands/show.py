@@ -1,4 +1,4 @@
-"""``variantgen show``: one problem as a student sees it, with its answers."""
+"""``variantgen show``: one problem as a student sees it, with its answers; of an exam the sheet of one student."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from variantgen.cli.exam_preview import add_students, check_options, exam_file, show_exam
 from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
 from variantgen.errors import InputError, Problem
@@ -13,10 +14,11 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.variants.variant import Variant
 
-HELP = "show one problem of a family"
-DESCRIPTION = (
-    "Show one problem: statement, data, answers; with --out also its figure, with --motion plots of its motion."
-)
+HELP = "show one problem of a family, or one sheet of an exam"
+DESCRIPTION = """\
+Show one problem of a family or of a scene file: statement, data, answers;
+with --out also its figure, with --motion plots of its motion.
+Of an exam file: the sheet of one student (--student, --roster), with --explain the solutions."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -41,10 +43,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="kind of figure (default: statement); of several in a solution one by its number: velocity_equation:2",
     )
     parser.add_argument("--true-scale", action="store_true", help="no vector of a figure is lengthened to be seen")
+    add_students(parser)
+    parser.set_defaults(seed=None, lang="")  # an exam has its own
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the problem or write its page. Raises InputError where it cannot be read or solved."""
+    from variantgen.families.folders import family_folders
+
+    exam = exam_file(arguments.family, family_folders(arguments.families))
+    check_options(arguments, of_an_exam=exam is not None)
+    if exam is not None:
+        show_exam(arguments, exam)
+    else:
+        arguments.seed, arguments.lang = "0" if arguments.seed is None else arguments.seed, arguments.lang or "en"
+        _show_problem(arguments)
+    return 0
+
+
+def _show_problem(arguments: argparse.Namespace) -> None:
+    """One problem of a family or a scene."""
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, asked_quantities, solution_document
     from variantgen.wording.language import load_language
@@ -77,7 +95,6 @@ def run(arguments: argparse.Namespace) -> int:
         say(plain_problem(variant, asked, values, load_language(arguments.lang)))
         if solution is not None:
             say(f"\n{solution}")
-    return 0
 
 
 def _write_figures(arguments: argparse.Namespace, variant: Variant) -> None:

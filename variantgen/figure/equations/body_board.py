@@ -144,7 +144,8 @@ class BodyBoard:
         own = set() if self._rods else own
         rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
         places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
-        return Surroundings(places, tuple(members), tuple(rims))
+        others = tuple(at[name] for name in self.named if name not in self.points)
+        return Surroundings(places, tuple(members), tuple(rims), others)
 
     def _drawn_of(self, body: str) -> list[str]:
         """The points of a body between which it is drawn: where a single one has a name, those without too.

@@ -18,6 +18,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer
 from variantgen.figure.equations.body_board import BodyBoard, FigureSubject, draw_point, draw_vectors, sizes
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
+from variantgen.figure.equations.surroundings import STUB
 from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
 from variantgen.figure.motion.contact_letters import ContactPoint, contact_points, draw_dot
 from variantgen.figure.motion.motion_board import MotionBoard
@@ -37,7 +38,7 @@ _SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
 _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u
 _LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
-_ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
+_WHOLE_CRANK = STUB + 2.0  # but for shorter ones, of which the stub would show the axis, u
 _ROUND = (8.0, -8.0, 8.0j, -8.0j)  # room for the arc about a centre, u
 _MU_ARC = 6.5  # radius of the arc between an acceleration and the ray to Q, u
 _MANY_RAYS = 4
@@ -137,6 +138,14 @@ class BodyFigure:
             if other != self.body and set(members) & set(self.moving) and fixed & set(members)
         ]
 
+    def _reach(self, crank: str) -> float:
+        """How far the axis of a crank is from the point of the body that it leads (m)."""
+        members = self.now.scene.bodies[crank]
+        fixed = self.named.task.fixed
+        return min(
+            abs(self.now.z[p] - self.now.z[q]) for p in members if p in self.moving for q in fixed & set(members)
+        )
+
     def by_centre(self) -> Drawing:
         """With the centre, the rays to it and the sense of the rate about it."""
         centre = self._centre()
@@ -148,6 +157,9 @@ class BodyFigure:
         needed = self.order == 1 and (not small or self.subject.geometry.feet)
         bodies = self._bodies if needed else self._alone
         scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
+        if not needed and (short := [crank for crank in self._cranks() if self._reach(crank) * scale < _WHOLE_CRANK]):
+            bodies = BodyBoard(self.subject, (self.body, *short), self.moving)  # it would be a hinge without a letter
+            scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
         board = self._board(bodies, scale)
         board.sketch.at["centre"] = scale * centre
         rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]

@@ -28,11 +28,15 @@ Places = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Surroundings:
-    """The places (u) near the ``points`` of a body, near the bars between its ``members`` and its ``rims``."""
+    """The places (u) near the ``points`` of a body, near the bars between its ``members`` and its ``rims``.
+
+    What is nearer to one of the ``others``, the points that are not drawn, is its symbol or its part of a link.
+    """
 
     points: tuple[complex, ...]
     members: tuple[tuple[complex, ...], ...]
     rims: tuple[tuple[complex, float], ...]
+    others: tuple[complex, ...] = ()
 
     def extent(self) -> list[complex]:
         """Places on the outline of what is drawn."""
@@ -62,7 +66,8 @@ class Surroundings:
         places, at = spaced(corners, steps, counts), np.cumsum(counts) - counts
         starts = at[[0, *ends[:-1].tolist()]]
         gaps = np.abs(places[:, None] - np.array(self.points, dtype=complex))
-        near, on_bodies = gaps <= STUB, self._on_bodies(places)
+        foreign = np.abs(places[:, None] - np.array(self.others, dtype=complex)).min(axis=1, initial=np.inf)
+        near, on_bodies = gaps <= np.minimum(STUB, foreign)[:, None], self._on_bodies(places)
         # A long line passes by the points that it is not joined to.
         joined = np.minimum.reduceat(gaps, starts, axis=0) <= _JOINED
         joined |= np.logical_and.reduceat(near.any(axis=1), starts)[:, None]

@@ -67,14 +67,14 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
         facts |= related(book, sought.body, sought.centre, "tau")
     if touch.reason and book.order == 1 and not _is_said(book, touch.reason):
         book.say(touch.reason, False)
-    key = f"{touch.kind}.{word}_{book.letter}"
-    # The differentiated condition is written in full once a step; an earlier step may be left out of the solution.
-    again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
-    book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
     turning = [side for side in (known, sought) if side.lever]
     if touch.place and book.order == 1:
         for side in turning:
             book.say(touch.place, False, contact=Point(side.name), body=Body(side.body))
+    key = f"{touch.kind}.{word}_{book.letter}"
+    # The differentiated condition is written in full once a step; an earlier step may be left out of the solution.
+    again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)
+    book.say(f"{touch.kind}.again_a" if again else key, False, **facts)
 
 
 def _is_said(book: Book, key: str) -> bool:

@@ -32,7 +32,7 @@ from variantgen.methods.steps.step import (
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.pole import about_pole
-from variantgen.methods.vectors.vector_equation import AXES, named_shares, share_of, write
+from variantgen.methods.vectors.vector_equation import AXES, axis_line, crossed_by, named_shares, share_of, write
 
 
 class SupportEquation(NamedTuple):
@@ -97,12 +97,11 @@ def _row(book: Book, group: ThirdClassGroup, support: Support, known: Known, pat
     turning, turn = about_pole(book, support.point, pole, body)
     turn = _ahead(turn, complex(book.exact_rate(body)))
     write(book, (*own, private), (*known, path, *turning, turn), start)
-    crossed = VectorOf(private.name)
-    words = (Sentence("axes.across", {"vector": crossed, "axis": AxisOf(AXES[0])}),)
-    sides = (
-        named_shares(book, (*own, private), axis, crossed=crossed),
-        named_shares(book, (*known, path, *turning, turn), axis, crossed=crossed),
-    )
+    words = (Sentence("axes.across", {"vector": VectorOf(private.name), "axis": AxisOf(AXES[0])}),)
+    line, crossed = axis_line(book, private, axis, private), crossed_by(private)
+    sides = [
+        named_shares(book, side, axis, line, crossed) for side in ((*own, private), (*known, path, *turning, turn))
+    ]
     book.items.append(Projection(words, sides[0], sides[1], axis, AXES[0]))
     right = [(share.sign, share.size) for share in named_shares(book, own, axis)]
     right += [(-share.sign, share.size) for share in named_shares(book, (*known, *turning), axis)]

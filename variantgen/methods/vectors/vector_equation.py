@@ -91,7 +91,7 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
         other = next((item for item in free if item is not term), None)
         axes.append((term, _axis(term, other), other, letter))
     for term, axis, other, _ in axes:  # an angle has one name on both axes, of which either may be the first to need it
-        named_shares(book, (*left, *right), axis, _axis_line(book, term, axis, other), _crossed(other))
+        named_shares(book, (*left, *right), axis, axis_line(book, term, axis, other), crossed_by(other))
     return [_projected(book, left, right, *axis) for axis in axes]
 
 
@@ -110,7 +110,7 @@ def _projected(
     book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
     """Project the equation on an axis and solve it for the one unknown vector that is left."""
-    line = _axis_line(book, term, axis, other)
+    line = axis_line(book, term, axis, other)
     sides = [named_shares(book, side, axis, line) for side in (left, right)]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
@@ -229,7 +229,7 @@ def share_of(term: Term, axis: Value) -> Share | None:
 
 def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter: str) -> Sentence:
     """How the axis is described: along a line of the figure or across the other unknown vector, or along the wanted."""
-    line = _axis_line(book, term, axis, other)
+    line = axis_line(book, term, axis, other)
     if other is None:
         return Sentence("axes.along", {"vector": VectorOf(term.name)})
     if isinstance(line, Segment):
@@ -242,7 +242,7 @@ def _axis_words(book: Book, term: Term, axis: Value, other: Term | None, letter:
     )
 
 
-def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segment | VectorOf | None:
+def axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segment | VectorOf | None:
     """The line of the axis: the wanted vector, or the segment that the other unknown vector is across, its way."""
     if other is None:
         return VectorOf(term.name)
@@ -253,7 +253,7 @@ def _axis_line(book: Book, term: Term, axis: Value, other: Term | None) -> Segme
     return segment if ahead.real > 0 else Segment(segment.end, segment.start)
 
 
-def _crossed(other: Term | None) -> Segment | VectorOf | None:
+def crossed_by(other: Term | None) -> Segment | VectorOf | None:
     """What the axis is across: the other unknown vector, or the segment along which that one is."""
     if other is None:
         return None

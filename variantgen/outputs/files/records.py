@@ -32,11 +32,12 @@ def write_records(
     exam: Exam,
     made_with: Mapping[str, str],
     redrawn: Sequence[str],
+    pages: Mapping[str, Mapping[int, int]],
     pieces: Mapping[str, Sequence[Path]],
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
     write_key_csv(folder / "key.csv", pieces["key.csv"])
-    write_manifest(folder / NAME, manifest_frame(exam, made_with, redrawn, file_hashes(folder)), pieces[NAME])
+    write_manifest(folder / NAME, manifest_frame(exam, made_with, redrawn, pages, file_hashes(folder)), pieces[NAME])
 
 
 def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
@@ -99,12 +100,17 @@ def safe_cell(text: str) -> str:
 
 
 def manifest_frame(
-    exam: Exam, made_with: Mapping[str, str], redrawn: Sequence[str], files: Mapping[str, str]
+    exam: Exam,
+    made_with: Mapping[str, str],
+    redrawn: Sequence[str],
+    pages: Mapping[str, Mapping[int, int]],
+    files: Mapping[str, str],
 ) -> tuple[str, str]:
     """What stands in the manifest before the lines of the students, and after them.
 
     The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
-    depends on besides this file; ``files`` has the SHA-256 of the other files.
+    depends on besides this file; ``pages`` how many students have so many pages, by document; ``files`` has the SHA-256
+    of the other files.
     """
     content = {
         "schema": SCHEMA,
@@ -131,6 +137,7 @@ def manifest_frame(
         "formats": list(exam.formats),
         "seed": exam.seed,
         "redrawn": list(redrawn),
+        "pages": {document: dict(students) for document, students in pages.items()},
         "files": dict(files),
     }
     text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")

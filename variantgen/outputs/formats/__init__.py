@@ -99,7 +99,8 @@ class WholeExam:
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names
     (:mod:`variantgen.outputs.files.student_groups`).
 
-    ``notes`` are messages for the user of the program, which ``finish`` may add.
+    ``finish`` may add ``notes``, which are messages for the user of the program, and to ``pages``: how many students
+    have so many pages, by document.
     """
 
     exam: Exam
@@ -108,6 +109,7 @@ class WholeExam:
     engine: Typesetter
     pieces: dict[str, list[Path]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+    pages: dict[str, dict[int, int]] = field(default_factory=dict)
 
     def of_groups(self, target: str, groups: GroupFiles) -> dict[str, list[Path]]:
         """The pieces of each group, of sheets, of solutions or of a key by student and by problem."""

@@ -25,6 +25,7 @@ from variantgen.outputs.formats import (
 )
 from variantgen.outputs.pdf_options import PdfOptions, read_options
 from variantgen.outputs.typst.coverage import check_letters
+from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.writing import TYPST
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def make(part: Chunk) -> Iterator[Fragment]:
     """The sheets and, if the exam wants them, the solutions of a few students."""
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
-    data = sheets_data(part.content, TYPST, figures, built=True)
+    data = with_pages(sheets_data(part.content, TYPST, figures, built=True), part.engine)
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]
@@ -92,17 +93,19 @@ SUMMARIES = ((PARTS_PER_OVERVIEW, _student_key), (PARTS_PER_OVERVIEW, _problem_k
 def finish(whole: WholeExam) -> None:
     """Join the parts, and hand out those of single students."""
     # Here, so that commands that write no PDF do not wait for the library.
-    from variantgen.outputs.join import join_pdfs
+    from variantgen.outputs.join import join_pdfs, page_counts
     from variantgen.outputs.pdf.bookmarks import BookmarkName
 
     exam, chosen = whole.exam, _options(whole.exam)
     names = [BookmarkName(who(s, exam.spoken), group_text(s.student, exam.spoken)) for s in whole.sheets]
     write_key(whole)
     for target, paths in whole.pieces.items():
-        if target != "key" and chosen.joined:
-            language = exam.solutions.language if target == "solutions" else exam.language
-            lengths = join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
-            whole.notes.append(f"{target}.pdf: {_pages(lengths, exam.duplex)}")
+        if target != "key":
+            if chosen.joined:
+                language = exam.solutions.language if target == "solutions" else exam.language
+                join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
+            whole.pages[target] = _on_paper(page_counts(paths), exam.duplex)
+            whole.notes.append(f"{target}.pdf: {_said(whole.pages[target])}")
     if chosen.for_groups:
         _join_groups(whole, [target for target in whole.pieces if target != "key"], names)
     if chosen.for_students:
@@ -111,15 +114,18 @@ def finish(whole: WholeExam) -> None:
         _hand_out(whole.sheets, whole.pieces["solutions"], whole.folder / "solutions", chosen)
 
 
-def _pages(lengths: Mapping[int, int], duplex: bool) -> str:
-    """How many pages students have, in words, by the number of students for each number of pages.
+def _on_paper(lengths: Sequence[int], duplex: bool) -> dict[int, int]:
+    """How many students have so many pages, from the pages of each.
 
     Printed on both sides, an odd number takes a blank page more, which the last student of all does without.
     """
-    found = Counter[int]()
-    for pages, students in lengths.items():
-        found[pages + pages % 2 if duplex else pages] += students
-    words = {pages: f"{pages} {'page' if pages == 1 else 'pages'}" for pages in sorted(found)}
+    found = Counter(pages + pages % 2 if duplex else pages for pages in lengths)
+    return {pages: found[pages] for pages in sorted(found)}
+
+
+def _said(found: Mapping[int, int]) -> str:
+    """How many pages students have, in words."""
+    words = {pages: f"{pages} {'page' if pages == 1 else 'pages'}" for pages in found}
     if len(found) == 1:
         return f"{words.popitem()[1]} for each student"
     return ", ".join(f"{said} for {found[pages]} of the students" for pages, said in words.items())

@@ -6,6 +6,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,7 @@ from markupsafe import Markup
 from variantgen.arrays.batch import Batch
 from variantgen.arrays.columns import motion_columns
 from variantgen.arrays.turn import DriverTurn
+from variantgen.errors import InputError
 from variantgen.exam.content import with_figures
 from variantgen.families.asking import read_ask
 from variantgen.figure.build import statement_figure
@@ -43,20 +46,25 @@ def variant_html(variant: Variant) -> str:
         return _shown(repr(variant), remark=Outcome(int(motion.outcome[0])).text)
     language, asked = load_language("en"), read_ask(variant.form)
     writing = page_writing(_name(variant))
-    said = statement_html(statement(variant, asked, language), language, writing)
     figure = writing.figure(statement_figure(variant, motion, 0, asked, language))(1.0, _MILLIMETRES)
-    return _shown(variant.family.title("en"), [markup(said), figure], remark=repr(variant)[1:-1])
+    parts = [figure]
+    with suppress(InputError):  # there may be no statement in this language
+        parts.insert(0, markup(statement_html(statement(variant, asked, language), language, writing)))
+    return _shown(variant.family.title("en"), parts, remark=repr(variant)[1:-1])
 
 
 def explanation_html(explanation: Explanation) -> str:
     """The worked solution in its language, with its figures."""
     variant, asked, language = explanation.variant, explanation.asked, explanation.language
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
-    solved = with_figures(variant, asked, language, (motion, 0), explanation.text)
+    title = variant.family.title(language.name)
+    try:
+        solved = with_figures(variant, asked, language, (motion, 0), explanation.text)
+    except InputError:  # there may be no statement in this language
+        return _shown(title, [markup(f"<pre>{escape(str(explanation))}</pre>")])
     writing = page_writing(_name(variant, language.name, *explanation.options.methods))
     problem = statement_html(solved.statement, language, writing)
-    parts = [markup(problem), markup(solution_html(solved, language, writing))]
-    return _shown(variant.family.title(language.name), parts)
+    return _shown(title, [markup(problem), markup(solution_html(solved, language, writing))])
 
 
 def motion_html(motion: Motion) -> str:

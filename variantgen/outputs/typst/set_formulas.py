@@ -13,7 +13,7 @@ from typing import Any
 
 from variantgen.figure.glyphs import kerning
 from variantgen.figure.lettering import Lettering, PlacedGlyph, typeset
-from variantgen.outputs.typst.markup import marked
+from variantgen.outputs.typst.markup import TypstMarkup, marked
 from variantgen.wording.formula import Formula, FormulaList, Symbol, SymbolProperty, UnitText, to_plain
 from variantgen.wording.formula.tree import ANGLE
 
@@ -31,6 +31,12 @@ Fragment = tuple[float, float, float, int, str]
 def set_formulas(data: Any) -> dict[str, Any]:
     """The formulas in the data of a document by their markup: width, lowest and highest ink (em), pieces."""
     return {str(found): made for found in marked(data) if (made := _set(found.formulas))}
+
+
+def set_width(markup: TypstMarkup) -> float | None:
+    """The width of a formula (em), or None for one that is left to the engine."""
+    made = _set(markup.formulas)
+    return made[0] if made else None
 
 
 @lru_cache(maxsize=10_000)

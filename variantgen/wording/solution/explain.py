@@ -26,7 +26,7 @@ from variantgen.wording.surds import surd, with_surd
 from variantgen.wording.text import Text
 
 WHOLE = SolutionOptions()
-_LONG = 8  # steps of a solution that begins with a plan
+_LONG = 9  # steps of a solution that begins with a plan: of fewer the headings tell enough
 
 
 class UnexplainedError(VariantgenError):

@@ -1,0 +1,103 @@
+"""``show EXAM.toml``: the sheet of one student of an exam, as the class would see it."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from variantgen.cli.messages import say, tell
+from variantgen.errors import InputError, Problem
+
+if TYPE_CHECKING:
+    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.roster import Student
+
+# What the exam file says: the options of one problem have no meaning for a sheet.
+_OF_A_FAMILY = (
+    "set", "range", "form", "ask", "nice", "units", "lang", "motion", "figure", "method", "depth", "notation",
+    "true_scale",
+)  # fmt: skip
+_OF_AN_EXAM = ("student", "roster")
+_FIRST = "1"  # the student of a class that nobody has named
+
+
+def add_students(parser: argparse.ArgumentParser) -> None:
+    """The ways to choose a student of an exam."""
+    parser.add_argument(
+        "--student",
+        metavar="WHO",
+        help="of an exam: whose sheet, by the id, or with --roster by the name or a part of it (default: variant 1)",
+    )
+    parser.add_argument(
+        "--roster", type=Path, metavar="FILE", help="of an exam: the class list, CSV or XLSX, as for  variantgen build"
+    )
+
+
+def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
+    """The path of an exam file, by a path or the name of a sample; None for a family or a scene."""
+    from variantgen.exam.samples import exam_path
+    from variantgen.families.load import family_names
+    from variantgen.tables import read_toml
+
+    if text in family_names(folders):
+        return None
+    try:
+        path = exam_path(Path(text))
+        if path.suffix != ".toml" or not path.is_file():
+            return None
+        content = read_toml(path)
+    except (InputError, OSError, ValueError):
+        return None  # what is wrong with it is told where it is read as a scene
+    return path if "problem" in content or ("language" in content and "points" not in content) else None
+
+
+def check_options(arguments: argparse.Namespace, of_an_exam: bool) -> None:
+    """Raise InputError for options that have no meaning for what is shown."""
+    names: tuple[str, ...]
+    names, reason, remedy = _OF_AN_EXAM, "only has a meaning for an exam", "give the file of an exam, or leave it out"
+    if of_an_exam:
+        names, reason, remedy = _OF_A_FAMILY, "has no meaning for an exam: its file says it", "change the file"
+    given = [f"--{name.replace('_', '-')}" for name in names if getattr(arguments, name)]
+    if given:
+        raise InputError([Problem(reason, key=option, remedy=remedy) for option in given])
+
+
+def show_exam(arguments: argparse.Namespace, path: Path) -> None:
+    """Print the sheet with its answers, or write its pages; with ``--explain`` the solutions. Raises InputError."""
+    from variantgen.builder.preview import one_sheet
+    from variantgen.families.folders import family_folders
+    from variantgen.outputs.formats import read_exam
+    from variantgen.outputs.single.sheet_pages import plain_sheet, write_sheet
+
+    exam = read_exam(path, family_folders(arguments.families, beside=path))
+    if arguments.seed is not None:
+        exam = replace(exam, seed=arguments.seed)
+    if arguments.explain and not exam.solutions.wanted:
+        exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
+    students, place = _chosen(arguments, exam)
+    sheet = one_sheet(exam, students, place)
+    if arguments.out:
+        for written in write_sheet(exam, sheet, arguments.out, arguments.explain):
+            tell(f"written: {written}")
+    else:
+        say(plain_sheet(exam, sheet, arguments.explain))
+
+
+def _chosen(arguments: argparse.Namespace, exam: Exam) -> tuple[Sequence[Student], int]:
+    """The class, and the place of the student in it."""
+    from variantgen.exam.allocation import HandedOutSheet
+    from variantgen.exam.roster import Student, read_class
+    from variantgen.exam.sheets import variant_codes
+    from variantgen.finished.find import find_among
+
+    if not arguments.roster:
+        return [Student(arguments.student or _FIRST, "")], 0
+    students = read_class(arguments.roster).students
+    if arguments.student is None:
+        return students, 0
+    codes = variant_codes(exam.seed, students)
+    known = [HandedOutSheet(student, code, ()) for student, code in zip(students, codes, strict=True)]
+    return students, find_among(known, exam.build_id, arguments.student)

@@ -1,0 +1,57 @@
+"""The sheet of one student, or the solutions of it, as pages or as text (``show EXAM.toml``)."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+from variantgen.exam.content import Content
+from variantgen.exam.exam_file import Exam
+from variantgen.exam.sheets import Sheet
+from variantgen.outputs.documents.sheet_data import group_text, points_text, sheets_data, who
+from variantgen.outputs.documents.solution_data import solutions_data
+from variantgen.outputs.figures import write_whole
+from variantgen.outputs.single.problem_page import page_format
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.writing import TYPST
+from variantgen.wording.plain import plain_problem
+from variantgen.wording.solution.plain import plain_solution
+
+_COLUMNS = 100
+
+
+def write_sheet(exam: Exam, sheet: Sheet, path: Path, explained: bool = False) -> list[Path]:
+    """Write the sheet, or the solutions, as a build typesets them; the format follows the ending of the path.
+
+    A picture holds one page: of several, those after the first have their numbers before the ending. Returns what was
+    written. Raises InputError for another ending.
+    """
+    form, content = page_format(path), Content(exam, (sheet,))
+    if explained:
+        template, data = "solutions.typ", solutions_data(content, 0, TYPST)
+    else:
+        template, data = "sheets.typ", sheets_data(content, TYPST, built=True)
+    with typesetter() as engine:
+        pages = engine.compile(template, data, form)
+    paths = [path, *(path.with_stem(f"{path.stem}-{number}") for number in range(2, len(pages) + 1))]
+    for own, page in zip(paths, pages, strict=True):
+        write_whole(own, page, "--out")
+    return paths
+
+
+def plain_sheet(exam: Exam, sheet: Sheet, explained: bool = False) -> str:
+    """The sheet with its answers in lines of at most 100 columns; with the solutions if ``explained``."""
+    language, student = exam.spoken, sheet.student
+    name = f"{student.name} · {sheet.code}" if student.name else who(sheet, language)
+    heads = [exam.title, exam.course, " · ".join(filter(None, (name, group_text(student, language))))]
+    parts = ["\n".join(textwrap.fill(head, _COLUMNS) for head in heads if head)]
+    solved = Content(exam, (sheet,)).solved[0] if explained else ()
+    for number, item in enumerate(sheet.items):
+        points = points_text(item.task.points, language)
+        word = f"{language.words('sheet')['problem']} {item.task.number}"
+        values = [(answer.value, answer.unit, answer.surd) for answer in item.answers]
+        problem = plain_problem(item.variant, item.asked, values, language)
+        parts.append(f"{word} ({points}). {problem}" if points else f"{word}. {problem}")
+        if explained:
+            parts.append(plain_solution(solved[number].text, exam.explained))
+    return "\n\n".join(parts)
