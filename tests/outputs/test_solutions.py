@@ -74,7 +74,7 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
     [
         ('[solutions]\ndepth = "answers"\n', ["Answer:"], ["1. Geometry", "Check", "Fig. 2"]),
         ('[solutions]\ndepth = "short"\n', ["Answer:", "1. Geometry", "Fig. 2"], ["Directions:"]),
-        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Геометрия", "Рис. 1. Заданное положение", "см/с"], ["Answer"]),
+        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Геометрия", "Рис. 1. Заданное", "см/с"], ["Answer"]),
     ],
 )
 def test_depth_and_language(table: str, has: list[str], lacks: list[str], tmp_path: Path) -> None:
