@@ -24,7 +24,7 @@ from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.shown_system import ZERO, coefficients, enter, enter_solution, system_of
 from variantgen.methods.steps.step import Derived, EquationLine, Sentence
 
-_LARGEST = 3  # unknowns of a system that is shown with its numbers
+_LARGEST = 12  # unknowns of a system that is shown with its numbers
 
 
 def applies(task: Task) -> bool:

@@ -30,33 +30,42 @@ class FollowingSteps:
         to the right answers, and where nothing can be put in the place of an answer.
         """
         data = printed_data(variant.form, [variant])
-        steps = self._steps(variant, data, np.array(right))
-        if steps is None:
+        found = self._steps(variant, data, np.array(right))
+        if found is None:
             return np.full(len(self._asked), np.nan)
+        steps, signs = found
         with np.errstate(all="ignore"):
-            return _followed(steps, data, pinned)
+            return signs * _followed(steps, data, {place: signs[place] * number for place, number in pinned.items()})
 
-    def _steps(self, variant: Variant, data: Numbers, right: Array) -> RepeatableCalculation | None:
-        """Steps that lead to the answers of a variant, signs included."""
-        for known in self._known:
-            if _leads_to(known, data, right):
-                return known
+    def _steps(self, variant: Variant, data: Numbers, right: Array) -> tuple[RepeatableCalculation, Array] | None:
+        """Steps that lead to the answers of a variant but for their signs, and the signs, shape (answers,).
+
+        A mirrored mechanism has the same steps and turns the other way. Those that served last are tried first.
+        """
+        for i, known in enumerate(self._known):
+            signs = _signs(known, data, right)
+            if signs is not None:
+                self._known.insert(0, self._known.pop(i))
+                return known, signs
         motion = solve_variants([variant], motion_order(self._asked))
         try:
             own = RepeatableCalculation.of(task_of(variant, motion, 0, self._asked))
         except NOT_APPLICABLE:
             return None
-        if not _leads_to(own, data, right):
+        signs = _signs(own, data, right)
+        if signs is None:
             return None
-        if len(self._known) < _MOST:
-            self._known.append(own)
-        return own
+        self._known = [own, *self._known[: _MOST - 1]]
+        return own, signs
 
 
-def _leads_to(steps: RepeatableCalculation, data: Numbers, right: Array) -> bool:
+def _signs(steps: RepeatableCalculation, data: Numbers, right: Array) -> Array | None:
+    """The signs by which the answers of steps differ from the right ones, shape (answers,); None for other answers."""
     with np.errstate(all="ignore"):
         found = steps.repeat(data)[:, 0]
-    return bool(np.all(np.abs(found - right) <= _SAME * np.maximum(np.abs(right), np.finfo(float).tiny) + 1e-300))
+    if not np.all(np.abs(np.abs(found) - np.abs(right)) <= _SAME * np.abs(right)):
+        return None
+    return np.where(found * right < 0, -1.0, 1.0)
 
 
 def _followed(steps: RepeatableCalculation, data: Numbers, pinned: Mapping[int, float]) -> Array:
