@@ -122,7 +122,9 @@ def test_figures_are_smaller_only_where_that_saves_a_page(height: int, unit: flo
     """Two figures beside their tables and 2 × 4.5 mm (3.5 mm) of room between fit a page of 180 mm if they are lower
     than 85.5 mm (86.5 mm): 106 units of 0.8 mm, 125 of 0.68 mm, 139 of 0.62 mm.
     """
-    filling = Filling([problem(50, height)] * 2, [180.0, 180.0], cast(Heights, Short()), False)
+    filling = Filling(
+        {"problems": [problem(50, height)] * 2, "notes": []}, [180.0, 180.0], cast(Heights, Short()), False
+    )
     for size in SIZES:
         if filling.may_gain:
             filling.take(size)
