@@ -9,7 +9,6 @@ import pytest
 
 from variantgen.cli import main
 
-
 ARM = """
 length_unit = "cm"
 [points]
