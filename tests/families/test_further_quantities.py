@@ -22,7 +22,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solve import solve
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import answers, one_variant
-from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, wheel
+from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import to_plain, to_typst
@@ -151,6 +151,15 @@ def test_path_of_points_of_a_wheel() -> None:
     assert math.isinf(value(scene, "a_P.t"))  # a point at rest has no path
 
 
+def test_speed_of_a_rope() -> None:
+    """The load falls with the rope; on the other side of the fixed pulley the rope is as fast."""
+    scene = spool(0.2, 0.5, 1.5, 0.4)
+    assert value(scene, "v_rope.K.B") == pytest.approx(1.5, rel=1e-12)
+    assert value(scene, "v_rope.O.K") == pytest.approx(1.5, rel=1e-12)
+    with pytest.raises(InputError, match=r"v_rope\.O\.K, v_rope\.K\.B"):
+        parse_quantity("v_rope.O.B", scene)
+
+
 @pytest.mark.parametrize(
     ("name", "unit"),
     [
@@ -163,6 +172,7 @@ def test_path_of_points_of_a_wheel() -> None:
         ("angle_O.A.B", "deg"),
         ("distance_O.B", "cm"),
         ("y_B", "cm"),
+        ("v_rope.A.B", "cm/s"),
         ("v_rel_C.across_OA", "cm/s"),
     ],
 )
@@ -181,6 +191,7 @@ def test_names_and_units(name: str, unit: str) -> None:
         ("P_AB.x", "x_P AB", "x_(P A B)", r"x_{P\,A B}"),
         ("ratio_OA.AB", "ω_OA/ω_AB", r"omega_(O A)\/omega_(A B)", r"\omega_{O A}/\omega_{A B}"),
         ("x_B", "x_B", "x_(B)", "x_{B}"),
+        ("v_rope.O.B", "v_нити OB", 'v_("нити" O B)', r"v_{\text{нити}\,O B}"),
         ("angle_AB", "φ_AB", "phi_(A B)", r"\varphi_{A B}"),
         ("angle_O.A.B", "∠OAB", "angle O A B", r"\angle O A B"),
         ("distance_O.B", "OB", "O B", "O B"),
@@ -235,6 +246,7 @@ CASES = [
     ("four_bar", "crank", ["a_B.t", "a_B.n", "Q_AB.x", "a_B.along_AB"]),
     ("slider_crank", "offset", ["a_B.across_OA", "ratio_AB.OA", "angle_BA"]),
     ("sleeve_on_crank", "", ["v_rel_C.along_BD", "a_rel_C.along_BD", "a_cor_C.across_BD"]),
+    ("pulley_and_wheel", "axle", ["v_rope.O.B", "v_rope.C.O"]),
     ("rolling_wheel", "", ["rho_M", "a_M.t", "a_M.n", "Q_wheel.x"]),
 ]
 

@@ -29,7 +29,7 @@ def test_a_velocity_by_the_centre_is_a_ratio_of_first_quantities() -> None:
 
 def test_the_projections_give_omega_by_the_components_across() -> None:
     text, _ = solved("slider_crank", "offset", "107", ("projections",))
-    assert "Across AB the two velocities differ by ω_AB·AB" in text
+    assert "Perpendicular to AB the components of the two velocities differ by ω_AB·AB" in text
     assert "AP" not in text
 
 

@@ -35,6 +35,7 @@ from variantgen.methods.steps.step import (
 )
 
 _ANYWHERE = "ways.unknown"  # the way of a vector of which not even the direction is known
+_ASKED = {"curvature": "rho", "ratio": "ratio", "rope": "v_rope"}  # names of asked quantities, by the motion
 _SMALL = 1e-6  # of a natural scale: numbers below it are not compared with each other alone, they may be rounding
 Off = tuple[str, float]  # what it is, and by how much it is off
 
@@ -110,9 +111,8 @@ class PrintedNumbers:
             return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
         if name.kind == "mu":
             return _turn(abs(exact) - self.solved.answer(Quantity("mu", name.of)))
-        if name.kind in ("curvature", "ratio"):
-            asked = Quantity("rho", name.of) if name.kind == "curvature" else Quantity("ratio", name.of, name.about)
-            return self.answer(asked, value)
+        if name.kind in _ASKED:
+            return self.answer(Quantity(_ASKED[name.kind], name.of, name.about), value)
         if (rate := self.solved.rate(name)) is not None:
             # The magnitude is never negative, so that a negative number has a sign.
             gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)

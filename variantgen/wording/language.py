@@ -132,6 +132,8 @@ class Language:
             if quantity.is_coordinate:
                 return Symbol(component, (Index(quantity.kind), *body))
             return Symbol(component + quantity.kind, body)
+        if quantity.group == "rope":
+            return Symbol("v", (Index(self.tables["index"]["rope"], True), Index(target + component)))
         if quantity.group == "ratio":
             return Quotient(self.symbol(f"omega_{target}", bodies), self.symbol(f"omega_{component}", bodies))
         if quantity.kind == "distance":

@@ -53,6 +53,8 @@ class Symbols:
             case "x" | "y" if name.body:
                 centre = self.centre(name.of, name.body)
                 return Symbol(name.kind, (Index(centre.base), *centre.index))
+            case "rope":
+                return Symbol("v", (Index(self.language.words("index")["rope"], True), Index(name.of + name.about)))
             case "curvature":
                 return Symbol("rho", (Index(name.of),))
             case "x" | "y":
