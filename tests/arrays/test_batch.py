@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import time
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,13 @@ import pytest
 import variantgen
 from variantgen.arrays.batch import Batch
 from variantgen.errors import InputError
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.mechanism.verify import recompute
 from variantgen.variants import attempts
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import RejectionCounts
+from variantgen.variants.examined import examined
+from variantgen.variants.seeding import Stream
 
 
 def test_a_slider_crank_has_the_numbers_of_its_closed_form() -> None:
@@ -94,6 +100,32 @@ def test_a_batch_for_sheets_is_the_part_of_a_batch_that_a_calculation_by_hand_ke
         assert all(answer.relative_tolerance <= 0.03 for answer in variantgen.answers(variant))
 
 
+@pytest.mark.parametrize("family", ["four_bar", "sleeve_on_crank"])
+def test_a_batch_for_sheets_is_what_a_student_of_its_stream_would_be_given(family: str) -> None:
+    """One after the other by the way of the sheets: the first valid attempt, the next one after it, ..."""
+    found = variantgen.batch(family, 12, seed=7, for_sheets=True)
+    form = found.form
+    asked = examined(form, found.asked)
+    used, drawn = 0, []
+    for _ in range(12):
+        sampler = FormSampler(found.family, form, asked, RejectionCounts(), "", AnswerTolerances())
+        variant = sampler.run([Stream("batch", 7, family, form.name)], [used])[0]
+        used = variant.attempt
+        drawn.append((variant.attempt, variant.printed, variant.sense, variant.turns))
+    assert [(v.attempt, v.printed, v.sense, v.turns) for v in found] == drawn
+
+
+def test_every_point_of_the_grid_is_drawn_equally_often() -> None:
+    # 9 pairs (r, R), all valid.
+    found = variantgen.batch(
+        "spool", 4500, seed="even", set={"thread": "above", "a_B": 100, "v_B": 40}, range={"r": [18, 22], "R": [40, 44]}
+    )
+    pairs = Counter(zip(found.parameters["r"].tolist(), found.parameters["R"].tolist(), strict=True))
+    assert len(pairs) == 9
+    # Chi-square with 8 degrees of freedom: 26.1 is exceeded once in a thousand.
+    assert sum((n - 500) ** 2 / 500 for n in pairs.values()) < 26.1
+
+
 def test_values_are_fixed_and_ranges_narrowed() -> None:
     found = variantgen.batch(
         "four_bar", 50, form="rocker", set={"side": "left"}, range={"phi": (60, 90)}, ask="velocities"
@@ -142,7 +174,7 @@ def test_a_scene_of_ones_own_without_parameters(tmp_path: Path) -> None:
     assert found.answers["v_B"] == pytest.approx([0.6, 0.6])
     assert repr(found[0]) == "<Variant of crank>"
     assert "<svg" in found[0]._repr_html_()
-    assert "v_B" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
+    assert "Answer" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
 
 
 def test_the_table_has_columns_of_one_length() -> None:

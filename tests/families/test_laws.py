@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 from pathlib import Path
 
 import mpmath
@@ -9,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.families.expressions import parse
 from variantgen.families.load import read_family
@@ -123,4 +126,65 @@ def test_wrong_laws(old: str, new: str, said: list[str], tmp_path: Path) -> None
     assert old in SCENE
     with pytest.raises(InputError) as caught:
         read(tmp_path, SCENE.replace(old, new))
+    assert all(part in str(caught.value) for part in said), str(caught.value)
+
+
+PLAIN = """
+length_unit = "cm"
+ask = ["v_A.x", "a_A.x", "omega_AB", "epsilon_AB"]
+[parameters]
+t = { unit = "s", values = ["5/3"] }
+[laws]
+time = "t"
+s = "t^3 + 2 * t"
+phi = "sin(pi * t)"
+[points]
+A = { coordinates = { x = "s", y = 0 } }
+B = { polar = { origin = "A", distance = 20, angle = "phi" } }
+[bodies]
+AB = ["A", "B"]
+[[drivers]]
+vector_motion = { point = "A", v = "s_dot", a = "s_ddot" }
+[[drivers]]
+rotation = { body = "AB", omega = "phi_dot", epsilon = "phi_ddot" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "factor"),
+    [
+        ('s = "t^3 + 2 * t"', 1.0),
+        ('s = { law = "t^3 + 2 * t", unit = "in" }', 2.54),
+        ('s = { law = "t^3 + 2 * t", unit = "ft" }', 30.48),
+    ],
+)
+def test_laws_of_plain_numbers(law: str, factor: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "plain.toml"
+    path.write_text(PLAIN.replace('s = "t^3 + 2 * t"', law), "utf-8")
+    assert main(["solve", str(path), "--json"]) == 0
+    found = {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
+    t = 5 / 3
+    assert found["v_A.x"] == pytest.approx(factor * (3 * t**2 + 2), rel=1e-7)
+    assert found["a_A.x"] == pytest.approx(factor * 6 * t, rel=1e-7)
+    assert found["omega_AB"] == pytest.approx(math.pi * math.cos(math.pi * t), rel=1e-7)
+    assert found["epsilon_AB"] == pytest.approx(-(math.pi**2) * math.sin(math.pi * t), rel=1e-7)
+    assert main(["solve", str(path), "--explain"]) == 0
+    assert "Answer" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("= 20, angle", '= "3 * s", angle', ["laws.s", "without a measure", 'unit = "cm"']),
+        ('s = "t^3 + 2 * t"', 's = { law = "t", unit = "rpm" }', ["laws.s.unit", "unit of length or angle", "rpm"]),
+        ('s = "t^3 + 2 * t"', 's = { law = "t", unit = "el" }', ["laws.s.unit", "unknown unit", "el"]),
+        ('s = "t^3 + 2 * t"', 's = { law = "t" }', ["laws.s.unit", "missing"]),
+    ],
+)
+def test_a_law_without_a_measure(old: str, new: str, said: list[str], tmp_path: Path) -> None:
+    text = PLAIN.replace(old, new)
+    if "3 * s" in new:
+        text = text.replace('x = "s"', "x = 0").replace('v = "s_dot", a = "s_ddot"', "v = 1")
+    with pytest.raises(InputError) as caught:
+        read(tmp_path, text)
     assert all(part in str(caught.value) for part in said), str(caught.value)

@@ -140,7 +140,7 @@ def test_a_centre_outside_the_paper_is_noted() -> None:
     figures.draw(["statement", "velocities"])
     captions = [list(figure.caption) for row in figures.rows() for figure in row]
     assert captions == [
-        ["Fig.\xa01. ", "Mechanism"],
+        ["Fig.\xa01. ", "Given position"],
         ["Fig.\xa02. ", "Velocities", " ", "(outside the figure: ", Symbol("P"), ")"],
     ]
 

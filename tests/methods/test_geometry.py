@@ -22,7 +22,7 @@ from variantgen.families.load import family_names, load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of
-from variantgen.methods.steps.step import Derived, EquationLine
+from variantgen.methods.steps.step import Derived, EquationLine, Sentence
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -259,5 +259,7 @@ def test_the_sine_rule_of_the_slider_crank() -> None:
     geometry = Geometry(task_of(variant, solve_variants([variant], 1), 0, ()))
     assert geometry.direction("A", "B").exact == pytest.approx(-math.degrees(math.asin(20 * 0.5 / 80)), rel=1e-14)
     # The corner by OA sin phi / AB and the direction by it, no coordinates.
-    assert [item.value.name for item in geometry.items] == [Name("angle", "B", "A O"), Name("direction", "A", "B")]
+    assert isinstance(said := geometry.items[0], Sentence) and said.key == "position.triangle_sines"
+    lines = [item.value.name for item in geometry.items if isinstance(item, Derived)]
+    assert lines == [Name("angle", "B", "A O"), Name("direction", "A", "B")]
     assert geometry.length("O", "B").exact == pytest.approx(10 * math.sqrt(3) + math.sqrt(80**2 - 10**2), rel=1e-14)

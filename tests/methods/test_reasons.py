@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.methods.forms import tasks
 from tests.methods.given_data import sentences, steps
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -144,3 +145,16 @@ def test_why_a_component_of_an_acceleration_vanishes() -> None:
     assert [s.facts["vector"] for s in found if s.key == "rates.no_normal"] == [Name("a", "A", part="tr n")]
     assert "relative.no_coriolis_omega" in [s.key for s in found]
     assert "relative.no_coriolis_omega" not in said("slotted_rocker", "swinging", "a_rel_A epsilon_CB", OA=30, OC=60)
+
+
+@pytest.mark.parametrize(
+    ("family", "form", "key"),
+    [("disc_on_arc_with_rod", "outside", "rolling.contact"), ("wheel_with_rod", "", "rolling.contact_at")],
+)
+def test_the_contact_of_a_wheel_has_a_letter_where_a_later_line_speaks_of_it(family: str, form: str, key: str) -> None:
+    form = form or next(iter(load_family(family).forms))
+    (task,) = tasks(family, form, 1)
+    items = [item for step in solution(task).steps for item in step.items if isinstance(item, Sentence)]
+    (contact,) = [item.facts["contact"] for item in items if item.key == "rolling.omega"]
+    assert isinstance(contact, Sentence)
+    assert contact.key == key

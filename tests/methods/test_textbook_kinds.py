@@ -20,6 +20,7 @@ from variantgen.single import one_variant, solution_document
 from variantgen.variants.variant import Variant, solve_variants
 
 SCENES = sorted((Path(__file__).parents[1] / "textbook_kinds").glob("*.toml"))
+CRANKED = [path for path in SCENES if 'A = { polar = { origin = "O"' in path.read_text(encoding="utf-8")]
 METHODS = {"by itself": (), "coordinates": ("coordinates",)}
 
 
@@ -69,3 +70,32 @@ def test_points_by_coordinates_with_few_digits(path, digits, tmp_path):
     variant = one_variant(str(own))
     assert solution_document(variant)["outcome"] == "solved"
     assert _answered(variant, list(variant.form.ask), ()) == list(variant.form.ask)
+
+
+@pytest.mark.parametrize("angle", [0, 90, 180, 270])
+@pytest.mark.parametrize("path", CRANKED, ids=lambda path: path.stem)
+def test_cranks_along_the_axes(path, angle, tmp_path):
+    """Where slips, rates or whole equations are zero but for rounding; some lengths do not reach there."""
+    text = path.read_text(encoding="utf-8")
+    turned = re.sub(r'^(A = .*origin = "O", distance = \S+, angle =) \S+', rf"\1 {angle}", text, flags=re.MULTILINE)
+    own = tmp_path / path.name
+    own.write_text(turned, encoding="utf-8")
+    variant = one_variant(str(own))
+    if not solve_variants([variant], 2).solved[0]:
+        return
+    for method in METHODS.values():
+        assert _answered(variant, _wholes(variant), method) == _wholes(variant)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_from_rest(path, tmp_path):
+    """Every driver sets in: no velocities, but accelerations."""
+    head, drivers = path.read_text(encoding="utf-8").split("[[drivers]]", 1)
+    drivers = re.sub(r"omega = \S+( epsilon = \S+)?", "omega = 0, epsilon = 3,", drivers)
+    drivers = re.sub(r"\bv = [-.\d]+", "v = 0", drivers)
+    drivers = drivers.replace("epsilon = 3, }", "epsilon = 3 }")
+    own = tmp_path / path.name
+    own.write_text(f"{head}[[drivers]]{drivers}", encoding="utf-8")
+    variant = one_variant(str(own))
+    if solve_variants([variant], 2).solved[0]:
+        assert _answered(variant, list(variant.form.ask), ()) == list(variant.form.ask)

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import html5lib
@@ -13,7 +14,8 @@ import numpy as np
 import pytest
 
 import variantgen
-from variantgen.outputs.single.chart import ChartCurve, chart
+from variantgen.outputs.single.chart import Abscissa, ChartCurve, chart
+from variantgen.wording.language import load_language
 
 FOUND = variantgen.batch("sleeve_on_crank", 7, seed=3)
 SVG = "{http://www.w3.org/2000/svg}"
@@ -71,6 +73,16 @@ def test_a_variant_is_shown_as_its_problem_with_a_figure() -> None:
     assert "Determine:" in text
     assert f"OA = {FOUND[0].printed['OA']} cm" in text
     assert len([element for element in whole.iter() if str(element.tag).endswith("svg")]) == 1
+
+
+def test_a_family_without_a_statement_in_the_language_is_shown_without_it(tmp_path: Path) -> None:
+    form = replace(FOUND.form)  # a form remembers its texts
+    alone = replace(FOUND[0], form=form, family=replace(FOUND.family, folder=tmp_path, forms={form.name: form}))
+    whole = parsed(alone._repr_html_())
+    assert "Given:" not in words(whole)
+    assert [element for element in whole.iter() if str(element.tag).endswith("svg")]
+    explained = variantgen.explain(alone, ask=["v_B"])
+    assert str(explained).strip() in "".join(parsed(explained._repr_html_()).itertext())
 
 
 def test_a_variant_that_does_not_assemble_says_so() -> None:
@@ -140,16 +152,27 @@ def test_curves_are_those_of_the_turn() -> None:
 
 def test_a_curve_is_interrupted_where_it_has_no_value() -> None:
     values = np.array([0.0, 1.0, np.nan, 3.0, 2.0])
-    picture = ET.fromstring(
-        chart(np.arange(5.0), "way, <m>", [ChartCurve("v & w", values), ChartCurve("none", np.full(5, np.nan))], 2.0)
-    )
+    curves = [ChartCurve("v & w", values), ChartCurve("none", np.full(5, np.nan))]
+    picture = ET.fromstring(chart(Abscissa(np.arange(5.0), "way, <m>", 1), curves, load_language("en")))
     first, second = [path for path in picture.iter(f"{SVG}path") if path.get("stroke") == "#0b57a4"]
     points = curve_points(first)
     assert [letter for letter, _, _ in points] == ["M", "L", "M", "L"]
     assert [x for _, x, _ in points] == pytest.approx([70 + 554 * k / 4 for k in (0, 1, 3, 4)], abs=0.06)
     assert curve_points(second) == []
     dashed = next(path for path in picture.iter(f"{SVG}path") if path.get("stroke-dasharray"))
-    assert dashed.get("d", "").startswith("M347.0 ")
+    assert dashed.get("d", "").startswith("M208.5 ")
+
+
+def test_values_without_bounds_at_a_dead_point_leave_the_rest_to_be_seen() -> None:
+    turn = variantgen.turn(variantgen.batch("four_bar", 1, seed=3, form="rocker")[0])
+    assert {end.value for end in turn.ends} == {"dead_point"}
+    picture = ET.fromstring(turn._repr_svg_())
+    heights = [
+        y for _, _, y in curve_points(next(p for p in picture.iter(f"{SVG}path") if p.get("stroke") == "#0b57a4"))
+    ]
+    inside = sorted(heights)[len(heights) // 10 : -len(heights) // 10]
+    # The panel is 96 pixels high: four fifths of the curve fill a good part of it.
+    assert max(inside) - min(inside) > 20
 
 
 def test_nothing_has_to_be_installed() -> None:

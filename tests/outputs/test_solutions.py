@@ -65,7 +65,7 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
         "Check",
     ):
         assert words in said, words
-    assert said.count("Fig. 1. Mechanism") == said.count("Fig. 2. Velocities") == said.count("Fig. 3. Acc") == 1
+    assert said.count("Fig. 1. Given position") == said.count("Fig. 2. Velocities") == said.count("Fig. 3. Acc") == 1
     assert "(Fig. 2)" in said
 
 
@@ -74,7 +74,7 @@ def test_a_solution_shows_problem_figures_and_check(tmp_path: Path) -> None:
     [
         ('[solutions]\ndepth = "answers"\n', ["Answer:"], ["1. Geometry", "Check", "Fig. 2"]),
         ('[solutions]\ndepth = "short"\n', ["Answer:", "1. Geometry", "Fig. 2"], ["Directions:"]),
-        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Геометрия", "Рис. 1. Механизм", "см/с"], ["Answer"]),
+        ('[solutions]\nlanguage = "ru"\n', ["Ответ:", "1. Геометрия", "Рис. 1. Заданное", "см/с"], ["Answer"]),
     ],
 )
 def test_depth_and_language(table: str, has: list[str], lacks: list[str], tmp_path: Path) -> None:

@@ -32,6 +32,7 @@ from variantgen.wording.formula import (
     PointCoordinates,
     Power,
     Product,
+    Quotient,
     Relation,
     Root,
     Sum,
@@ -249,6 +250,7 @@ ROWS = [
     ),
     Row(FormulaList((A, B)), "a, b", r"a\, b", "a, b", r"$a,\,b$", "<i>a</i>, <i>b</i>"),
     Row(Equation(A, num("2,5")), "a = 2,5", 'a = "2,5"', "a = 2{,}5", "$a=2{,}5$", "<i>a</i>\xa0=\xa02,5"),
+    Row(Quotient(A, B), "a/b", r"a\/b", "a/b", "$a/b$", "<i>a</i><i>/</i><i>b</i>"),
     Row(SymbolProperty("modulus", A), "|a|", "abs(a)", r"\left|a\right|", "$|a|$", "|<i>a</i>|"),
     Row(
         UnitText((("cm", 1), ("s", -2))),

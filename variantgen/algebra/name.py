@@ -32,7 +32,8 @@ class Name(NamedTuple):
     of the point ``of`` on a circle), ``swing`` (direction of a piece of rope or of a line of centres); ``dots`` counts
     derivatives by time. A rate with the ``part`` ``z`` counts as positive counter-clockwise. ``cosine`` is that of the
     angle between the vector ``body`` (``v``, ``a``) of a point and the axis ``part``. ``curvature`` is the radius of
-    curvature of the path of a point, ``ratio`` that of the angular velocities of the bodies ``of`` and ``about``. An
+    curvature of the path of a point, ``ratio`` that of the angular velocities of the bodies ``of`` and ``about``,
+    ``rope`` the speed of a rope between two stations. An
     ``x`` or ``y`` with a ``body`` is that of its centre ``of`` (P, Q).
     """
 

@@ -163,7 +163,7 @@ def batch(
     as the options of ``variantgen show`` do; bare numbers are in printed units. The screens are those of the family,
     mistakes that must be seen in the answers among them. What takes the steps of a solution is done only
     ``for_sheets``: a calculation by hand with three digits stays within the family's ceiling, and the independent
-    computation confirms every variant; some 0.1 to 0.5 ms each. Variants may repeat. Raises InputError, and
+    computation confirms every variant; some 0.3 to 3 ms each. Variants may repeat. Raises InputError, and
     VerificationError where that computation finds something else: a defect of the program.
     """
     if isinstance(n, bool) or not isinstance(n, int) or not 0 < n <= _LARGEST:

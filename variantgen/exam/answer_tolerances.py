@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,13 +26,16 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.methods.hand.rounding import HandCalculation
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import RejectionCounts
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.screening import Values, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, parameter_arrays
+
+# What works out solutions is loaded when one is needed: many variants are drawn without any.
+if TYPE_CHECKING:
+    from variantgen.methods.hand.rounding import HandCalculation
 
 Array = NDArray[np.float64]
 Marks = tuple[tuple[str, ...], ...]  # by answer, the mistakes that go unnoticed in it
@@ -224,6 +228,8 @@ def _keys(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[tuple[
 
 def _calculation(variant: Variant, asked: Sequence[Quantity]) -> HandCalculation:
     """Calculations by hand of variants of a form, which remembers what is known of their steps."""
+    from variantgen.methods.hand.rounding import HandCalculation
+
     key = ("by hand", variant.family.name, tuple(asked))
     known = variant.form.remembered
     if key not in known:

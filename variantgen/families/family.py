@@ -115,10 +115,13 @@ class Form:
         """Whether the data determine a quantity of the scene: itself, or the plain ones that it is made of."""
         if not self.may_ask or any(fnmatchcase(quantity.name, pattern) for pattern in self.may_ask):
             return True
-        return bool(quantity.sources) and all(self._is_determined(source) for source in quantity.sources)
+        sources = quantity.sources(self.sample)
+        return bool(sources) and all(self._is_determined(source) for source in sources)
 
     def _is_determined(self, plain: Quantity) -> bool:
-        """Whether ``may_ask`` allows a plain quantity; of a named direction or a centre, its like that has a name."""
+        """Whether a plain quantity is given, or ``may_ask`` allows it or another component of it."""
+        if any(parameter.given and parameter.symbol == plain.whole_name for parameter in self.parameters.values()):
+            return True
         if plain.is_vector:
             return plain.name in self.askable or f"{plain.whole_name}.x" in self.askable
         return any(name == plain.name or name.startswith(f"{plain.whole_name}.") for name in self.askable)

@@ -13,9 +13,9 @@ from variantgen.families.asking import read_ask
 from variantgen.families.dimensions import Dimension, dimension_name
 from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import ComponentTemplate, Form
-from variantgen.families.figure_hints import FigureHints
-from variantgen.families.hints import read_figure, read_pose, read_screens
+from variantgen.families.hints import check_marks, read_figure, read_pose, read_screens
 from variantgen.families.implied import with_blocks, with_stations
+from variantgen.families.laws import fed_measures, measured_law, split_law
 from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
@@ -33,10 +33,6 @@ SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
     "symbols", "nouns", "nice", "machine",
 )  # fmt: skip
-_MARKED = (
-    'there are no parameters: declare the given number as one, such as  phi = { unit = "deg", values = [30] }'
-    "  in [parameters], and name it here; without a name the figure shows no letter"
-)
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
 _MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
     ("points", "conditions", "bodies", "joints", "drivers"), PARTS
@@ -58,6 +54,7 @@ class FormReader:
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
         self._values = 0
+        self._length = length
         self._templates = TemplateReader(self.expression, unit(length))
 
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
@@ -75,7 +72,7 @@ class FormReader:
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         self._read_laws(self.top.table("laws"))
-        points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
+        points = self._templates.points(self.top.table("points"))
         bodies_table = self.top.table("bodies")
         bodies = {name: bodies_table.strings(name) for name in bodies_table.data}
         self._check_names("points", points)
@@ -88,7 +85,7 @@ class FormReader:
         screens = read_screens(self.top.table("screens"), self.expression, points)
         pose = read_pose(self.top.table("pose"))
         figure = read_figure(self.top.table("figure"), set(points), bodies, self._templates.quantity)
-        self._check_marks(figure)
+        check_marks(self.top, figure, self.parameters)
         nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
         symbols = {name: written.take(name, str, "") for name in written.data}
@@ -155,20 +152,6 @@ class FormReader:
             if other != name and parameter.given:
                 self.top.problem(f"is written like {other}", f"parameters.{name}.symbol", parameter.symbol)
 
-    def _check_marks(self, figure: FigureHints) -> None:
-        """Marks carry names of parameters."""
-        names = {
-            "angles": [mark.name for mark in figure.angles],
-            "lengths": [mark.name for mark in figure.lengths],
-            "discs": [mark.name for mark in figure.discs],
-        }
-        for kind, found in names.items():
-            for i, name in enumerate(found, start=1):
-                if name and name not in self.parameters:
-                    key = f"figure.{kind}[{i}].name"
-                    remedy = nearest(name, self.parameters) if self.parameters else _MARKED
-                    self.top.problem("a mark carries the name of a parameter", key, name, remedy)
-
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)
         for pattern in form.may_ask:
@@ -228,16 +211,20 @@ class FormReader:
             whole = expression.inlined(moving)
             if time in whole.names:
                 moving[name] = whole
+        fed = fed_measures(self.top.data)
         for name in [name for name in table.data if name != "time"]:
-            law = self._parsed(table, name, table.data[name])
             table.expect(name)
+            text, named = split_law(table, name)
+            law = self._parsed(table, name, text)
             if law is None:
                 continue
             with table.collecting(name):
-                law = law.inlined(moving)
+                self._known_names(law)
+                stated = measured_law(law, time, named, fed.get(name), self.dimensions, self._length)
+                law = (stated.law if stated else law).inlined(moving)
                 if time in law.names:
                     moving[name] = law
-                dimension = self._define(name, law)
+                dimension = self._define(name, law, stated.dimension if stated else None)
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
                     law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))
@@ -280,11 +267,6 @@ class FormReader:
             )
         (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
         return expression
-
-    def _by_name(self, table: Table, package: str) -> dict[str, ComponentTemplate]:
-        return table.each(
-            lambda name, value: self._templates.read(Table(value, table.key(name), self.problems), package)
-        )
 
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]

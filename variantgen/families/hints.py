@@ -21,6 +21,11 @@ QuantityReader = Callable[[str, int | Decimal | str], FamilyExpression]
 _COMPARISON = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)")
 DIRECTIONS = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
 
+_MARKED = (
+    'there are no parameters: declare the given number as one, such as  phi = { unit = "deg", values = [30] }'
+    "  in [parameters], and name it here; without a name the figure shows no letter"
+)
+
 
 def read_screens(table: Table, expression: ExpressionReader, points: Collection[str]) -> Screens:
     """The screens; numbers that are not given keep their defaults."""
@@ -122,6 +127,20 @@ def read_figure(
         tuple(right_angles),
         found,
     )
+
+
+def check_marks(top: Table, figure: FigureHints, parameters: Collection[str]) -> None:
+    """Note in the table of the form the marks that carry no name of a parameter."""
+    names = {
+        "angles": [mark.name for mark in figure.angles],
+        "lengths": [mark.name for mark in figure.lengths],
+        "discs": [mark.name for mark in figure.discs],
+    }
+    for kind, found in names.items():
+        for i, name in enumerate(found, start=1):
+            if name and name not in parameters:
+                remedy = nearest(name, parameters) if parameters else _MARKED
+                top.problem("a mark carries the name of a parameter", f"figure.{kind}[{i}].name", name, remedy)
 
 
 def _names(table: Table, key: str, known: set[str], kind: str = "point") -> tuple[str, ...]:

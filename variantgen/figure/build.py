@@ -13,7 +13,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity
-from variantgen.figure.axes import draw_axes
+from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.links import draw_links, draw_walls
@@ -45,15 +45,15 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), tell=partial(_alt_text, board, _has_axes(asked)), language=language.name)
+    return replace(finished(board), tell=partial(_alt_text, board, asked), language=language.name)
 
 
-def _alt_text(board: Board, axes: bool) -> str:
+def _alt_text(board: Board, asked: Sequence[Quantity]) -> str:
     """What a statement figure shows, in words."""
     # Here, because most programs draw figures and tell of none.
     from variantgen.figure.alt_text.description import describe
 
-    return describe(board, axes)
+    return describe(board, asked)
 
 
 def finished(board: Board) -> Drawing:
@@ -122,8 +122,8 @@ def _fitted(
         _draw_mechanism(board, on_paper, marks)
         if kept or _excess(sketch) <= 1:
             _draw_data(board, on_paper, marks)
-            if marks and _has_axes(asked):
-                draw_axes(board)
+            if marks and has_axes(asked):
+                draw_axes(board, asked)
         excess = _excess(sketch)
         if kept or excess <= 1:
             return board
@@ -188,11 +188,6 @@ def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
         for driver in board.scene.drivers:
             if _seeks_room(driver):
                 _draw_symbol(board, driver)
-
-
-def _has_axes(asked: Sequence[Quantity]) -> bool:
-    """Whether what is asked refers to the axes x and y."""
-    return any(quantity.refers_to_axes for quantity in asked)
 
 
 def _draw_symbol(board: Board, item: Constraint) -> None:

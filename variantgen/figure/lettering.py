@@ -21,6 +21,7 @@ from variantgen.wording.formula import (
     Index,
     Measured,
     Number,
+    Quotient,
     Symbol,
     SymbolProperty,
     UnitText,
@@ -164,6 +165,10 @@ def _set(run: _Run, formula: Formula) -> None:
                 _set(run, item)
         case SymbolProperty(what, symbol):
             _set_about(run, what, symbol)
+        case Quotient(above, below):
+            _set(run, above)
+            run.words("/")
+            _set(run, below)
         case _:
             raise TypeError(f"figures have no letters for a formula of the kind {type(formula).__name__}")
 

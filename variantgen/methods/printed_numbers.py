@@ -35,6 +35,8 @@ from variantgen.methods.steps.step import (
 )
 
 _ANYWHERE = "ways.unknown"  # the way of a vector of which not even the direction is known
+_ASKED = {"curvature": "rho", "ratio": "ratio", "rope": "v_rope"}  # names of asked quantities, by the motion
+_SMALL = 1e-6  # of a natural scale: numbers below it are not compared with each other alone, they may be rounding
 Off = tuple[str, float]  # what it is, and by how much it is off
 
 
@@ -109,9 +111,8 @@ class PrintedNumbers:
             return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
         if name.kind == "mu":
             return _turn(abs(exact) - self.solved.answer(Quantity("mu", name.of)))
-        if name.kind in ("curvature", "ratio"):
-            asked = Quantity("rho", name.of) if name.kind == "curvature" else Quantity("ratio", name.of, name.about)
-            return self.answer(asked, value)
+        if name.kind in _ASKED:
+            return self.answer(Quantity(_ASKED[name.kind], name.of, name.about), value)
         if (rate := self.solved.rate(name)) is not None:
             # The magnitude is never negative, so that a negative number has a sign.
             gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)
@@ -166,14 +167,17 @@ class PrintedNumbers:
         match item:
             case VectorLine(left, right):
                 terms = [*((1.0, term) for term in left), *((-1.0, term) for term in right)]
-                yield "the vector equation", _closing([[sign * v for v in self._meant(term)] for sign, term in terms])
+                meant = [[sign * v for v in self._meant(term)] for sign, term in terms]
+                yield "the vector equation", _closing(meant, self._nothing([term for _, term in terms]))
             case Projection(_, left, right):
                 shares = [*((1.0, share) for share in left), *((-1.0, share) for share in right)]
-                yield "the projected equation", _closing([self._projections(side, share) for side, share in shares])
+                found = [self._projections(side, share) for side, share in shares]
+                yield "the projected equation", _closing(found, self._nothing([share.term for _, share in shares]))
             case LinearSystem(unknowns, rows, right_side):
                 for row, end in zip(rows, right_side, strict=True):
                     products = [factor.exact * value.exact for factor, value in zip(row, unknowns, strict=True)]
-                    largest = max(abs(end.exact), *map(abs, products))
+                    nothing = max(abs(f.exact) * v.size for f, v in zip(row, unknowns, strict=True)) * _SMALL
+                    largest = max(abs(end.exact), nothing, *map(abs, products))
                     yield "an equation of the system", _relative(sum(products) - end.exact, largest)
             case Balance(one, other):
                 yield "a sum beside its equal", _relative(one.exact - other.exact, max(_largest(one), _largest(other)))
@@ -184,6 +188,10 @@ class PrintedNumbers:
     def _meant(self, term: Term) -> list[complex]:
         """The vector of a term: the known one, or what the solver has for it."""
         return self.solved.vectors(term.name) if term.size is None else [_vector(term.size.exact, term)]
+
+    def _nothing(self, terms: Sequence[Term]) -> float:
+        """What terms that are zero, but for rounding, are held against: where all are, none is a measure."""
+        return _SMALL * max((self._scale(1 if term.name.kind == "v" else 2) for term in terms), default=0.0)
 
     def _projections(self, side: float, share: Share) -> list[complex]:
         """What stands in a projected equation, with the sign of its side."""
@@ -219,9 +227,9 @@ def _vector(size: float, term: Term) -> complex:
     return cmath.rect(size, math.radians(term.angle.exact))
 
 
-def _closing(terms: Sequence[Sequence[complex]]) -> float:
+def _closing(terms: Sequence[Sequence[complex]], nothing: float) -> float:
     """By how much a sum is not zero; of terms for which there are several numbers, by those that fit best."""
-    sums = (_relative(abs(sum(numbers)), max(map(abs, numbers), default=0.0)) for numbers in product(*terms))
+    sums = (_relative(abs(sum(numbers)), max([nothing, *map(abs, numbers)])) for numbers in product(*terms))
     return min(sums, default=0.0)
 
 

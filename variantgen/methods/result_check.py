@@ -36,6 +36,7 @@ from variantgen.methods.vectors.vector_equation import share_of, shares, unknown
 _AXES = {"right": RIGHT, "up": UP}
 _UNKNOWNS = 2  # vectors that an equation determines
 _EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
+_RIGHT_ANGLE = 90.0  # degrees
 _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
@@ -102,8 +103,10 @@ def _by_number(share: Share) -> Share:
     """A projection whose angle, unless it is one of the solution, is a number: only numbers are printed of a check."""
     if share.angle is None or share.angle.name is not None:
         return share
-    number = share.angle.exact
-    return replace(share, angle=Value(None, "angle", number, Constant(number, "angle")))
+    number, sign = share.angle.exact, share.sign
+    if _RIGHT_ANGLE < number < 2 * _RIGHT_ANGLE:  # the acute angle is the one that the solution has
+        number, sign = 2 * _RIGHT_ANGLE - number, sign if share.function == "sin" else -sign
+    return replace(share, sign=sign, angle=Value(None, "angle", number, Constant(number, "angle")))
 
 
 def by_links(found: Mapping[str, Value]) -> list[Item]:

@@ -6,7 +6,6 @@ method, a length on a drawing. Formulas here start from the solver's vectors alo
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -187,15 +186,15 @@ class SolvedMotion:
         return [unit(self.task.unit_of(measure)).from_si(self.task.si[law]) for law in names]
 
     def answer(self, quantity: Quantity) -> float:
-        """An asked quantity, angles in degrees."""
-        found = float(quantity.value(self._motion)[0])
-        return math.degrees(found) if quantity.is_angle else found
+        """An asked quantity in its printed unit, angles in degrees."""
+        own = quantity.own_unit(self.task.variant.family.length_unit)
+        return float(own.from_si(float(quantity.value(self._motion)[0])))
 
     @cached_property
     def _motion(self) -> Motion:
-        """The motion as a batch of one, lengths in the printed unit."""
-        now = self.task.now
-        vectors = [{name: np.array([number]) for name, number in table.items()} for table in (now.z, now.v, now.a)]
+        """The motion as a batch of one, in SI as the scene."""
+        now, metres = self.task.now, self.task.length_unit
+        vectors = [{name: np.array([n * metres]) for name, n in table.items()} for table in (now.z, now.v, now.a)]
         rates = [{body: np.array([number]) for body, number in table.items()} for table in (now.omega, now.epsilon)]
         return Motion(now.scene, np.zeros(1, dtype=np.int8), np.ones(1), *vectors, *rates)
 

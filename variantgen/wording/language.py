@@ -20,7 +20,7 @@ from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.units import Unit
 from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
-from variantgen.wording.formula import GREEK, Fraction, Index, Number, Symbol, SymbolProperty, UnitText
+from variantgen.wording.formula import GREEK, Index, Number, Quotient, Symbol, SymbolProperty, UnitText
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.notation import USUAL, Notation
 from variantgen.wording.plurals import plural_category
@@ -124,7 +124,7 @@ class Language:
             index.append(Index(component))
         return Symbol(self.letter(kind), tuple(index))
 
-    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty | Fraction:
+    def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty | Quotient:
         """The symbol of an asked quantity."""
         target, component = quantity.target, quantity.component
         if quantity.is_centre:
@@ -132,8 +132,10 @@ class Language:
             if quantity.is_coordinate:
                 return Symbol(component, (Index(quantity.kind), *body))
             return Symbol(component + quantity.kind, body)
+        if quantity.group == "rope":
+            return Symbol("v", (Index(self.tables["index"]["rope"], True), Index(target + component)))
         if quantity.group == "ratio":
-            return Fraction(*(self.symbol(f"omega_{name}", bodies) for name in (target, component)))
+            return Quotient(self.symbol(f"omega_{target}", bodies), self.symbol(f"omega_{component}", bodies))
         if quantity.kind == "distance":
             return Symbol(target + component)
         if quantity.kind == "angle":

@@ -83,8 +83,10 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "natural": any(q.kind == "a" and q.component in NATURAL for q in asked),
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
-    distances = dict.fromkeys((q.target, q.component) for q in asked if q.kind == "distance")
-    return notes + [words["distance"].format(start=start, end=end) for start, end in distances]
+    pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
+    return notes + [
+        words["distance" if kind == "distance" else "rope"].format(start=start, end=end) for kind, start, end in pairs
+    ]
 
 
 def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:

@@ -13,6 +13,7 @@ name                      meaning
 ``omega_AB  epsilon_AB``  angular velocity, angular acceleration of a body, positive counter-clockwise
 ``omega_AB.abs``          its magnitude
 ``omega_AB.sense``        its sense: +1 counter-clockwise, -1 clockwise
+``v_rope.A.B``            speed of a rope or belt where it runs straight between its stations A and B
 ``ratio_AB.CD``           ratio of two angular velocities, ``omega_AB / omega_CD``
 ``v_rel_C a_rel_C``       magnitude of the relative velocity, relative acceleration of a sliding point
 ``a_cor_C``               magnitude of its Coriolis acceleration (components and angle as above)

@@ -14,7 +14,9 @@ from variantgen.mechanism.centres import acceleration_centre, velocity_centre
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.point_path import curvature_radius, normal_acceleration, tangential_acceleration
 from variantgen.mechanism.relative import relative_motion, sliding_points
+from variantgen.mechanism.rope_speed import rope_piece, rope_speed
 
+ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
 NATURAL = {"t": tangential_acceleration, "n": normal_acceleration}  # components of an acceleration along the path
 
@@ -138,6 +140,13 @@ def _ratio(motion: Motion, body: str, other: str) -> Field:
     return found
 
 
+def _rope(motion: Motion, first: str, second: str) -> Field:
+    piece = rope_piece(motion.scene, first, second)
+    if piece is None:
+        raise ValueError(f"no rope runs from {first} to {second}")
+    return rope_speed(motion, piece)
+
+
 KINDS: Mapping[str, Kind] = {
     "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: motion.v[point])),
     "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: motion.a[point])),
@@ -151,6 +160,7 @@ KINDS: Mapping[str, Kind] = {
     "mu": Kind("centre angle", 2, "angle", _centre_angle),
     "rho": Kind("path", 2, "length", lambda motion, point, _: curvature_radius(motion, point)),
     "ratio": Kind("ratio", 1, "number", _ratio),
+    ROPE: Kind("rope", 1, "velocity", _rope),
     "x": Kind("position", 0, "length", lambda motion, point, _: np.real(motion.z[point])),
     "y": Kind("position", 0, "length", lambda motion, point, _: np.imag(motion.z[point])),
     "angle": Kind("position", 0, "angle", _angle),

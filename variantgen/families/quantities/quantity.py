@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, NATURAL, line_ends
+from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.units import Unit, unit
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
+from variantgen.mechanism.rope_speed import rope_piece
+from variantgen.mechanism.scene import Scene
 
 _RECORDED = 8  # significant digits
 # An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.
@@ -26,7 +29,7 @@ class Quantity:
     @property
     def name(self) -> str:
         """The name as written in files, ``v_B.x``."""
-        return f"{self.kind}_{self.target}" + (f".{self.component}" if self.component else "")
+        return self.whole_name + (f".{self.component}" if self.component else "")
 
     @property
     def written(self) -> str:
@@ -36,7 +39,7 @@ class Quantity:
     @property
     def whole_name(self) -> str:
         """The name without what is asked of it, ``v_B``."""
-        return f"{self.kind}_{self.target}"
+        return f"{self.kind}{'.' if self.kind == ROPE else '_'}{self.target}"
 
     @property
     def order(self) -> int:
@@ -104,8 +107,7 @@ class Quantity:
         named = self.component.startswith((ALONG, ACROSS))
         return self.component.partition("_")[2] if named else ""
 
-    @property
-    def sources(self) -> tuple[Quantity, ...]:
+    def sources(self, scene: Scene) -> tuple[Quantity, ...]:
         """The plain quantities that a solution finds first: itself, what it is made of, none for positions."""
         if self.kind == "a" and self.component in NATURAL:
             return Quantity("v", self.target, "x"), self
@@ -116,7 +118,20 @@ class Quantity:
                 return Quantity("v", self.target), Quantity("a", self.target, "x")
             case "ratio":
                 return Quantity("omega", self.target), Quantity("omega", self.component)
+            case "rope":
+                return self._of_rope(scene)
         return (self,)
+
+    def _of_rope(self, scene: Scene) -> tuple[Quantity, ...]:
+        """The rotation of the drum, or the motion of the end, from which a rope runs over fixed pulleys alone."""
+        piece, rest = rope_piece(scene, self.target, self.component), Linkage(scene).resting
+        for end, *pulleys in piece.ways() if piece else ():
+            if all(bend.point in rest for bend in pulleys):
+                if end.body is not None and end.point in rest:
+                    return (Quantity("omega", end.body),)
+                if end.body is None and end.point not in rest:
+                    return (Quantity("v", end.point),)
+        return ()
 
     @property
     def point(self) -> str:
@@ -129,7 +144,7 @@ class Quantity:
         """All points that its name speaks of, those of a named direction or of a line too; ``known`` are all points."""
         if self.line:
             return (self.target, *(line_ends(self.line, known) or ()))
-        if self.kind == "distance":
+        if self.kind in ("distance", ROPE):
             return self.target, self.component
         if self.kind == "angle":
             return (self.target, *self.component.split(".")) if self.component else line_ends(self.target, known) or ()

@@ -5,16 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.quantities.kinds import KINDS, NATURAL, line_ends
+from variantgen.families.quantities.kinds import KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.families.units import UNITS, usual_name
+from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.relative import sliding_points
+from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.mechanism.scene import Scene, fixed_points
 
 _PART = "[A-Za-z][A-Za-z0-9]*"
 _KIND = "|".join(sorted(KINDS, key=len, reverse=True))
+_ROPE = re.compile(rf"({re.escape(ROPE)})\.({_PART})\.({_PART})")
 _PATTERN = re.compile(rf"({_KIND})_({_PART})(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
@@ -25,18 +29,21 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     known = quantity_names(scene)
     if text in known:
         return split_name(text)
-    match = _PATTERN.fullmatch(text)
-    quantity = split_name(text) if match else None
+    quantity = split_name(text) if _match(text) else None
     if quantity is None or not _is_further(quantity, scene):
         remedy = _proposed(text, quantity, scene, known) or nearest(text, offered or known)
         raise InputError(Problem("unknown quantity", key=key, value=text, remedy=remedy))
     return quantity
 
 
+def _match(text: str) -> re.Match[str] | None:
+    return _ROPE.fullmatch(text) or _PATTERN.fullmatch(text)
+
+
 def split_name(text: str) -> Quantity:
     """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
     name, wanted = split_unit(text)
-    match = _PATTERN.fullmatch(name)
+    match = _match(name)
     if match is None:
         raise ValueError(f"{text} is no name of a quantity")
     return Quantity(match[1], match[2], match[3] or "", wanted)
@@ -98,6 +105,8 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
             return target != component and {target, component} <= scene.bodies.keys()
         case "path":
             return not component and target in _moving_points(scene)
+        case "rope":
+            return rope_piece(scene, target, component) is not None
         case "position":
             return _is_position(quantity, scene)
     return False
@@ -128,6 +137,10 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
         return f"after along_ and across_ stand two points: {', '.join(scene.points)}"
     if quantity is not None and quantity.group == "ratio":
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(scene.bodies)}"
+    if quantity is not None and quantity.group == "rope":
+        ropes = [joint.path for joint in scene.joints if isinstance(joint, Rope)]
+        pieces = [f"{ROPE}.{one.point}.{other.point}" for path in ropes for one, other in pairwise(path)]
+        return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if letter in _ANGLES or letter == "angle":
         if line_ends(target, scene.points):
             return f"the direction of {target} is angle_{target}, a corner of three points angle_O.A.B"

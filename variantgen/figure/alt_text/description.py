@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from types import ModuleType
 
+from variantgen.families.quantities import Quantity
 from variantgen.figure.alt_text.alt_text import AltText, Noun
 from variantgen.figure.alt_text.marks import marks
 from variantgen.figure.alt_text.parts import hinges, parts
 from variantgen.figure.alt_text.positions import positions
+from variantgen.figure.axes import lines_of, origin_point
 from variantgen.figure.board import Board
 from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.rows import Constraint
 
 
-def describe(board: Board, axes: bool = False) -> str:
-    """What a statement figure shows, in words, once it is drawn on ``board``; ``axes``: x and y are drawn.
+def describe(board: Board, asked: Sequence[Quantity] = ()) -> str:
+    """What a statement figure shows, in words, once it is drawn on ``board``; what is ``asked`` tells which axes.
 
     Tells what is fixed, what joins what, where each named point lies, which data are marked and the senses of the
     given rates: nothing that the figure does not show, in the language of the board.
@@ -34,11 +36,27 @@ def describe(board: Board, axes: bool = False) -> str:
         ("", hinges(alt_text)),
         *(("", clauses) for clauses in (*joints, *driven)),
         ("positions", positions(alt_text)),
-        ("marks", [*marks(alt_text), *([alt_text.say("axes")] if axes else [])]),
+        ("marks", [*marks(alt_text), *_axes(alt_text, asked)]),
         ("arrows", [arrow.phrase for arrow in alt_text.arrows]),
     ]
     sentences = [_sentence(alt_text, key, clauses) for key, clauses in listed if clauses]
     return " ".join(" ".join(sentences).split())
+
+
+def _axes(alt_text: AltText, asked: Sequence[Quantity]) -> Iterator[str]:
+    """The axes x and y, their origin where coordinates are counted from it, and the lines of other components."""
+    if any(quantity.is_coordinate for quantity in asked):
+        board = alt_text.board
+        point = origin_point(board) or min(board.shown, key=lambda name: abs(board.sketch.at[name]))
+        place = alt_text.name(point)
+        yield alt_text.say(
+            "axes_at", place=place if origin_point(board) else alt_text.place(-alt_text.at(point), place)
+        )
+    elif any(quantity.refers_to_axes for quantity in asked):
+        yield alt_text.say("axes")
+    for line, sides in lines_of(asked).items():
+        for side in sides:
+            yield alt_text.say(f"axis_{side}", line=line)
 
 
 def _sentence(alt_text: AltText, key: str, clauses: Sequence[str]) -> str:

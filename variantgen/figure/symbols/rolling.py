@@ -17,7 +17,13 @@ def draw(board: Board, joint: Rolling) -> None:
     contact, centre = sketch.at[joint.contact], sketch.at[joint.centre]
     down = (contact - centre) / abs(contact - centre)
     if joint.on is not None:
-        first, second = (sketch.at[name] for name in board.form.bodies[joint.on][:2])
+        members = [sketch.at[name] for name in board.form.bodies[joint.on][:2]]
+        if len(members) == 1:  # a rack or belt of one point reaches past the wheel and past this point
+            way, half = 1j * down, 1.25 * abs(contact - centre)
+            place = ((members[0] - contact) * way.conjugate()).real
+            low, high = min(-half, place - _THICKNESS), max(half, place + _THICKNESS)
+            members = [contact + low * way, contact + high * way]
+        first, second = members
         strip = (first, second, second + _THICKNESS * down, first + _THICKNESS * down)
         sketch.path(strip, Layer.SLIDER, MEDIUM, closed=True, fill="shade")
         if number := board.form.symbols.get(joint.on):

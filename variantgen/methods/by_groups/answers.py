@@ -7,12 +7,16 @@ import math
 from variantgen.algebra.expression import Expression, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
+from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
 from variantgen.methods.by_groups.vector_answers import curvature_radius, vector_answer
 from variantgen.methods.centres import acceleration_centre, velocity_centre
+from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Body, Derived
+from variantgen.methods.steps.step import Body, Derived, Point
+from variantgen.methods.vectors.points import sum_of, vector
+from variantgen.methods.vectors.vector_equation import named_shares
 
 
 def answer(book: Book, quantity: Quantity) -> Value:
@@ -27,6 +31,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
             return _rate(book, quantity)
         case "ratio":
             return _ratio(book, quantity)
+        case "rope":
+            return _rope(book, quantity)
         case "path":
             return curvature_radius(book, quantity.target)
         case "position":
@@ -56,6 +62,29 @@ def _rate(book: Book, quantity: Quantity) -> Value:
     if quantity.component == "abs" or rate.sense >= 0:
         return rate.size
     return Value(rate.size.name, measure, -rate.size.exact, -rate.size)
+
+
+def _rope(book: Book, quantity: Quantity) -> Value:
+    """The speed of a rope: of the rim of the drum, or of its end along it, from which it runs over fixed pulleys.
+
+    Raises LookupError where the rope has no such end.
+    """
+    task = book.task
+    piece = rope_piece(task.scene, quantity.target, quantity.component)
+    known = next(iter(quantity.sources(task.scene)), None)
+    if piece is None or known is None:
+        raise LookupError(quantity.name)
+    end = next(way[0] for way in piece.ways() if known.target in (way[0].body, way[0].point))
+    name = Name("rope", quantity.target, quantity.component)
+    with book.step("answers.rope", first=Point(quantity.target), second=Point(quantity.component)):
+        if known.kind == "omega":
+            book.say("answers.rope_on_drum", False, body=Body(known.target))
+            radius = book.geometry.radius(end.point, float(end.radius) / task.length_unit, known.target)
+            return book.derive(name, "velocity", _rate(book, Quantity("omega", known.target, "abs")) * radius)
+        ray = task.rays(piece.rope)[0 if end is piece.rope.path[0] else -1]
+        book.say("answers.rope_at_end", False, point=Point(end.point))
+        whole = sum_of(named_shares(book, vector(book, end.point), Value(None, "angle", degrees(ray))))
+        return book.derive(name, "velocity", whole if whole.number(True) >= 0 else -whole)
 
 
 def _ratio(book: Book, quantity: Quantity) -> Value:

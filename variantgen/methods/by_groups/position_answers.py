@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
@@ -46,7 +47,10 @@ def centre_coordinate(book: Book, quantity: Quantity) -> Value:
     body, axis = quantity.target, quantity.component
     name = Name(axis, quantity.kind, body=body)
     pole = known_point(book, body)
-    with book.step(f"answers.coordinate_{quantity.kind}", body=Body(body)):
+    key, facts = f"answers.coordinate_{quantity.kind}", {"body": Body(body)}
+    # Both coordinates are found in one step.
+    known = bool(book.steps) and (book.steps[-1].heading.key, book.steps[-1].heading.facts) == (key, facts)
+    with nullcontext() if known else book.step(key, body=Body(body)):
         if quantity.kind == "P":
             centre = known_centre.centre_of(book, body)
         else:

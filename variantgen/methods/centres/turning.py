@@ -8,7 +8,7 @@ from variantgen.methods.centres.known_centre import contact_fact
 from variantgen.methods.geometry.geometry import Geometry, degrees
 from variantgen.methods.groups.group import PivotedLink, RelativeRotation, RollingContactPole, RollingWheel
 from variantgen.methods.solution.book import Book, Known, Rate
-from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
 from variantgen.methods.vectors.points import across, modulus, sum_of, sum_up, vector
 from variantgen.methods.vectors.turning_speed import related, turning_speed
@@ -69,7 +69,8 @@ def solve_rolling_wheel(book: Book, group: RollingWheel) -> None:
         part = "tau" if group.around and book.order == 2 else ""
         if kind == "omega" and not book.has_said("rested.pole_v", body=Body(body)):
             # Also in a short solution: later steps may speak of this centre.
-            book.say("rolling.omega", False, body=Body(body), contact=contact_fact(book, body), **facts)
+            contact = Sentence("rolling.contact_at", {"point": contact_fact(book, body)})
+            book.say("rolling.omega", False, body=Body(body), contact=contact, **facts)
         else:
             facts |= related(book, body, centre, part)
             book.say("rolling.omega_again" if kind == "omega" else "rolling.epsilon", body=Body(body), **facts)

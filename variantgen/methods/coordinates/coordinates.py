@@ -6,6 +6,8 @@ program that computes the same is added to the solution (:mod:`variantgen.method
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from variantgen.algebra.derivative import derivative
 from variantgen.algebra.expression import Constant, Ratio, Value
 from variantgen.algebra.linear import linear, reduced
@@ -24,7 +26,7 @@ from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.shown_system import ZERO, coefficients, enter, enter_solution, system_of
 from variantgen.methods.steps.step import Derived, EquationLine, Sentence
 
-_LARGEST = 3  # unknowns of a system that is shown with its numbers
+_LARGEST = 12  # unknowns of a system that is shown with its numbers
 
 
 def applies(task: Task) -> bool:
@@ -32,20 +34,30 @@ def applies(task: Task) -> bool:
     book = Book(task)
     with book.step("coordinates.equations"):
         try:
-            model = model_of(book)
-            blocks_for(model, results.targets(model))
+            _model_and_blocks(book)
         except NOT_APPLICABLE:
             return False
     return True
+
+
+def _model_and_blocks(book: Book) -> tuple[Model, list[CoordinateBlock]]:
+    """The mechanism in coordinates and what is solved together: of the part on the way to what is asked, or of all.
+
+    Raises LookupError where the equations do not determine the motion.
+    """
+    with suppress(*NOT_APPLICABLE):
+        model = model_of(book)
+        return model, blocks_for(model, results.targets(model))
+    model = model_of(book, whole=True)
+    return model, blocks_for(model, results.targets(model))
 
 
 def solve(book: Book) -> None:
     """Write the steps of the method; what is asked is then known to the book."""
     with book.step("coordinates.equations", "coordinate_axes") as first:
         book.say("coordinates.idea", True)
-        model = model_of(book)
+        model, blocks = _model_and_blocks(book)
         targets = results.targets(model)
-        blocks = blocks_for(model, targets)
         _state(model, blocks, given_coordinates(model, blocks, targets))
     written = {id(e): (e.left, e.right) for block in blocks for e in block.equations}
     for order in (1, 2)[: book.task.order]:

@@ -9,6 +9,7 @@ from variantgen.algebra.python_source import number
 from variantgen.families.quantities import Quantity, line_ends
 from variantgen.families.quantities.kinds import ACROSS, ALONG, NATURAL
 from variantgen.mechanism.relative import sliding_points
+from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.methods.coordinates.model import Model
 
 _TABLES = {1: "V", 2: "A"}
@@ -49,6 +50,8 @@ class _Outputs:
             case "centre angle":
                 rates = [self._rate(quantity.target, order) for order in (2, 1)]
                 return f"np.degrees(np.arctan2(abs({rates[0]}), ({rates[1]})**2))"
+            case "rope":
+                return self._rope(quantity)
             case "ratio":
                 return f"({self._rate(quantity.target, 1)})/({self._rate(quantity.component, 1)})"
             case "position":
@@ -74,6 +77,18 @@ class _Outputs:
         epsilon = self._rate(quantity.target, 2)
         above = f"{x}*({omega})**2 - {y}*({epsilon})" if number == 0 else f"{x}*({epsilon}) + {y}*({omega})**2"
         return f"{place} + ({above})/(({omega})**4 + ({epsilon})**2)"
+
+    def _rope(self, quantity: Quantity) -> str:
+        """The speed of the rim of a drum, or of the end of a rope along it."""
+        task = self.model.task
+        piece, (known,) = rope_piece(task.scene, quantity.target, quantity.component), quantity.sources(task.scene)
+        assert piece is not None, "the name of the quantity has been read"
+        end = next(way[0] for way in piece.ways() if known.target in (way[0].body, way[0].point))
+        if known.kind == "omega":
+            return f"abs({self._rate(known.target, 1)})*{number(float(end.radius) / task.length_unit)}"
+        x, y = self._components(end.point, 1)
+        ray = task.rays(piece.rope)[0 if end is piece.rope.path[0] else -1]
+        return f"abs(({x})*({number(ray.real)}) + ({y})*({number(ray.imag)}))"
 
     def _position(self, quantity: Quantity) -> str:
         """A coordinate, a distance, the direction of a line, or a corner between two."""

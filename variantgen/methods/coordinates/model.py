@@ -27,10 +27,10 @@ _RATES = {"length": ("velocity", "acceleration"), "angle": ("angular velocity", 
 
 
 class Model:
-    """The coordinates and equations of the part of a mechanism that leads to what is asked."""
+    """The coordinates and equations of the part of a mechanism that leads to what is asked, or of the ``whole``."""
 
-    def __init__(self, book: Book) -> None:
-        self.book, self.task, self.geometry = book, book.task, book.geometry
+    def __init__(self, book: Book, whole: bool = False) -> None:
+        self.book, self.task, self.geometry, self.whole = book, book.task, book.geometry, whole
         self.coordinates: dict[Value, Coordinate] = {}
         self.equations: list[PositionEquation] = []
         self.points = self._included()
@@ -53,7 +53,8 @@ class Model:
         asked = {q.point for q in self.task.sought if q.point}
         found = {point for c in self.relevant for shape in c.shapes() for point in shape.points}
         bodies = self.task.scene.bodies
-        hinges = {p for p in self.task.needed.points if sum(p in members for members in bodies.values()) > 1}
+        reached = self.task.scene.points if self.whole else self.task.needed.points
+        hinges = {p for p in reached if sum(p in members for members in bodies.values()) > 1}
         return (found | asked | hinges) - self.task.fixed
 
     @property
@@ -63,11 +64,17 @@ class Model:
 
     def is_relevant(self, constraint: Constraint) -> bool:
         """Whether a joint or driver is on the way to what is asked."""
+        if self.whole:
+            return True
         points = {p for shape in constraint.shapes()[:1] for p in shape.points}
         bodies = {b for shape in constraint.shapes()[:1] for b in shape.bodies}
         needed = self.task.needed
         known = needed.bodies | self.translating
         return bool(points | bodies) and points <= needed.points | self.task.fixed and bodies <= known
+
+    def is_needed(self, body: str) -> bool:
+        """Whether the rotation of a body takes part."""
+        return self.whole or body in self.task.needed.bodies
 
     @property
     def translating(self) -> frozenset[str]:

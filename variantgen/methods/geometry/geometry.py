@@ -25,7 +25,7 @@ from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
 from variantgen.methods.linkage.problem import CLOSE, Task
-from variantgen.methods.steps.step import Derived, Segment
+from variantgen.methods.steps.step import Body, Derived, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 
@@ -129,7 +129,9 @@ class Geometry(PositionLines):
             return self._taken(drawn)
         if drawn is None:
             return self.unnamed_radii.of(body, exact)
-        return self._entered(self.unnamed_radii.named(body, exact), "length", drawn)
+        name = self.unnamed_radii.named(body, exact)
+        self.say("radius", radius=name, body=Body(body))
+        return self._entered(name, "length", drawn)
 
     # Directions.
 

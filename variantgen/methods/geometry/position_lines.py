@@ -121,17 +121,24 @@ class PositionLines(Layout):
             self._feet[start, "", end] = first, self._entered(Name("length", end, letter), "length", across)
         return self._feet[start, "", end]
 
-    def isosceles(self, ends: tuple[str, str], first: Leg, right: bool) -> None:
-        """Say of the triangle with a base between two points and a side from the first that it is isosceles, or half a
-        square.
+    @property
+    def lettered(self) -> set[str]:
+        """The points that have letters in the figure."""
+        return set(self.places) - set(self.task.form.figure.hidden)
+
+    def say_triangle(self, ends: tuple[str, str], first: Leg, shape: str) -> None:
+        """Say of the triangle with a base between two points and a side from the first what ``shape`` it has, the key
+        of a sentence; once.
         """
         place = self.task.now.z[ends[0]] + cmath.rect(first.length.number(True), math.radians(self.number(first.form)))
-        shown = [name for name in self.places if name not in self.task.form.figure.hidden]
-        apex = next((name for name in shown if abs(self.task.now.z[name] - place) <= self.nothing), "")
-        if apex and set(ends) <= set(shown):
-            self.say(
-                f"triangle_{'half_square' if right else 'isosceles'}", False, triangle=triangle(*sorted((*ends, apex)))
-            )
+        shown = self.lettered
+        apex = next(
+            (name for name in self.places if name in shown and abs(self.task.now.z[name] - place) <= self.nothing), ""
+        )
+        if apex and set(ends) <= shown:
+            said = Sentence(f"position.{shape}", {"triangle": triangle(*sorted((*ends, apex)))}, detail=False)
+            if said not in self.items:
+                self.items.append(said)
 
     def _taken_letters(self) -> set[str]:
         """Letters of points, with the feet of perpendiculars."""

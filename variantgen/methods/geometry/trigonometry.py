@@ -64,10 +64,8 @@ class Angular(Protocol):
     ) -> tuple[Value, Value] | None:
         """The named legs of a right triangle along and across a line of the figure; None where that has no letters."""
 
-    def isosceles(self, ends: tuple[str, str], first: Leg, right: bool) -> None:
-        """Say of the triangle with a base between two points and a side from the first that it is isosceles, or half a
-        square.
-        """
+    def say_triangle(self, ends: tuple[str, str], first: Leg, shape: str) -> None:
+        """Say of the triangle with a base between two points and a side from the first what shape it has, once."""
 
     def ahead_on(self, start: str, form: AngleForm) -> str:
         """A point that lies in a direction from another one, or nothing."""
@@ -162,6 +160,8 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
     foot = _foot(geometry, legs, ends)
     corner = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
     named: Expression = corner
+    if len(legs) == 2 and reduced(geometry, "cos", legs[1].form.minus(legs[0].form))[0] == 0:
+        geometry.say_triangle(ends, legs[0], "triangle_right")
     if on_side:
         named = geometry.corner(start, on_side, end, corner)
     elif not axis.parts and axis.constant % 90.0 == 0:
@@ -234,13 +234,14 @@ def length_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> 
     if sign and cosine is None:  # an angle with which they happen to lie on one line
         return positive(summed(((1, first), (sign, second))))[1]
     if _are_equal(*legs):
-        geometry.isosceles(ends, legs[0], cosine is None)
+        geometry.say_triangle(ends, legs[0], "triangle_half_square" if cosine is None else "triangle_isosceles")
         if cosine is None:
             return SquareRoot(Constant(2.0)) * first
         half = reduced(geometry, "cos", _turn(geometry, legs).times(0.5))[1]
         return Constant(2.0) * first * half if half is not None else Constant(2.0) * first
     squares = squared((first, second))
     if cosine is None:
+        geometry.say_triangle(ends, legs[0], "triangle_right")
         return SquareRoot(squares)
     foot = _foot(geometry, legs, ends)
     if foot is not None:

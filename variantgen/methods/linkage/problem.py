@@ -15,6 +15,7 @@ from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import unit
+from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
@@ -56,7 +57,7 @@ class Task:
     @cached_property
     def sought(self) -> tuple[Quantity, ...]:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
-        return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources))
+        return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
     @property
     def at(self) -> Placement:
@@ -67,6 +68,11 @@ class Task:
     def linkage(self) -> Linkage:
         """The mechanism as a reader of the figure sees it."""
         return Linkage(self.scene)
+
+    def rays(self, rope: Rope) -> list[complex]:
+        """The directions of the straight pieces of a rope on paper, as unit vectors."""
+        at = Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
+        return [complex(ray) for ray, _ in rope.pieces(at)]
 
     @property
     def fixed(self) -> frozenset[str]:

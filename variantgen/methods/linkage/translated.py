@@ -51,7 +51,23 @@ class _Part:
 
     def in_degrees(self) -> Expression:
         """The same with an angle in degrees."""
-        return self.shown if self.degrees else Ratio(simplified(Constant(180.0) * self.shown), Pi())
+        if self.degrees:
+            return self.shown
+        straight = _with_straight_angle(self.shown)
+        return straight if straight is not None else Ratio(simplified(Constant(180.0) * self.shown), Pi())
+
+
+def _with_straight_angle(shown: Expression) -> Expression | None:
+    """A product with a factor pi, with 180 degrees in its place; None for anything else."""
+    if isinstance(shown, Pi):
+        return Constant(180.0)
+    if isinstance(shown, Times):
+        for place, factor in enumerate(shown.operands()):
+            changed = _with_straight_angle(factor)
+            if changed is not None:
+                factors = tuple(shown.operands())
+                return simplified(Times((*factors[:place], changed, *factors[place + 1 :])))
+    return None
 
 
 @dataclass(frozen=True)

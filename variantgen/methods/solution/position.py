@@ -24,13 +24,14 @@ from variantgen.variants.printed_data import shown_points
 
 _PARTS = {"x": "real", "y": "imag"}  # of a complex number
 _OF_AXES = ("direction", "heading", "x", "y")  # kinds of names that mean something only with axes
-# Sentences that say what the angle in the next line is.
+# Sentences that say what the angle or length in the next line is.
 _OF_NEXT = (
     "position.drawn",
     "position.law_angle",
     "position.perpendicular",
     "position.projections",
-    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right")),
+    "position.radius",
+    *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right", "sines")),
     *(f"position.triangle_sides_{side}" for side in ("above", "below", "right", "left")),
     *(f"position.inclination_{line}" for line in ("guide", "link", "horizontal", "vertical")),
 )

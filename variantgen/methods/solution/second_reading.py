@@ -11,10 +11,12 @@ from variantgen.algebra.values import in_order, parts
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.step import (
     Body,
+    CentreOf,
     Derived,
     Fact,
     Item,
     Projection,
+    Segment,
     Sentence,
     Step,
     Term,
@@ -31,6 +33,7 @@ _PREPARING = (
     "contact.",
 )  # steps that often only prepare another one
 _REASONS = {"rope.inextensible": "", "rack.no_slip": "", "rope.same_a": "rope.again_a"}  # and what is said again
+_ROLLING = "rolling.omega"  # what a wheel rolls about
 _PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
 
 
@@ -42,7 +45,7 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     becomes its beginning.
     """
     asked = {value.name for value in results if value.name is not None}
-    once = _with_letters(_without_repeated_reasons(_without_repeated_lines(steps)))
+    once = _without_idle_centres(_with_letters(_without_repeated_reasons(_without_repeated_lines(steps))))
     return _joined(_without_known_directions(once), asked)
 
 
@@ -80,6 +83,44 @@ def _without_repeated_reasons(steps: Sequence[Step]) -> list[Step]:
                 said.add(item.key)
         kept.append(replace(step, items=items))
     return kept
+
+
+def _without_idle_centres(steps: Sequence[Step]) -> list[Step]:
+    """The steps with no letter for the contact of a wheel that is named in the sentence about its rolling alone."""
+    items = [item for step in steps for item in step.items]
+    used = {name.body for item in items for value in in_order(read(item)) if (name := value.name) and name.body}
+    used |= {fact.body for item in items for fact in _facts(item) if isinstance(fact, CentreOf)}
+    used |= {fact.centre_of for item in items for fact in _facts(item) if isinstance(fact, Segment)}
+    return [replace(step, items=[_unlettered(item, used) for item in step.items]) for step in steps]
+
+
+def _unlettered(item: Item, used: Collection[str]) -> Item:
+    """The sentence about a rolling wheel without the letter of its contact, if that is not ``used``."""
+    if not isinstance(item, Sentence) or item.key != _ROLLING or not isinstance(item.facts["contact"], Sentence):
+        return item
+    (centre,) = item.facts["contact"].facts.values()
+    if not isinstance(centre, CentreOf) or centre.body in used:
+        return item
+    return replace(item, facts={**item.facts, "contact": Sentence("rolling.contact")})
+
+
+def _facts(item: Item) -> list[Fact]:
+    """What is named in the sentences of an item, with the sentences in them; not what a wheel rolls about."""
+    waiting: list[Fact] = []
+    match item:
+        case Sentence(key, facts) if key != _ROLLING:
+            waiting = list(facts.values())
+        case TermTable(terms):
+            waiting = [term.way for term in terms]
+        case Projection(words):
+            waiting = list(words)
+    found: list[Fact] = []
+    while waiting:
+        fact = waiting.pop()
+        found.append(fact)
+        if isinstance(fact, Sentence):
+            waiting += fact.facts.values()
+    return found
 
 
 def _with_letters(steps: Sequence[Step]) -> list[Step]:

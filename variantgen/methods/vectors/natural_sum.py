@@ -65,7 +65,7 @@ def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int 
         return book.derive(name, book.measure, hypotenuse([term.size for term in found if term.size is not None]))
     axes = _named(book, axes)
     _say_lines(book, terms, axes)
-    kept = _kept(book, terms, axes)
+    kept = _kept(book, terms, axes, in_root=True)
     if not kept:
         return Value(name, book.measure, 0.0)
     sums = [axis.sum(1 if _is_positive(axis, squared=len(kept) > 1) else -1) for axis in kept]
@@ -100,14 +100,19 @@ def natural_components(book: Book, name: Name, terms: Sequence[Term], divisor: i
     return tuple(found)
 
 
-def _kept(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> list[_Axis]:
-    """The axes on which the sum is not zero; of projections that cancel it is said that they do."""
+def _kept(book: Book, terms: Sequence[Term], axes: Sequence[_Axis], in_root: bool = False) -> list[_Axis]:
+    """The axes on which the sum is not zero; of projections that cancel it is said that they do.
+
+    Oblique ones that cancel by their numbers stand in the root of a magnitude (``in_root``), where that is seen.
+    """
     largest = max(abs(term.size.exact) for term in terms if term.size is not None)
-    kept = [axis for axis in axes if abs(axis.total) > _NOTHING * largest]
+    kept = []
     for axis in axes:
-        if axis not in kept and len(axis.parts) > 1:
+        straight = all(share.angle is None for share in axis.parts)
+        if abs(axis.total) > _NOTHING * largest or (in_root and not straight):
+            kept.append(axis)
+        elif len(axis.parts) > 1:
             facts: dict[str, Fact] = {"vectors": tuple(VectorOf(share.term.name) for share in axis.parts)}
-            straight = all(share.angle is None for share in axis.parts)
             book.say("natural.cancel" if straight else "natural.cancel_components", False, **facts)
     return kept
 

@@ -59,8 +59,9 @@ def sheet_data(content: Content, number: int, writing: Writing, figures: dict[in
     """
     language = content.exam.spoken
     problems = [_problem(posed, language, figures, writing) for posed in content.posed[number]]
-    signs = list(dict.fromkeys(note for problem in problems for note in problem["signs"]))
-    return {**student_data(content.sheets[number], problems, language), "notes": signs}
+    student = student_data(content.sheets[number], problems, language)
+    signs = {note for problem in problems for note in problem["signs"]}
+    return {**student, "notes": [note for note in student["notes"] if note in signs]}
 
 
 def student_data(sheet: Sheet, problems: list[dict[str, Any]], language: Language) -> dict[str, Any]:

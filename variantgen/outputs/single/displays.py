@@ -22,11 +22,12 @@ from variantgen.families.asking import read_ask
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
+from variantgen.mechanism.sweep import SweepEnd
 from variantgen.outputs.html.articles import page_writing
 from variantgen.outputs.html.fragments import solution_html, statement_html
 from variantgen.outputs.html.pages import fragment
 from variantgen.outputs.html.writing import markup
-from variantgen.outputs.single.chart import ChartCurve, chart
+from variantgen.outputs.single.chart import Abscissa, ChartCurve, chart
 from variantgen.outputs.single.explanation import Explanation
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
@@ -48,7 +49,7 @@ def variant_html(variant: Variant) -> str:
     writing = page_writing(_name(variant))
     figure = writing.figure(statement_figure(variant, motion, 0, asked, language))(1.0, _MILLIMETRES)
     parts = [figure]
-    with suppress(InputError):  # a scene file has no statement
+    with suppress(InputError):  # there may be no statement in this language
         parts.insert(0, markup(statement_html(statement(variant, asked, language), language, writing)))
     return _shown(variant.family.title("en"), parts, remark=repr(variant)[1:-1])
 
@@ -60,7 +61,7 @@ def explanation_html(explanation: Explanation) -> str:
     title = variant.family.title(language.name)
     try:
         solved = with_figures(variant, asked, language, (motion, 0), explanation.text)
-    except InputError:  # a scene file has no statement
+    except InputError:  # there may be no statement in this language
         return _shown(title, [markup(f"<pre>{escape(str(explanation))}</pre>")])
     writing = page_writing(_name(variant, language.name, *explanation.options.methods))
     problem = statement_html(solved.statement, language, writing)
@@ -100,7 +101,9 @@ def turn_svg(turn: DriverTurn) -> str:
         unit = quantity.unit(length)
         values = np.where(turn.clear, unit.from_si(quantity.value(turn.motion)), np.nan)
         found.append(ChartCurve(f"{quantity.name}, {_unit(unit.name)}", values))
-    return chart(turn.values, f"{turn.name}, {_unit(turn.unit)}", found, float(turn.values[turn.instant]))
+    bounded = turn.ends[0] is not SweepEnd.TURN, turn.ends[1] is not SweepEnd.TURN
+    title = f"{turn.name}, {_unit(turn.unit)}"
+    return chart(Abscissa(turn.values, title, turn.instant, turn.unit == "deg", bounded), found, load_language("en"))
 
 
 def _title(batch: Batch) -> str:

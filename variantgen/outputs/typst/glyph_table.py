@@ -24,6 +24,7 @@ _CYRILLIC = "АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯЁ�
 _DIGITS = "0123456789"
 _MARKS = _DIGITS + ".,+−/°'()=:;·×-"  # as in words
 _SIGNS = {".": ".", ",": ",", "|": "bar.v", "(": "paren.l", ")": "paren.r", "∠": "angle"}  # as in formulas
+_LINES = {"∥": 'class("normal", parallel)', "⟂": 'class("normal", perp)'}  # along and across a line, in an index too
 _SIZES = ("{}", "script({})", "sscript({})")
 _START = 100.0  # where letters begin on a page, pt
 _GROUP = re.compile(r'<g transform="matrix\(1 0 0 -1 (-?[\d.]+) -?[\d.]+\)">(.*?)</g>')
@@ -56,8 +57,8 @@ def wanted(level: int) -> list[tuple[str, str]]:
     letters = {letter: letter for letter in _LETTERS} | {sign: name for name, sign in GREEK.items()}
     digits = {digit: digit for digit in _DIGITS}
     found = {
-        0: letters | digits | _SIGNS,
-        1: letters | digits | {".": ".", "/": r"\/"},
+        0: letters | digits | _SIGNS | _LINES,
+        1: letters | digits | {".": ".", "/": r"\/"} | _LINES,
         2: digits | {"′": "prime"},
     }[level]
     return [(f"{level}i{letter}", _SIZES[level].format(markup)) for letter, markup in found.items()]

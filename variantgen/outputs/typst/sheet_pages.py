@@ -89,7 +89,7 @@ def with_pages(data: Mapping[str, Any], engine: Typesetter) -> dict[str, Any]:
         if set_width(markup) is None
     )
     filling = [
-        Filling(student["problems"], [MEASURES["height"] - heights.of(top) for top in both], heights, data["reorder"])
+        Filling(student, [MEASURES["height"] - heights.of(top) for top in both], heights, data["reorder"])
         for student, both in zip(data["students"], tops, strict=True)
     ]
     for size in SIZES:
@@ -108,12 +108,11 @@ class Filling:
     ``rooms`` are the heights left for problems on the first page and on further ones.
     """
 
-    def __init__(
-        self, problems: Sequence[Mapping[str, Any]], rooms: Sequence[float], heights: Heights, reorder: bool
-    ) -> None:
-        self._problems, self._rooms, self._heights, self._reorder = problems, rooms, heights, reorder
-        self._data = [[_equation_width(equation, heights) for equation in problem["given"]] for problem in problems]
-        least = [_figure_height(problem, SIZES[-1].unit) for problem in problems]
+    def __init__(self, student: Mapping[str, Any], rooms: Sequence[float], heights: Heights, reorder: bool) -> None:
+        self._problems: Sequence[Mapping[str, Any]] = student["problems"]
+        self._signs, self._rooms, self._heights, self._reorder = student["notes"], rooms, heights, reorder
+        self._data = [[_equation_width(found, heights) for found in problem["given"]] for problem in self._problems]
+        least = [_figure_height(problem, SIZES[-1].unit) for problem in self._problems]
         self._fewest = _fewest(least, rooms)
         self._tried: list[list[Arrangement]] = []
         self._places: list[list[int]] = []
@@ -152,7 +151,7 @@ class Filling:
                 break
         gap = min(max(left / max(len(own), 1) + size.gap, size.gap), _WIDEST_GAP)
         return {
-            "signs": _signs([self._problems[i] for i in own]),
+            "signs": [note for note in self._signs if any(note in self._problems[i]["signs"] for i in own)],
             "gap": floor(100 * gap) / 100,  # never more than there is
             "problems": [{"place": i, **_data(plan)} for i, plan in zip(own, arranged, strict=True)],
         }
@@ -168,17 +167,11 @@ def _said(problem: Mapping[str, Any], width: float) -> dict[str, Any]:
     return {"said": {**said, "given": []}, "width": width, "room": MEASURES["height"]}
 
 
-def _signs(problems: Sequence[Mapping[str, Any]]) -> list[str]:
-    """What the signs of the answers on a page mean."""
-    return list(dict.fromkeys(note for problem in problems for note in problem["signs"]))
-
-
 def _tops(student: Mapping[str, Any], code: bool) -> tuple[dict[str, Any], dict[str, Any]]:
     """What stands above the problems of the first page and of further ones: no less than there will be."""
     found = {name: student[name] for name in _HEAD if name in student}
     head = {name: "N" if _is_short(name, text) else text for name, text in found.items()}
-    signs = _signs(student["problems"])
-    first = {"head": head, "signs": signs, "width": MEASURES["width"]}
+    first = {"head": head, "signs": student["notes"], "width": MEASURES["width"]}
     return first, {**first, "head": None, "width": MEASURES["width"] - (MEASURES["code"] if code else 0)}
 
 

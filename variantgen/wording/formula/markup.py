@@ -27,6 +27,7 @@ from variantgen.wording.formula.tree import (
     PointCoordinates,
     Power,
     Product,
+    Quotient,
     Relation,
     Root,
     Sum,
@@ -124,7 +125,9 @@ class Markup(ABC):
             case _:
                 return self._statement(formula)
 
-    def _statement(self, formula: Equation | Relation | SymbolProperty | FormulaList | PointCoordinates | Graph) -> str:
+    def _statement(
+        self, formula: Equation | Relation | SymbolProperty | Quotient | FormulaList | PointCoordinates | Graph
+    ) -> str:
         """What says something about formulas instead of being a value."""
         match formula:
             case Equation(left, right):
@@ -136,6 +139,8 @@ class Markup(ABC):
                 )
             case SymbolProperty(what, symbol):
                 return self.symbol_property(what, self.symbol(symbol))
+            case Quotient(above, below):
+                return self.symbol(above) + self.letter(Symbol("/"), None, Mark.NONE) + self.symbol(below)
             case FormulaList(items):
                 names = all(isinstance(item, Symbol) for item in items)
                 return (self.signs.comma if names else self.signs.semicolon).join(map(self.write, items))

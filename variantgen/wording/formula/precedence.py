@@ -24,6 +24,7 @@ from variantgen.wording.formula.tree import (
     Parenthesised,
     Power,
     Product,
+    Quotient,
     Relation,
     Root,
     Sum,
@@ -63,7 +64,7 @@ def binding(formula: Formula, flat: bool) -> Binding:
             return Binding.PREFIX if as_term(sign, term, True, flat) else min(binding(term, flat), Binding.PREFIX)
         case Sum():
             return Binding.SUM
-        case Product() | Cross() | UnitText():
+        case Product() | Cross() | UnitText() | Quotient():
             return Binding.PRODUCT
         case Measured(_, unit):
             if not unit.parts:

@@ -84,6 +84,14 @@ class SymbolProperty:
 
 
 @dataclass(frozen=True)
+class Quotient:
+    """``ω_1/ω_2``: two symbols in a line, as a ratio that is asked is called."""
+
+    above: Symbol
+    below: Symbol
+
+
+@dataclass(frozen=True)
 class FormulaList:
     """Formulas one after the other: points of a plan that coincide, the arguments of a function.
 
@@ -236,8 +244,9 @@ class Graph:
 
 
 Formula: TypeAlias = (
-    Symbol | Number | UnitText | Measured | Equation | SymbolProperty | FormulaList | Sum | Product | Fraction | Power
-    | Root | Function | Parenthesised | Absolute | Vector | Dotted | Cross | PointCoordinates | Relation | Surd | Graph
+    Symbol | Number | UnitText | Measured | Equation | SymbolProperty | Quotient | FormulaList | Sum | Product
+    | Fraction | Power | Root | Function | Parenthesised | Absolute | Vector | Dotted | Cross | PointCoordinates
+    | Relation | Surd | Graph
 )  # fmt: skip
 
 

@@ -12,7 +12,12 @@ from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Number
 _ABOUT = {"modulus": "abs({})", "angle": "angle ({}, x)", "sense": 'op("sgn") {}'}
 _MARKS = {Mark.NONE: "{}", Mark.ARROW: "arrow({})", Mark.DOT: "dot({})", Mark.DOTS: "dot.double({})"}
 
-_SIGNS = {"/": "\\/", "′": "zws'", "∥": "parallel", "⟂": "perp"}  # a bare stroke would make a fraction
+_SIGNS = {
+    "/": "\\/",
+    "′": "zws'",
+    "∥": 'class("normal", parallel)',
+    "⟂": 'class("normal", perp)',
+}  # a bare stroke would make a fraction
 
 
 @lru_cache(maxsize=10_000)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
 from variantgen.mechanism.joints.slot import Slot
-from variantgen.wording.formula import Dotted, Formula, FormulaList, Fraction, Function, Index, Symbol, Vector
+from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Quotient, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language, on_line
 from variantgen.wording.solution.phrases import Phrases
@@ -37,7 +37,7 @@ class Symbols:
             vector = self._vector(Name(name.body, name.of))
             return Function(self.phrases.functions["cos"], FormulaList((Vector(vector), Symbol(name.part))))
         if name.kind == "ratio":
-            return Fraction(*(self.letter(Name("omega", body)) for body in (name.of, name.about)))
+            return Quotient(self.letter(Name("omega", name.of)), self.letter(Name("omega", name.about)))
         return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
 
     def letter(self, name: Name) -> Symbol:
@@ -53,6 +53,8 @@ class Symbols:
             case "x" | "y" if name.body:
                 centre = self.centre(name.of, name.body)
                 return Symbol(name.kind, (Index(centre.base), *centre.index))
+            case "rope":
+                return Symbol("v", (Index(self.language.words("index")["rope"], True), Index(name.of + name.about)))
             case "curvature":
                 return Symbol("rho", (Index(name.of),))
             case "x" | "y":

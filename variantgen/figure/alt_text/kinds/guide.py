@@ -31,7 +31,8 @@ def _clause(alt_text: AltText, joint: Guide) -> str:
         body = alt_text.body(alt_text.owners(point)[0])
         where = alt_text.say("guide_at", point=name) if name else ""
         return alt_text.say("guide_bearing", body=body, where=where, line=line)
-    if board.is_translated(point):
+    alone = all(len(board.form.bodies[body]) == 1 for body in alt_text.owners(point))  # it is the block itself
+    if board.is_translated(point) and not alone:
         alt_text.hinged.add(point)
         bodies = alt_text.parts(alt_text.owners(point))
         return alt_text.say("guide_rigid", point=name, bodies=bodies, line=line)

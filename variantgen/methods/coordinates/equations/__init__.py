@@ -19,13 +19,13 @@ from variantgen.methods.solution.book import Book
 PREPARE, STATE = "prepare", "state"
 
 
-def model_of(book: Book) -> Model:
-    """The mechanism of a book in coordinates.
+def model_of(book: Book, whole: bool = False) -> Model:
+    """The part of the mechanism of a book that leads to what is asked in coordinates, or the ``whole`` mechanism.
 
     Drivers and joints that make coordinates known come first, then what others say, then rigid bodies. Raises
     LookupError where the geometry of a joint cannot be worked out.
     """
-    model, task = Model(book), book.task
+    model, task = Model(book, whole), book.task
     drivers = list(zip(task.scene.drivers, task.form.drivers, strict=True))
     said = [*drivers, *((joint, None) for joint in task.scene.joints)]
     speaking = [(constraint, template) for constraint, template in said if model.is_relevant(constraint)]

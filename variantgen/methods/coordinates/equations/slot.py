@@ -37,7 +37,7 @@ def state(model: Model, joint: Slot, template: None) -> None:
         key, facts["angle"] = f"{key}_oblique", fixed_number("angle", normal_angle(degrees(way)))
     facts["way"] = Name("slide", joint.point, slide.name.about if slide.name else "")
     model.add_vector(key, pole, joint.point, terms, **facts)
-    if joint.sleeve is not None and joint.sleeve in model.task.needed.bodies:
+    if joint.sleeve is not None and model.is_needed(joint.sleeve):
         turns = model.swept(joint.sleeve), model.swept(joint.body)
         model.add("sleeve", *turns, first=Body(joint.sleeve), second=Body(joint.body))
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot
+from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot, Times
 from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.angles import between
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import Ray
+from variantgen.methods.steps.step import triangle
 
 
 class Derivation(ConstructedPoint):
@@ -50,15 +51,24 @@ class Derivation(ConstructedPoint):
         sign, height = positive(summed(geometry.projected("sin", self._way(), line)))
         if geometry.is_nothing(height):
             return geometry.angle(base)
-        beta = self._corner(Applied("arcsin", Ratio(height, geometry.length(other, self.point))))
+        beta = self._corner(Applied("arcsin", Ratio(height, geometry.length(other, self.point))), height)
         return geometry.angle(base, ((-sign if ahead else sign, beta),))
 
-    def _corner(self, beta: Expression) -> Expression:
-        """The angle of the link with the line: a corner of the triangle with a point of the line, or one by itself."""
+    def _corner(self, beta: Expression, height: Expression) -> Expression:
+        """The angle of the link with the line: a corner of the triangle with a point of the line, or one by itself.
+
+        The ``height`` of that triangle is a side of it, where it has a right angle, or a side times a sine.
+        """
         start, centre = self.neighbours()
         shown = start not in self.geometry.task.form.figure.hidden
         ways = [self.geometry.vector(self.point, name) for name in (start, centre)]
         if shown and len(self._way()) == 1 and (ways[0].conjugate() * ways[1]).real > 0:
+            corners = (self.point, start, centre)
+            if self.geometry.known_corner(self.point, centre, start) is None and self.geometry.lettered.issuperset(
+                corners
+            ):
+                shape = "sines" if isinstance(height, Times) else "right"
+                self.geometry.say(f"triangle_{shape}", triangle=triangle(*sorted(corners)))
             return self.geometry.corner(self.point, centre, start, beta)
         ahead = self.geometry.ahead_on(start, self.guide(start)) if shown else ""
         line = "link" if ahead and ahead != self.point else "guide"
