@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import Phase, given, settings
 
 from variantgen import testing
 from variantgen.errors import InputError, ToolMissingError
@@ -145,6 +145,7 @@ def test_variants_are_of_all_forms_that_have_what_is_wanted() -> None:
 
 
 def test_an_example_is_told_in_one_line() -> None:
+    @settings(phases=[Phase.generate])
     @given(testing.variants("slotted_rocker"))
     def wrong(variant: Variant) -> None:
         assert variant.si("OA") < 0.01

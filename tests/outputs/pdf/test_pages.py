@@ -49,6 +49,40 @@ def test_solutions_of_five_problems_take_seven_pages(name: str, tmp_path: Path) 
             document.close()
 
 
+SOLVED = (
+    ("en", ("four_bar", "planetary_train", "disc_on_arc_with_rod", "movable_pulley")),
+    ("ru", ("three_rod_plate", "ladder", "quick_return_shaper", "gear_pair_with_crank")),
+    ("en", ("guided_plate", "cam_disc", "wheel_with_rod", "plate_acceleration_centre")),
+    ("ru", ("two_loop_mechanism", "point_on_rotating_disc", "spool", "sleeve_on_crank")),
+)
+
+
+@pytest.mark.parametrize(("language", "families"), SOLVED)
+def test_no_page_of_solutions_is_less_than_half_full_but_the_last(
+    language: str, families: tuple[str, ...], tmp_path: Path
+) -> None:
+    """Down to where there is ink, above the line of the foot."""
+    exam, out = tmp_path / "exam.toml", tmp_path / "out"
+    problems = "".join(f'[[problem]]\nfamily = "{family}"\n' for family in families)
+    exam.write_text(f'title = "Solved"\nlanguage = "{language}"\n[solutions]\ndepth = "full"\n{problems}', "utf-8")
+    assert main(["build", str(exam), "--variants", "1", "--seed", "41", "--out", str(out)]) == 0
+    document = pypdfium2.PdfDocument(out / "solutions.pdf")
+    try:
+        filled = [ink_depth(page) for page in document]
+    finally:
+        document.close()
+    assert len(filled) > 2
+    assert [share for share in filled[:-1] if share < 0.5] == []
+
+
+def ink_depth(page: pypdfium2.PdfPage) -> float:
+    """How much of the height between the margins (14 mm and 16 mm) lies above the lowest ink."""
+    grey = page.render(scale=0.5, grayscale=True).to_numpy().reshape(-1, round(page.get_width() * 0.5))
+    body = grey[round(len(grey) * 14 / 297) : round(len(grey) * 281 / 297)]
+    dark = (body < 200).any(axis=1).nonzero()[0]
+    return float((dark[-1] + 1) / len(body)) if dark.size else 0.0
+
+
 # High and low in turn: in this order two do not fit on the first page, and one by one they take a page more.
 TURNS = (
     "movable_pulley",

@@ -100,8 +100,6 @@ def _alike(forms: list[dict[str, Any]]) -> Iterator[tuple[list[str], dict[str, A
 
 def _told(form: Mapping[str, Any]) -> Iterator[str]:
     """The parameters of a form, and what it can be asked for."""
-    from variantgen.families.quantities import FURTHER
-
     rows = [
         (f"  {name}", parameter.get("unit", ""), _values(parameter)) for name, parameter in form["parameters"].items()
     ]
@@ -109,8 +107,9 @@ def _told(form: Mapping[str, Any]) -> Iterator[str]:
     yield from in_columns(rows)
     yield from ("", "can be asked (* is asked if nothing is named)")
     yield from in_columns(list(_asked(form)))
-    yield from ("", "and, with the points, links and cords of this mechanism in place of A, B, C, D:")
-    yield f"  {'  '.join(FURTHER)}"
+    if form["likewise"]:
+        yield from ("", "likewise, of any points, lines and bodies for which the data do not tell it, such as")
+        yield from in_columns([(f"  {item['quantity']}", item["symbol"], item["unit"]) for item in form["likewise"]])
 
 
 def _values(parameter: Mapping[str, Any]) -> str:

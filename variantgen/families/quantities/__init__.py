@@ -33,7 +33,6 @@ What there is of a kind is told by one table: :data:`variantgen.families.quantit
 from variantgen.families.quantities.kinds import line_ends
 from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
 from variantgen.families.quantities.reading import (
-    FURTHER,
     in_unit,
     parse_quantity,
     quantity_names,
@@ -42,7 +41,6 @@ from variantgen.families.quantities.reading import (
 )
 
 __all__ = [
-    "FURTHER",
     "Quantity",
     "in_unit",
     "line_ends",

@@ -22,14 +22,6 @@ _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
 
 
-# One name of each kind that is made of the plain ones or of positions: any points, bodies and ropes may stand there.
-FURTHER = (
-    *("x_B", "y_B", "angle_AB", "angle_A.B.C", "distance_A.B"),
-    *("v_B.along_AC", "v_B.across_AC", "a_B.t", "a_B.n", "rho_B"),
-    *("P_AB.x", "P_AB.y", "Q_AB.x", "Q_AB.y", "ratio_AB.CD", "v_rope.A.B"),
-)
-
-
 def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[str] = ()) -> Quantity:
     """The quantity of that name in a scene; InputError with the nearest (``offered``) names if it has none such."""
     known = quantity_names(scene)

@@ -203,10 +203,9 @@ def _relative(book: Book, group: SlidingPair) -> tuple[Known, Term | None]:
     if path.line is None:
         return known, across(book, name, None, (point, path.centre), 1)
     angle = book.geometry.direction(*path.line)
-    figure = book.task.form.figure
-    if set(path.line) & set(figure.hidden):
-        in_slot = any(set(path.line) <= set(slot) for slot in figure.grooves)
-        return known, book.term(name, None, angle, "groove" if in_slot else "path")
+    figure, ends = book.task.form.figure, set(path.line)
+    if ends & set(figure.hidden):
+        return known, book.term(name, None, angle, "groove" if any(ends <= {*g} for g in figure.grooves) else "path")
     return known, book.term(name, None, angle, "slot", segment=Segment(*path.line))
 
 
