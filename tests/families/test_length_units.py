@@ -140,7 +140,8 @@ def test_units_of_the_command_line(capsys: pytest.CaptureFixture[str], tmp_path:
 def test_a_problem_has_its_own_unit(tmp_path: Path) -> None:
     path = tmp_path / "exam.toml"
     path.write_text(
-        'title = "T"\nlanguage = "en"\nseed = 1\nunits = "mm"\n[[problem]]\nfamily = "four_bar"\nunits = "in"\nset = { OA = 10 }\n'
+        'title = "T"\nlanguage = "en"\nseed = 1\nunits = "mm"\n'
+        '[[problem]]\nfamily = "four_bar"\nunits = "in"\nset = { OA = 10 }\n'
         '[[problem]]\nfamily = "four_bar"\nset = { OA = 300 }\n',
         encoding="utf-8",
     )
