@@ -209,7 +209,10 @@ def _printed(top: Table, key: str, text: str) -> str:
 
 
 def _units(top: Table) -> str:
-    """The unit of length of data and answers; '' if each family keeps its own. Mistakes are noted in the table."""
+    """The unit of length of data and answers, of the exam or of one problem; '' if nothing is said there.
+
+    Mistakes are noted in the table.
+    """
     name = top.take("units", str, "")
     if "units" in top.data:
         with top.collecting("units"):
@@ -269,6 +272,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         methods = check_methods(
             (table.take("method", str, ""),) if isinstance(table.data.get("method"), str) else table.strings("method")
         )
+    units = _units(table) or units
     table.finish()
     families = []
     for name in names:
