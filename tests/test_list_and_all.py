@@ -40,8 +40,12 @@ def scene(tmp_path):
 
 
 def _rows(text: str) -> dict[str, list[str]]:
-    """Rows of the terminal's tables by their first word."""
-    return {line.split()[0]: line.split()[1:] for line in text.splitlines() if line.strip()}
+    """Rows of the terminal's tables by their first word; of those of a name the first."""
+    found: dict[str, list[str]] = {}
+    for line in text.splitlines():
+        if line.strip():
+            found.setdefault(line.split()[0], line.split()[1:])
+    return found
 
 
 def test_a_family_with_its_forms(capsys):
@@ -65,6 +69,7 @@ def test_the_document_of_a_family(capsys):
     assert central["parameters"]["OA"] == {"symbol": "OA", "unit": "cm", "from": 10.0, "to": 40.0, "step": 1.0}
     assert central["parameters"]["sense"] == {"choices": ["counter_clockwise", "clockwise"]}
     assert {"quantity": "v_B.angle", "symbol": "∠(v_B, x)", "unit": "deg"} in central["can_be_asked"]
+    assert {"quantity": "rho_B", "symbol": "ρ_B", "unit": "cm"} in central["likewise"]
     assert "omega_OA" not in [item["quantity"] for item in central["can_be_asked"]]  # it is given
 
 
@@ -130,6 +135,15 @@ def test_everything_of_a_scene(scene, capsys):
     assert rows["O"][2:6] == ["0", "0", "0", "-"]
 
 
+def test_curvature_of_paths(scene, capsys):
+    """The pin of the crank runs on its circle: a_n = r w^2; the slider on a line."""
+    assert main(["solve", str(scene), "--all", "--json"]) == 0
+    tables = json.loads(capsys.readouterr().out)["tables"]
+    paths = next(table["rows"] for table in tables if table["title"] == "paths")
+    assert paths["A"] == [pytest.approx(0, abs=1e-9), pytest.approx(80), pytest.approx(20)]
+    assert paths["B"][1:] == [0, None]
+
+
 def test_everything_as_data(scene, capsys):
     assert main(["solve", str(scene), "--all", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -137,7 +151,7 @@ def test_everything_as_data(scene, capsys):
     assert values["v_A"] == (pytest.approx(40), "cm/s")
     assert values["a_A.angle"] == (pytest.approx(-150), "deg")
     assert values["omega_OA.sense"] == (1, "1")
-    assert [table["title"] for table in found["tables"]] == ["points", "bodies"]
+    assert [table["title"] for table in found["tables"]] == ["points", "paths", "bodies"]
     assert found["answers"][0]["quantity"] == "v_B"
 
 

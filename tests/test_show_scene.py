@@ -100,3 +100,13 @@ def test_what_the_file_says_of_a_body_stands(tmp_path):
     hints = load_family(str(path)).forms[""].figure
     assert hints.plates == ()
     assert hints.lines == (("C", "D"), ("D", "B"))
+
+
+def test_a_scene_with_parameters_needs_no_title(tmp_path, capsys):
+    text = (KINDS / "oblique_guides.toml").read_text(encoding="utf-8")
+    parameter = 'v_A = { unit = "in/s", from = 5, to = 15, step = 1 }'
+    text = text.replace("[points]", f"[parameters]\n{parameter}\n\n[points]").replace("v = 10", 'v = "v_A"')
+    path = tmp_path / "guides.toml"
+    path.write_text(text, encoding="utf-8")
+    assert main(["check", str(path), "--seeds", "20"]) == 0
+    assert "guides: ok" in capsys.readouterr().out

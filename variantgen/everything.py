@@ -1,14 +1,15 @@
 """Everything that can be known of a solved variant, as tables: ``solve --all``.
 
-Points have their places, velocities and accelerations with components on paper and directions; bodies the length and
-the direction of the line of their first two points, their rates and both centres; sliding points their relative motion.
+Points have their places, velocities and accelerations with components on paper and directions, and the curvature of
+their paths; bodies the length and the direction of the line of their first two points, their rates and both centres;
+sliding points their relative motion.
 Whatever else can be asked stands in a list.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
@@ -20,6 +21,7 @@ from variantgen.mechanism.centres import CentrePosition, acceleration_centre, ve
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion
+from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.variant import Variant, solve_variants
 
 _NOTHING = 1e-11  # of the largest number of a column: what is smaller is rounding
@@ -55,7 +57,7 @@ def everything(variant: Variant) -> list[ResultTable]:
     """The tables of a variant that can be solved."""
     motion, length = _motion(variant), variant.family.length_unit
     others = [_value(q, motion, length) for q in _asked(variant) if q.kind not in _IN_TABLES]
-    found = [_points(motion, length), _bodies(motion, length), _relative(motion, length)]
+    found = [_points(motion, length), _paths(motion, length), _bodies(motion, length), _relative(motion, length)]
     found += [
         ResultTable(
             "others",
@@ -100,6 +102,20 @@ def _points(motion: Motion, length: str) -> ResultTable:
             row += [abs(complex(x, y)), x, y, _direction(complex(x, y))]
         rows[point] = tuple(row)
     return ResultTable("points", tuple(columns), rows)
+
+
+def _paths(motion: Motion, length: str) -> ResultTable:
+    """The parts of accelerations along and across the paths of points, and the radii of curvature of these."""
+    own = _unit(2, length).name
+    columns = (("a.t", own), ("a.n", own), ("rho", length))
+    fixed = fixed_points(motion.scene)
+    names = [point for point in motion.a if point not in fixed] if motion.a else []
+    kinds = [Quantity("a", "", "t"), Quantity("a", "", "n"), Quantity("rho", "")]
+    rows = {
+        point: tuple(_value(replace(kind, target=point), motion, length)["value"] for kind in kinds) for point in names
+    }
+    moving = {point: row for point, row in rows.items() if any(number is not None for number in row)}
+    return ResultTable("paths", columns, moving)
 
 
 def _bodies(motion: Motion, length: str) -> ResultTable:

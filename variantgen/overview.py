@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from decimal import Decimal
-from itertools import pairwise
+from itertools import pairwise, permutations
 from typing import Any
 
+from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.parameter import Parameter
-from variantgen.families.quantities import split_name
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language
 
 _POINTS = 10
+# Names with points p, q, r and bodies b, c.
+_PATTERNS = (
+    "x_{p}", "y_{p}", "angle_{p}{q}", "angle_{p}.{q}.{r}", "distance_{p}.{q}", "v_{p}.along_{q}{r}",
+    "v_{p}.across_{q}{r}", "a_{p}.t", "a_{p}.n", "rho_{p}", "ratio_{b}.{c}", "P_{b}.x", "Q_{b}.y",
+)  # fmt: skip
 
 
 def overview(family: Family, language: Language, named: str = "") -> dict[str, Any]:
@@ -39,6 +46,7 @@ def _form(family: Family, form: Form, language: Language) -> dict[str, Any]:
         "parameters": {name: _parameter(p, form, language) for name, p in form.parameters.items()},
         "ask": list(form.ask),
         "can_be_asked": list(_askable(family, form, language)),
+        "likewise": [_described(quantity, family, form, language) for quantity in _likewise(form)],
         "grid_size": form.grid_size,
     }
 
@@ -71,9 +79,38 @@ def _askable(family: Family, form: Form, language: Language) -> Iterable[dict[st
     given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
     for name in form.askable:
         if name.removesuffix(".abs").removesuffix(".sense") not in given:
-            quantity = split_name(name)
-            symbol = to_plain(language.quantity(quantity, form.symbols))
-            yield {"quantity": name, "symbol": symbol, "unit": quantity.unit(family.length_unit).name}
+            yield _described(split_name(name), family, form, language)
+
+
+def _described(quantity: Quantity, family: Family, form: Form, language: Language) -> dict[str, str]:
+    symbol = to_plain(language.quantity(quantity, form.symbols))
+    return {"quantity": quantity.name, "symbol": symbol, "unit": quantity.unit(family.length_unit).name}
+
+
+def _likewise(form: Form) -> Iterator[Quantity]:
+    """One quantity of each kind of which there are too many to name all: made of others, or of positions alone."""
+    points, bodies = list(form.points), list(form.bodies)
+    for pattern in _PATTERNS:
+        found = (_quantity(form, name) for name in _filled(pattern, points, bodies))
+        first = next((quantity for quantity in found if quantity is not None), None)
+        if first is not None:
+            yield first
+
+
+def _filled(pattern: str, points: Sequence[str], bodies: Sequence[str]) -> Iterator[str]:
+    """The names that a pattern stands for: with different points p, q, r and different bodies b, c."""
+    needed = [letter for letter in "pqr" if f"{{{letter}}}" in pattern]
+    pairs = [letter for letter in "bc" if f"{{{letter}}}" in pattern]
+    for chosen in permutations(points, len(needed)):
+        for others in permutations(bodies, len(pairs)):
+            yield pattern.format(**dict(zip(needed, chosen, strict=True)), **dict(zip(pairs, others, strict=True)))
+
+
+def _quantity(form: Form, name: str) -> Quantity | None:
+    """The quantity of a name, if the form can be asked for it."""
+    with suppress(InputError):
+        return read_ask(form, [name])[0]
+    return None
 
 
 def _number(value: Decimal) -> str:

@@ -85,11 +85,13 @@ def _check_places(variant: Variant) -> None:
             f"the points {first} and {second} of this body lie in one place: two names for one point",
             key=f"bodies.{body}",
             value=", ".join(members),
-            remedy=f"use one of the names everywhere (a point of two bodies is a hinge), or place {second} elsewhere",
+            remedy=f"use one of the names everywhere (a point of two bodies is a hinge), place {second} elsewhere, or"
+            f' say that it is so:  {second} = "{first}"  in [points]',
         )
         for body, members in variant.form.bodies.items()
         for first, second in combinations(members, 2)
-        if abs(complex(motion.z[first][0] - motion.z[second][0])) <= _ONE_PLACE * size
+        if variant.form.points[first] is not variant.form.points[second]  # told to be in one place
+        and abs(complex(motion.z[first][0] - motion.z[second][0])) <= _ONE_PLACE * size
     ]
     if problems:
         raise InputError(problems)

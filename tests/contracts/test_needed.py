@@ -18,8 +18,8 @@ from variantgen.mechanism.structure import FreePoint, GuidedPoint
 
 NOTHING_ELSE = {"cli", "errors", "version"}
 SOLVING = NOTHING_ELSE | {
-    "algebra", "exam", "families", "letters", "limits", "mechanism", "methods", "resources", "single", "tables",
-    "variants", "wording",
+    "algebra", "exam", "families", "letters", "limits", "mechanism", "methods", "notebook", "resources", "single",
+    "tables", "variants", "wording",
 }  # fmt: skip
 BUILDING = (SOLVING - {"single"}) | {"builder", "figure", "outputs"}
 EXAM = 'title = "T"\nlanguage = "en"\n[solutions]\ndepth = "none"\n[[problem]]\nfamily = "slider_crank"\n'

@@ -195,3 +195,9 @@ def test_the_rod_and_the_ray_have_one_projection_on_the_guide(form: str, seed: s
     assert "AP and AB have the same projection on the path of B" in text
     assert f"= {100 * arm:.4g}" in text  # the program gives 151.64 for a leading one
     assert abs(complex(motion.v["A"][0])) / arm == pytest.approx(abs(found["omega_AB"]), rel=1e-6)
+
+
+def test_the_given_angle_of_a_guide_is_that_of_all_points_of_a_body_in_translation() -> None:
+    # The guide holds another point of the rod than A; gamma lies between rod and face.
+    text, _ = solved("wedge_and_rod", "inclined", "3")
+    assert "v_A sin γ = v sin δ" in text

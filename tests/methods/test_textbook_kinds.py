@@ -7,12 +7,14 @@ independent computation confirms; so it is enough that there is one.
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
+from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
-from variantgen.families.quantities import split_name
+from variantgen.families.quantities import motion_order, split_name
 from variantgen.families.units import unit
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
@@ -27,7 +29,7 @@ METHODS = {"by itself": (), "coordinates": ("coordinates",)}
 def _answered(variant: Variant, names: list[str], methods: tuple[str, ...]) -> list[str]:
     """The quantities that the solution for these ones answers."""
     asked = read_ask(variant.form, names)
-    motion = solve_variants([variant], max(quantity.order for quantity in asked))
+    motion = solve_variants([variant], motion_order(asked))
     return [name for name, _ in solution(task_of(variant, motion, 0, asked), methods).answers]
 
 
@@ -50,6 +52,32 @@ def test_each_by_itself(path):
     variant = one_variant(str(path))
     for name in _wholes(variant):
         assert _answered(variant, [name], ()) == [name]
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_what_is_made_of_others(path):
+    """Positions, the path of a point, components along a line, coordinates of centres, a ratio: what data do not tell.
+
+    A point at rest has no path: that is said, and no method leads to it.
+    """
+    variant = one_variant(str(path))
+    form, bodies = variant.form, list(variant.form.bodies)
+    moving = [name[2:] for name in _wholes(variant) if re.fullmatch("v_[A-Z][0-9]*", name)]
+    names = [f"{kind.format(p)}" for p in moving for kind in ("x_{}", "y_{}", "rho_{}", "a_{}.t", "a_{}.n")]
+    names += [f"v_{moving[0]}.along_{a}{b}" for a, b in [list(form.points)[:2]]]
+    names += [f"{kind}_{body}.{axis}" for body in bodies for kind, axis in (("P", "x"), ("Q", "y"))]
+    names += [f"ratio_{bodies[-1]}.{bodies[0]}"] if len(bodies) > 1 else []
+    asked = []
+    for name in names:
+        with suppress(InputError):
+            asked += read_ask(form, [name])
+    motion = solve_variants([variant], 2)
+    slowest = 1e-9 * max(abs(complex(v[0])) for v in motion.v.values())
+    for quantity in asked:
+        path_alone = quantity.kind == "rho" or quantity.component in ("t", "n")
+        if path_alone and abs(complex(motion.v[quantity.target][0])) < slowest:
+            continue
+        assert _answered(variant, [quantity.name], ()) == [quantity.name]
 
 
 @pytest.mark.parametrize("digits", [3, 8])

@@ -72,7 +72,7 @@ class FormReader:
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         self._read_laws(self.top.table("laws"))
-        points = self._by_name(self.top.table("points"), "variantgen.mechanism.constructions")
+        points = self._templates.points(self.top.table("points"))
         bodies_table = self.top.table("bodies")
         bodies = {name: bodies_table.strings(name) for name in bodies_table.data}
         self._check_names("points", points)
@@ -267,11 +267,6 @@ class FormReader:
             )
         (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
         return expression
-
-    def _by_name(self, table: Table, package: str) -> dict[str, ComponentTemplate]:
-        return table.each(
-            lambda name, value: self._templates.read(Table(value, table.key(name), self.problems), package)
-        )
 
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]

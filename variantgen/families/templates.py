@@ -12,6 +12,7 @@ from variantgen.families.expressions import FamilyExpression, number
 from variantgen.families.family import ComponentTemplate
 from variantgen.families.units import UNITS, Unit, checked, is_number, parse_value
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
+from variantgen.mechanism.constructions.near import Near
 from variantgen.tables import Table, shown
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -40,6 +41,26 @@ class TemplateReader:
             table.problem("unknown kind", "", kind, nearest(kind, kinds))
             return None
         return self._fields(table.table(kind), kinds[kind])
+
+    def points(self, table: Table) -> dict[str, ComponentTemplate]:
+        """The points; one that is given by the name of another one, ``E = "A"``, lies in its place."""
+        others: dict[str, str] = {}
+
+        def read(name: str, value: Any) -> ComponentTemplate | None:
+            if isinstance(value, str):
+                others[name] = value
+                return None
+            return self.read(Table(value, table.key(name), table.problems), "variantgen.mechanism.constructions")
+
+        found = table.each(read)
+        for name, other in others.items():
+            if other in others or other not in table.data:
+                table.problem("unknown point, or one without a place of its own", name, other, nearest(other, found))
+            elif other in found and found[other].component is Near:
+                table.problem("is placed by conditions, so no other point can lie in its place", name, other)
+            elif other in found:
+                found[name] = found[other]
+        return {name: found[name] for name in table.data if name in found}
 
     def _fields(self, table: Table, component: type) -> ComponentTemplate:
         specs = field_specs(component)

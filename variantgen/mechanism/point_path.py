@@ -7,7 +7,7 @@ import numpy as np
 from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Field, Motion
 
-_AT_REST = 1e-12  # of the largest velocity: a smaller one is none but for rounding
+_AT_REST = 1e-12  # of the largest velocity or acceleration: a smaller one is none but for rounding
 _STRAIGHT = 1e-12  # sine between velocity and acceleration within which they are parallel but for rounding
 
 
@@ -39,7 +39,9 @@ def _turning(motion: Motion, point: str) -> Field:
     """``|v x a|``; zero where nothing but rounding is left of it."""
     v, a = motion.v[point], motion.a[point]
     size = np.abs(np.asarray(cross(v, a)))
-    found: Field = np.where(size > _STRAIGHT * np.abs(v) * np.abs(a), size, 0.0)
+    largest = np.max([np.abs(other) for other in motion.a.values()], axis=0)
+    is_some = np.abs(a) > _AT_REST * largest
+    found: Field = np.where(is_some & (size > _STRAIGHT * np.abs(v) * np.abs(a)), size, 0.0)
     return found
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -25,15 +24,26 @@ class RopePiece:
         """The bends from each end of the rope to the piece, the end first."""
         return self.rope.path[: self.number + 1], self.rope.path[: self.number : -1]
 
+    @property
+    def ends(self) -> tuple[str, str]:
+        """The points of the bends at its ends."""
+        first, second = self.rope.path[self.number : self.number + 2]
+        return first.point, second.point
+
+    def ray_at(self, end: Bend, at: Placement) -> complex:
+        """The direction (unit vector on paper) of the straight piece at an end of the rope."""
+        return complex(self.rope.pieces(at)[0 if end is self.rope.path[0] else -1][0])
+
+
+def rope_pieces(scene: Scene) -> list[RopePiece]:
+    """The straight pieces of all ropes."""
+    ropes = [joint for joint in scene.joints if isinstance(joint, Rope)]
+    return [RopePiece(rope, number) for rope in ropes for number in range(len(rope.path) - 1)]
+
 
 def rope_piece(scene: Scene, first: str, second: str) -> RopePiece | None:
     """The straight piece of a rope between two stations; None where no rope runs so."""
-    for joint in scene.joints:
-        if isinstance(joint, Rope):
-            for number, ends in enumerate(pairwise(joint.path)):
-                if {bend.point for bend in ends} == {first, second}:
-                    return RopePiece(joint, number)
-    return None
+    return next((piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second}), None)
 
 
 def rope_speed(motion: Motion, piece: RopePiece) -> Field:

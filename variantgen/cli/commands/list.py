@@ -107,6 +107,9 @@ def _told(form: Mapping[str, Any]) -> Iterator[str]:
     yield from in_columns(rows)
     yield from ("", "can be asked (* is asked if nothing is named)")
     yield from in_columns(list(_asked(form)))
+    if form["likewise"]:
+        yield from ("", "likewise, of any points, lines and bodies for which the data do not tell it, such as")
+        yield from in_columns([(f"  {item['quantity']}", item["symbol"], item["unit"]) for item in form["likewise"]])
 
 
 def _values(parameter: Mapping[str, Any]) -> str:

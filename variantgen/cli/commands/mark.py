@@ -38,22 +38,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Mark the class."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
+    from variantgen.exam.marking_policy import read_policy_file
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.marking.answer_tables import FormWords, read_answers
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
+    from variantgen.marking.pages import FILES as PAGES
+    from variantgen.marking.pages import write_pages
     from variantgen.marking.records import FILES, write_marks
     from variantgen.outputs.files.folder import check_free, whole_folder
 
-    check_free(arguments.out, arguments.force, lambda: FILES)
+    known = (*FILES, *PAGES)
+    check_free(arguments.out, arguments.force, lambda: known)
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
-    policy = read_policy_file(arguments.policy, asked) if arguments.policy else MarkingPolicy()
+    policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
     found = mark(finished, read_answers(arguments.answers, FormWords.of(finished.exam)), policy)
-    with whole_folder(arguments.out, arguments.force, lambda: FILES) as work:
+    with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
+        write_pages(work, finished, found, arguments.anonymous)
     if arguments.json:
         say(_json(found, arguments.anonymous))
     for difference in finished.differences:
@@ -63,7 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
     if len(found.not_matched) > _SHOWN:
         tell(f"and {len(found.not_matched) - _SHOWN} more, see not_matched.csv")
     tell(_summary(found))
-    tell(f"written: {arguments.out}: {', '.join(FILES)}")
+    tell(f"written: {arguments.out}: {', '.join((*FILES, *PAGES))}")
     return 0
 
 

@@ -32,7 +32,13 @@ What there is of a kind is told by one table: :data:`variantgen.families.quantit
 
 from variantgen.families.quantities.kinds import line_ends
 from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
-from variantgen.families.quantities.reading import in_unit, parse_quantity, quantity_names, split_name, split_unit
+from variantgen.families.quantities.reading import (
+    in_unit,
+    parse_quantity,
+    quantity_names,
+    split_name,
+    split_unit,
+)
 
 __all__ = [
     "Quantity",

@@ -5,15 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities.kinds import KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.families.units import UNITS, usual_name
-from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.relative import sliding_points
-from variantgen.mechanism.rope_speed import rope_piece
+from variantgen.mechanism.rope_speed import rope_piece, rope_pieces
 from variantgen.mechanism.scene import Scene, fixed_points
 
 _PART = "[A-Za-z][A-Za-z0-9]*"
@@ -138,8 +136,7 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if quantity is not None and quantity.group == "ratio":
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(scene.bodies)}"
     if quantity is not None and quantity.group == "rope":
-        ropes = [joint.path for joint in scene.joints if isinstance(joint, Rope)]
-        pieces = [f"{ROPE}.{one.point}.{other.point}" for path in ropes for one, other in pairwise(path)]
+        pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if letter in _ANGLES or letter == "angle":
         if line_ends(target, scene.points):

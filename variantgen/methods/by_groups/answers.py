@@ -81,7 +81,7 @@ def _rope(book: Book, quantity: Quantity) -> Value:
             book.say("answers.rope_on_drum", False, body=Body(known.target))
             radius = book.geometry.radius(end.point, float(end.radius) / task.length_unit, known.target)
             return book.derive(name, "velocity", _rate(book, Quantity("omega", known.target, "abs")) * radius)
-        ray = task.rays(piece.rope)[0 if end is piece.rope.path[0] else -1]
+        ray = piece.ray_at(end, task.in_metres)
         book.say("answers.rope_at_end", False, point=Point(end.point))
         whole = sum_of(named_shares(book, vector(book, end.point), Value(None, "angle", degrees(ray))))
         return book.derive(name, "velocity", whole if whole.number(True) >= 0 else -whole)

@@ -18,6 +18,9 @@ from variantgen.methods.vectors.vector_equation import named_shares
 _WORDS = {"t": "tau", "n": "n"}  # components along the path, as names of a solution have them
 
 
+_NOTHING = 1e-11  # of the largest acceleration: a smaller one is rounding
+
+
 def vector_answer(book: Book, quantity: Quantity) -> Value:
     """The magnitude of a vector, a component of it, or its direction; lines that it still needs are added."""
     if quantity.component in _WORDS:
@@ -44,7 +47,7 @@ def curvature_radius(book: Book, point: str) -> Value:
     name = Name("curvature", point)
     with book.step("answers.curvature", point=Point(point)):
         speed = modulus(book.at(1), Name("v", point), vector(book.at(1), point))
-        if normal.exact == 0:
+        if abs(normal.exact) <= _NOTHING * book.task.largest_acceleration:
             return Value(name, "length", float("inf"))
         return book.derive(name, "length", Ratio(Raised(speed, 2), normal))
 

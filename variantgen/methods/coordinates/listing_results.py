@@ -87,7 +87,7 @@ class _Outputs:
         if known.kind == "omega":
             return f"abs({self._rate(known.target, 1)})*{number(float(end.radius) / task.length_unit)}"
         x, y = self._components(end.point, 1)
-        ray = task.rays(piece.rope)[0 if end is piece.rope.path[0] else -1]
+        ray = piece.ray_at(end, task.in_metres)
         return f"abs(({x})*({number(ray.real)}) + ({y})*({number(ray.imag)}))"
 
     def _position(self, quantity: Quantity) -> str:

@@ -15,7 +15,6 @@ from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import unit
-from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
@@ -69,10 +68,10 @@ class Task:
         """The mechanism as a reader of the figure sees it."""
         return Linkage(self.scene)
 
-    def rays(self, rope: Rope) -> list[complex]:
-        """The directions of the straight pieces of a rope on paper, as unit vectors."""
-        at = Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
-        return [complex(ray) for ray, _ in rope.pieces(at)]
+    @property
+    def in_metres(self) -> Placement:
+        """Positions in SI, as the numbers of the scene are."""
+        return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
     @property
     def fixed(self) -> frozenset[str]:

@@ -1,0 +1,92 @@
+"""What students get back, and the statistics of a class."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from tests.marking.test_marks import Mark, built, key, long, mark, order
+from variantgen.exam.roster import Student
+from variantgen.exam.sheets import Answer
+from variantgen.families.quantities import split_name
+from variantgen.families.units import unit
+from variantgen.marking.causes import Cause
+from variantgen.marking.class_statistics import class_facts
+from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
+
+__all__ = ["built", "mark"]
+
+
+def marked(points: list[tuple[int, int, str]]) -> Marked:
+    """Marks of students with two problems of one answer each: points (0 or 1) in both, the form of the first."""
+    answer = Answer(split_name("v_B"), unit("cm/s"), 10.0, 0.1)
+    marks, totals = [], []
+    for place, (first, second, form) in enumerate(points):
+        for number, got in ((1, first), (2, second)):
+            verdict = Verdict.RIGHT if got else Verdict.WRONG
+            cause = None if got else Cause("sign")
+            one = MarkedAnswer(place, number, form if number == 1 else "b", answer, "1", 1.0, verdict, cause)
+            marks.append(replace(one, points=Fraction(got), of=Fraction(1)))
+        sums = {1: Fraction(first), 2: Fraction(second)}
+        totals.append(
+            StudentTotal(Student(str(place), ""), f"C{place}", sums, Fraction(first + second), Fraction(2), "", 2)
+        )
+    return Marked(tuple(marks), tuple(totals), ())
+
+
+def test_share_and_correlation_by_hand() -> None:
+    facts = class_facts(marked([(1, 1, "a"), (1, 0, "a"), (0, 0, "a"), (0, 0, "a")]))
+    first, second = facts.problems
+    assert (first.share, second.share) == (0.5, 0.25)
+    # Points 1 1 0 0 and 1 0 0 0: covariance 1/8, variances 1/4 and 3/16.
+    assert first.discrimination == pytest.approx((1 / 8) / ((1 / 4) * (3 / 16)) ** 0.5)
+    assert first.causes == ((Cause("sign"), 2),)
+    assert facts.shares == (1.0, 0.5, 0.0, 0.0)
+    assert facts.equal_forms == {}
+
+
+def test_forms_that_are_not_equally_hard() -> None:
+    """Six of six right against none of six: of the 924 ways to choose six of twelve two give as much."""
+    facts = class_facts(marked([(1, 0, "a")] * 6 + [(0, 0, "b")] * 6))
+    assert facts.equal_forms[1] == pytest.approx(2 / 924, abs=0.002)
+    same = class_facts(marked([(1, 0, "a"), (0, 0, "a"), (1, 0, "b"), (0, 0, "b")] * 3))
+    assert same.equal_forms[1] == 1.0
+
+
+def test_who_handed_in_nothing_does_not_count() -> None:
+    found = marked([(1, 1, "a"), (0, 0, "a")])
+    absent = replace(found.totals[1], handed_in=0)
+    facts = class_facts(replace(found, totals=(found.totals[0], absent)))
+    assert (facts.students, facts.handed_in) == (2, 1)
+    assert facts.problems[0].share == 1.0
+
+
+def test_the_pages(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right = key(built)
+    first, second, third = order(built)
+    answers = [(first, f"1.{name}", f"{right[second, f'1.{name}']:.4g}") for name in ("v_B", "omega_AB", "a_B")]
+    answers += [(second, "1.v_B", "<b>bold</b>"), (second, "2.v_O", f"{right[second, '2.v_O']:.4g}")]
+    _, marks, _, _ = mark(long(tmp_path, answers))
+    code = {row["id"]: row["code"] for row in marks}
+    pages = {path.stem: path.read_text("utf-8") for path in (tmp_path / "marks" / "feedback").iterdir()}
+    assert set(pages) == {code[first], code[second]}, code[third]
+    assert code[second] not in pages[code[first]], "a suspicion is no feedback"
+    assert "&lt;b&gt;bold&lt;/b&gt;" in pages[code[second]]
+    assert "cannot be read as a number" in pages[code[second]]
+    statistics = (tmp_path / "marks" / "statistics.html").read_text("utf-8")
+    assert "2 / 3" in statistics
+    assert all(
+        "script" not in page and "http" not in re.sub(r"http-equiv|http://www.w3.org\S*", "", page)
+        for page in pages.values()
+    )
+
+
+def test_anonymous_pages(built: Path, mark: Mark, tmp_path: Path) -> None:
+    mark(long(tmp_path, [("s1", "1.v_B", "1")]), options=["--anonymous"])
+    pages = list((tmp_path / "marks" / "feedback").iterdir())
+    assert len(pages) == 1
+    assert "Ann Lee" not in pages[0].read_text("utf-8")

@@ -1,0 +1,150 @@
+"""Pages of a marking: what each student gets back, and what the marks tell of the problems."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from variantgen.exam.exam_file import Exam
+from variantgen.finished.restore import Finished
+from variantgen.marking.causes import Cause
+from variantgen.marking.class_statistics import ProblemFacts, class_facts
+from variantgen.marking.marks import Marked, MarkedAnswer
+from variantgen.marking.records import shown
+from variantgen.outputs.html.pages import write_page
+from variantgen.wording.distractors import mistake_text
+from variantgen.wording.language import Language
+from variantgen.wording.mathml import to_mathml
+
+FEEDBACK, STATISTICS = "feedback", "statistics.html"
+FILES = (f"{FEEDBACK}/*.html", STATISTICS)
+_HIDDEN = ("neighbour", "other")  # the first is a suspicion for the instructor alone
+_BANDS = 10  # of the shares of points of a class
+
+
+def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool) -> None:
+    """Write a page for each student who handed in, and the statistics of the class."""
+    exam = finished.exam
+    language = exam.spoken
+    (folder / FEEDBACK).mkdir()
+    own: dict[int, list[MarkedAnswer]] = defaultdict(list)
+    for item in marked.marks:
+        own[item.place].append(item)
+    for place, total in enumerate(marked.totals):
+        if not total.handed_in:
+            continue
+        problems: dict[int, list[dict[str, Any]]] = defaultdict(list)
+        for item in own[place]:
+            problems[item.problem].append(_answer(finished, item, language))
+        write_page(
+            folder / FEEDBACK / f"{total.code}.html",
+            "feedback.html.j2",
+            **_common(exam, language),
+            who="" if anonymous else total.student.name,
+            group="" if anonymous else total.student.group,
+            code=total.code,
+            points=_number(shown(total.points), language),
+            of=_number(shown(total.of), language),
+            grade=total.grade,
+            problems=[
+                {"number": n, "answers": rows, "points": _number(shown(total.problems[n]), language)}
+                for n, rows in problems.items()
+            ],
+        )
+    _write_statistics(folder / STATISTICS, finished, marked, language)
+
+
+def _common(exam: Exam, language: Language) -> dict[str, Any]:
+    return {
+        "lang": exam.language,
+        "course": exam.course,
+        "heading": exam.title,
+        "words": language.words("marking"),
+        "key": language.words("key"),
+    }
+
+
+def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[str, Any]:
+    """One row of a student's page."""
+    form = _form_symbols(finished, item)
+    words = language.words("marking")
+    return {
+        "symbol": Markup(to_mathml(language.quantity(item.answer.quantity, form))),  # noqa: S704
+        "unit": Markup(to_mathml(language.unit(item.answer.unit))) if item.answer.unit.name != "1" else "",  # noqa: S704
+        "text": item.text,
+        "right": _number(str(language.answer(item.answer.quantity, item.answer.value).text), language),
+        "verdict": words[item.verdict.value],
+        "kind": item.verdict.value,
+        "cause": ""
+        if item.cause is None or item.cause.name in _HIDDEN
+        else _cause_text(item.cause, words, language, form),
+        "points": _number(shown(item.points), language),
+        "of": _number(shown(item.of), language),
+    }
+
+
+def _form_symbols(finished: Finished, item: MarkedAnswer) -> dict[str, str]:
+    """What is written in the place of the names of bodies of a problem."""
+    problems = finished.record.sheets[item.place].problems
+    index = next(i for i, problem in enumerate(problems) if problem.number == item.problem)
+    return dict(finished.variants[item.place][index].form.symbols)
+
+
+def _cause_text(cause: Cause, words: Any, language: Language, symbols: dict[str, str]) -> str:
+    """A cause in words."""
+    if cause.name == "mistake":
+        return f"{words['cause.mistake']}: {mistake_text(cause.detail, language, symbols)}"
+    text = words[f"cause.{cause.name}"]
+    return f"{text}: {cause.detail}" if cause.detail and cause.name in ("from", "other_answer") else text
+
+
+def _number(text: str, language: Language) -> str:
+    return text.replace(".", language.decimal_mark).replace("-", "\N{MINUS SIGN}")
+
+
+def _write_statistics(path: Path, finished: Finished, marked: Marked, language: Language) -> None:
+    facts = class_facts(marked)
+    bands = [0] * _BANDS
+    for share in facts.shares:
+        bands[min(int(share * _BANDS), _BANDS - 1)] += 1
+    write_page(
+        path,
+        "statistics.html.j2",
+        **_common(finished.exam, language),
+        students=facts.students,
+        handed_in=facts.handed_in,
+        bands=[{"from": 10 * i, "to": 10 * (i + 1), "count": count} for i, count in enumerate(bands)],
+        most=max([*bands, 1]),
+        problems=[_problem(item, language) for item in facts.problems],
+        forms=[_problem(item, language) for item in facts.forms],
+        equal=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.equal_forms.items()],
+    )
+
+
+def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
+    """One row of the statistics with those of its answers."""
+    known = ("right", "follow_through", "wrong", "blank", "unreadable")
+    return {
+        "number": item.number,
+        "form": item.form,
+        "students": item.students,
+        "share": round(100 * item.share),
+        "discrimination": ""
+        if item.discrimination is None
+        else _number(f"{Decimal(item.discrimination):.2f}", language),
+        "answers": [
+            {
+                "quantity": a.quantity,
+                "counts": [a.verdicts.get(name, 0) for name in known],
+                "share": round(100 * a.share),
+            }
+            for a in item.answers
+        ],
+        "causes": [
+            (_cause_text(cause, language.words("marking"), language, {}), count) for cause, count in item.causes
+        ],
+    }
