@@ -135,3 +135,17 @@ def test_units_of_the_command_line(capsys: pytest.CaptureFixture[str], tmp_path:
     assert main(["solve", str(scene)]) == 0
     assert main(["solve", str(scene), "--units", "ft"]) == 2
     assert 'write length_unit = "ft"' in capsys.readouterr().err
+
+
+def test_a_problem_has_its_own_unit(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(
+        'title = "T"\nlanguage = "en"\nseed = 1\nunits = "mm"\n'
+        '[[problem]]\nfamily = "four_bar"\nunits = "in"\nset = { OA = 10 }\n'
+        '[[problem]]\nfamily = "four_bar"\nset = { OA = 300 }\n',
+        encoding="utf-8",
+    )
+    exam = read_exam(path)
+    assert [task.families[0].length_unit for task in exam.tasks] == ["in", "mm"]
+    parameters = [next(iter(task.families[0].forms.values())).parameters["OA"] for task in exam.tasks]
+    assert [parameter.printed for parameter in parameters] == [(10,), (300,)]
