@@ -22,6 +22,7 @@ _POINTS = 10
 _PATTERNS = (
     "x_{p}", "y_{p}", "angle_{p}{q}", "angle_{p}.{q}.{r}", "distance_{p}.{q}", "v_{p}.along_{q}{r}",
     "v_{p}.across_{q}{r}", "a_{p}.t", "a_{p}.n", "rho_{p}", "ratio_{b}.{c}", "P_{b}.x", "Q_{b}.y",
+    "v_rope.{p}.{q}",
 )  # fmt: skip
 
 

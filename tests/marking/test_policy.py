@@ -7,8 +7,11 @@ from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
-from variantgen.errors import Problem
+import pytest
+
+from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import CAUSES, read_policy, rounded
+from variantgen.outputs.formats import parse_exam
 from variantgen.tables import Table, parse_toml
 
 PAGE = Path(__file__).parents[2] / "docs" / "marking.md"
@@ -38,3 +41,12 @@ def test_halves_are_rounded_up() -> None:
     step = Decimal("0.5")
     assert [rounded(Fraction(points, 100), step) for points in (24, 25, 74, 75, 100)] == [0, 0.5, 0.5, 1, 1]
     assert rounded(Fraction(1, 3), Decimal(0)) == Fraction(1, 3)
+
+
+def test_the_table_of_an_exam_file(tmp_path: Path) -> None:
+    text = 'title = "T"\nlanguage = "en"\n[[problem]]\nfamily = "four_bar"\nask = ["v_B"]\nform = "crank"\n'
+    exam = parse_exam(text + '[marking]\nshares = { sign = 0.5 }\nstruck = ["1.v_B"]\n', tmp_path / "exam.toml", ())
+    assert exam.marking.shares == {"sign": Decimal("0.5")}
+    assert exam.marking.is_struck(1, "v_B")
+    with pytest.raises(InputError, match=r"marking.struck: the problem asks for no such quantity"):
+        parse_exam(text + '[marking]\nstruck = ["1.a_B"]\n', tmp_path / "exam.toml", ())

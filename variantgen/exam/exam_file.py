@@ -12,11 +12,12 @@ from typing import Any, cast
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.student_order import NAME, SORTS
 from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
-from variantgen.families.asking import Ask, check_ask
+from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.length_units import check_length_unit
@@ -58,7 +59,7 @@ class Exam:
     problems stand in another order where that saves a page.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each.
+    ``notices`` stand at the head of each, ``marking`` says what answers are worth.
     """
 
     title: str
@@ -79,6 +80,7 @@ class Exam:
     reorder: bool = False
     sort: str = NAME
     notices: Notices = Notices()
+    marking: MarkingPolicy = MarkingPolicy()
 
     @property
     def build_id(self) -> str:
@@ -153,6 +155,7 @@ def parse_exam(
     with top.collecting("formats"):
         formats = chosen(top.strings("formats", formats))
     tolerance = read_tolerance(top)
+    tasks = _tasks(top, folders, tolerance, _units(top))
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
         course=_printed(top, "course", top.take("course", str, "")),
@@ -171,13 +174,20 @@ def parse_exam(
         sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
-        tasks=_tasks(top, folders, tolerance, _units(top)),
+        tasks=tasks,
+        marking=read_policy(top.table("marking"), {task.number: _asked(task) for task in tasks}),
     )
     page.finish()
     top.finish()
     if problems:
         raise InputError(problem.located(str(path)) for problem in problems)
     return exam
+
+
+def _asked(task: ExamProblem) -> frozenset[str]:
+    """The names of all that a problem may ask."""
+    forms = (form for family in task.families for form in family.forms.values())
+    return frozenset(quantity.name for form in forms for quantity in read_ask(form, task.ask))
 
 
 def _options(top: Table, formats: Sequence[str], readers: Mapping[str, Callable[[Table], Any]]) -> dict[str, Any]:

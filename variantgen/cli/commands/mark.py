@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Mark the class."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
+    from variantgen.exam.marking_policy import read_policy_file
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.marking.answer_tables import FormWords, read_answers
@@ -53,7 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     check_free(arguments.out, arguments.force, lambda: known)
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
-    policy = read_policy_file(arguments.policy, asked) if arguments.policy else MarkingPolicy()
+    policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
     found = mark(finished, read_answers(arguments.answers, FormWords.of(finished.exam)), policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)

@@ -13,6 +13,7 @@ from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, S
 
 _QUIET = ("length", "angle", "direction", "parameter", "v", "a", "epsilon")  # kinds that nothing but formulas needs
 _RATES = [f"rates.epsilon_{sense}{end}" for sense in ("clockwise", "counter_clockwise") for end in ("", "_sum")]
+_ANNOUNCED = [f"velocity_centre.direction_{sense}" for sense in ("clockwise", "counter_clockwise")]
 _BOTH = "points.about_pivot_a"  # the sentence about both components of an acceleration
 
 
@@ -53,7 +54,7 @@ def used_lines(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     for step in reversed(steps):
         items: list[Item] = []
         for item in reversed(step.items):
-            if _is_idle(item, names):
+            if _is_idle(item, names) or _leads_nowhere(item, names | drawn):
                 continue
             if isinstance(item, VectorLine):
                 drawn |= {term.name for term in (*item.left, *item.right)}
@@ -75,6 +76,14 @@ def _is_idle(item: Item, needed: Collection[Name]) -> bool:
         return False
     name, found = item.value.name, item.symbolic and item.value.exact != 0
     return found and name is not None and name.kind in _QUIET and name not in needed
+
+
+def _leads_nowhere(item: Item, met: Collection[Name]) -> bool:
+    """Whether a sentence announces the magnitude of a velocity about the centre that nobody needs."""
+    if not isinstance(item, Sentence) or item.key not in _ANNOUNCED:
+        return False
+    vector = item.facts.get("vector")
+    return isinstance(vector, VectorOf) and vector.name not in met
 
 
 def _without_normal(sentence: Sentence, met: Collection[Name]) -> Sentence:
