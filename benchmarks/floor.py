@@ -34,21 +34,26 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
     class Recorded:
         """The engine, which notes what it is given."""
 
-        def __init__(self, root: Path, **made: Any) -> None:
-            self._root, self._made, self._engine = root, made, engine(root=root, **made)
+        def __init__(self, template: Path | None = None, *, root: Path, **made: Any) -> None:
+            self._template, self._root, self._made = template, root, made
+            self._engine = engine(template, root=root, **made)
 
         def compile(self, template: Path | bytes, **named: Any) -> Any:
             if isinstance(template, Path):  # an empty document, given as text, is no part of the input
-                # Names in the order of the calls, whichever process makes them.
-                with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
-                    pickle.dump((template.relative_to(self._root), self._made, named), file, pickle.HIGHEST_PROTOCOL)
+                self._note(template, named)
             return self._engine.compile(template, **named)
 
-    def made(*places: Any, **options: Any) -> Any:
-        """The engine as it is for a question (the heights of data lines), recorded for a document."""
-        return engine(*places, **options) if places else Recorded(**options)
+        def query(self, selector: str, **named: Any) -> Any:
+            assert self._template is not None
+            self._note(self._template, {"selector": selector, **named})
+            return self._engine.query(selector, **named)
 
-    typst.Compiler = made
+        def _note(self, template: Path, named: dict[str, Any]) -> None:
+            # Names in the order of the calls, whichever process makes them.
+            with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
+                pickle.dump((template.relative_to(self._root), self._made, named), file, pickle.HIGHEST_PROTOCOL)
+
+    typst.Compiler = Recorded
     if main(list(arguments)):
         raise SystemExit("the build failed")
     if not any(folder.iterdir()):
@@ -68,6 +73,9 @@ def replay(folder: Path) -> Clock:
             with path.open("rb") as file:
                 template, options, named = pickle.load(file)
             with clock.measuring(template.stem):
+                if "selector" in named:  # a query has an engine of its own, which is given the data
+                    typst.Compiler(engine.root / template, root=engine.root, **options).query(**named)
+                    continue
                 made = made or typst.Compiler(root=engine.root, **options)
                 made.compile(engine.root / template, **named)
     return clock

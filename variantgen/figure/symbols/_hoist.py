@@ -16,8 +16,8 @@ from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.joints.rope import Rope
 
 RADIUS = 2.2  # of a sheave, u
-_BRACKET = 4.5
-_HALF_LOAD = 3.0
+BRACKET = 4.5
+HALF_LOAD = 3.0
 _BEFORE = 5.8  # from a block in its guide to its sheaves, u
 _STEM = 4.0  # from the hinge of a sheave to the load under it, u
 
@@ -160,11 +160,11 @@ def _sheave(board: Board, joint: Rope, i: int, arriving: Strand, leaving: Strand
     pull = leaving.way - arriving.way
     away = -pull / abs(pull)
     if bend.fixed:
-        foot = centre + (radius + _BRACKET) * away
+        foot = centre + (radius + BRACKET) * away
         sketch.path((centre + HINGE * away, foot), Layer.LINK, 0.8 * BOLD)
         base(board, foot, away)
     else:
-        _hang(board, bend.point, centre, away)
+        _hang(board, bend.point, centre, -_towards(board, joint, i))
     board.sized(bend.point, radius)
     for taken in (-away, away):
         sketch.occupy(bend.point, taken)
@@ -177,7 +177,7 @@ def _hang(board: Board, point: str, centre: complex, away: complex) -> None:
     if abs(centre - middle) > 1e-6:
         _join(board, middle, centre, -away)
     if _is_load(board, point):
-        place = middle + (HINGE + _STEM + _HALF_LOAD) * away
+        place = middle + (HINGE + _STEM + HALF_LOAD) * away
         sketch.path((middle + HINGE * away, place), Layer.LINK, 0.8 * BOLD)
         _load(board, point, place, -away, clear=False)
 
@@ -192,10 +192,10 @@ def _join(board: Board, middle: complex, place: complex, along: complex) -> None
 
 def _load(board: Board, point: str, place: complex, along: complex, clear: bool = True) -> None:
     """A block square to the rope that leads away from it ``along``."""
-    corners = [place + _HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    corners = [place + HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     board.sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
     if clear:
-        board.sized(point, _HALF_LOAD, box=corners)
+        board.sized(point, HALF_LOAD, box=corners)
         for taken in (along, -along):
             board.sketch.occupy(point, taken)
 

@@ -13,9 +13,6 @@ from variantgen.figure.symbols import _hoist
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.joints.rope import Bend, Rope
 
-_HALF_LOAD = 3.0
-_BRACKET = 4.5
-
 
 def draw(board: Board, joint: Rope) -> None:
     """Add the rope and what carries it; drums and wheels that are bodies are drawn as discs."""
@@ -66,21 +63,14 @@ def _pulley(board: Board, bend: Bend, arriving: complex, leaving: complex) -> No
         # The bracket holds the pulley from the side towards which the rope does not pull.
         pull = leaving - arriving
         away = -pull / abs(pull) if abs(pull) > 0.2 else -1j * side * arriving
-        _support(board, centre, away, radius + _BRACKET)
+        _support(board, centre, away, radius + _hoist.BRACKET)
 
 
 def _support(board: Board, centre: complex, away: complex, length: float) -> None:
     sketch = board.sketch
     foot = centre + length * away
     sketch.path((centre + HINGE * away, foot), Layer.LINK, 0.8 * BOLD)
-    _base(board, foot, away)
-
-
-def _base(board: Board, foot: complex, away: complex) -> None:
-    sketch = board.sketch
-    start, end = foot - 3.0j * away, foot + 3.0j * away
-    sketch.path((start, end), Layer.LINK)
-    sketch.hatch(start, end, away)
+    _hoist.base(board, foot, away)
 
 
 def _end(board: Board, joint: Rope, bend: Bend, along: complex) -> None:
@@ -88,11 +78,11 @@ def _end(board: Board, joint: Rope, bend: Bend, along: complex) -> None:
     sketch = board.sketch
     place = sketch.at[bend.point]
     if bend.fixed:
-        _base(board, place, -along)
+        _hoist.base(board, place, -along)
     elif bend.point in joint.hanging() and not board.owners(bend.point):
         # A load hangs straight down or is pulled along its guide: its block stands square to the rope.
-        corners = [place + _HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        corners = [place + _hoist.HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
-        board.sized(bend.point, _HALF_LOAD, box=corners)
+        board.sized(bend.point, _hoist.HALF_LOAD, box=corners)
         for taken in (along, -along):
             sketch.occupy(bend.point, taken)

@@ -84,7 +84,9 @@ class Typesetter:
 
         inputs = {"data": _json(data, False), "form": "pdf", "set-formulas": _json(known)}
         # An engine of its own, because only a new one is given data for a query: 3 ms, once for many sheets.
-        engine = typst.Compiler(self.root / template, self.root, [], ignore_system_fonts=True, sys_inputs=inputs)
+        engine = typst.Compiler(
+            self.root / template, root=self.root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs
+        )
         found: list[float] = json.loads(engine.query("<found>", field="value", one=True))
         return found
 
