@@ -291,3 +291,13 @@ def test_the_figure_shows_what_is_counted_from(ask: list[str], letters: set[str]
     assert ("axes with the origin O" in drawing.alt) == ("x" in letters)
     assert ("in the direction OA" in drawing.alt) == ("∥OA" in letters)
     assert ("direction OA turned counterclockwise" in drawing.alt) == ("⟂OA" in letters)
+
+
+@pytest.mark.parametrize("ask", [["v_B.along_OA", "a_M.t"], ["rho_M"], ["P_AB.x", "ratio_AB.BC"]])
+def test_measured_on_plans(ask: list[str]) -> None:
+    """Readings of a drawing have their signs too."""
+    for seed in ("1", "2", "3"):
+        variant = one_variant("four_bar", {}, seed, "crank", ask)
+        told = str(explain(variant, "en", ["graphical"], ask=ask))
+        assert "as measured on the drawing" in told
+        assert told.count("−") > 0 or all(answer.value > 0 for answer in answers(variant, ask))

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
-from variantgen.algebra.name import AXES, OWN_AXES, Name
+from variantgen.algebra.name import AXES, ON_LINE, OWN_AXES, Name
 from variantgen.algebra.values import in_order
 from variantgen.families.quantities import Quantity
 from variantgen.methods.linkage.problem import Task
@@ -68,12 +68,18 @@ class PrintedNumbers:
                 # A negative number is opposite to the direction that was assumed.
                 if item.value.name in unknown and not self.measured:
                     yield _text(item.value.name), self._term(replace(unknown[item.value.name], size=item.value))
-                if self.measured and item.value.exact < 0 and _is_magnitude(item.value.name):
+                if self.measured and item.value.exact < 0 and self._is_magnitude(item.value.name):
                     yield f"the sign of {_text(item.value.name)}", math.inf
                 if item.value.name.kind == "projection":
                     projections.append(item.value.exact)
         if projections:
             yield "equal projections", _relative(max(projections) - min(projections), self.task.largest_speed)
+
+    def _is_magnitude(self, name: Name) -> bool:
+        """Whether it is the name of a vector, not of a component on an axis or a line, nor an asked one on a path."""
+        if name.kind not in ("v", "a") or name.part.endswith(AXES) or name.part.rpartition(" ")[2].startswith(ON_LINE):
+            return False
+        return not any(q.component == "t" and Name("a", q.target, part="tau") == name for q in self.task.asked)
 
     def answer(self, quantity: Quantity, value: Value) -> float:
         """By how much an answer is off, with its sign."""
@@ -91,7 +97,7 @@ class PrintedNumbers:
     def _value(self, value: Value) -> float:
         """A value: what its formula gives, and what the motion says of its name."""
         off = 0.0
-        if value.expression is not None:
+        if value.expression is not None and math.isfinite(value.exact):
             gap = value.expression.number(True) - value.exact
             if value.measure == "angle":
                 off = _turn(gap)
@@ -255,11 +261,6 @@ def _is_opposite(value: Value) -> bool:
         case Total(((-1, Value() as other),)):
             return other.name == value.name
     return False
-
-
-def _is_magnitude(name: Name) -> bool:
-    """Whether it is the name of a vector that is no component along an axis."""
-    return name.kind in ("v", "a") and not name.part.endswith(AXES)
 
 
 def _headed(name: Name) -> Name:
