@@ -72,3 +72,18 @@ def test_a_rope_turns_into_the_way_of_its_block(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("language", "words"), [("en", "then the movable pulley B"), ("ru", "затем подвижный блок B")])
 def test_the_words_for_a_block(language: str, words: str, tmp_path: Path) -> None:
     assert words in drawing(tmp_path, '["A", "K", "B", "F"]', language=language).alt
+
+
+def test_two_loads_hang_upright_on_a_movable_sheave(tmp_path: Path) -> None:
+    text = SCENE.format(path='["A", "K", "C"]', angle=90)
+    text = text.replace("x = 4", "x = 2").replace("x = 1, y = 0", "x = 3, y = 0")
+    points = "C = { coordinates = { x = 4, y = 4 } }\nD = { coordinates = { x = 5, y = 1 } }\n"
+    text = text.replace("[[joints]]", points + "[[joints]]", 1)
+    text += '[[joints]]\nguide = { point = "C", angle = 90 }\n[[joints]]\nguide = { point = "D", angle = 90 }\n'
+    text += '[[joints]]\nrope = { path = ["B", "C", "D"], parallel = true }\n'
+    text += '[[drivers]]\ntravel = { point = "A", v = 1, angle = 90 }\n'
+    file = tmp_path / "hoist.toml"
+    file.write_text(text, encoding="utf-8")
+    steps = strands(picture(one_variant(str(file))).drawing)
+    assert len(steps) == 4
+    assert all(abs(step.real) < 1e-6 * abs(step) for step in steps)

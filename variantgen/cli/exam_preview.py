@@ -70,7 +70,7 @@ def show_exam(arguments: argparse.Namespace, path: Path) -> None:
     from variantgen.builder.preview import one_sheet
     from variantgen.families.folders import family_folders
     from variantgen.outputs.formats import read_exam
-    from variantgen.outputs.single.sheet_pages import plain_sheet, write_sheet
+    from variantgen.outputs.single.one_sheet import plain_sheet, write_sheet
 
     exam = read_exam(path, family_folders(arguments.families, beside=path))
     if arguments.seed is not None:

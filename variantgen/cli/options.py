@@ -29,9 +29,9 @@ def add_families(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_choice(parser: argparse.ArgumentParser) -> None:
-    """The ways to choose one problem."""
-    parser.add_argument("family", metavar="FAMILY_OR_FILE", help="name of a family, or path of a family or scene file")
+def add_choice(parser: argparse.ArgumentParser, files: str = "family or scene file") -> None:
+    """The ways to choose one problem; ``files`` says which files may be named."""
+    parser.add_argument("family", metavar="FAMILY_OR_FILE", help=f"name of a family, or path of a {files}")
     parser.add_argument(
         "--set", action="append", default=[], metavar="NAME=VALUE", help="fix a parameter: OA=30, OA='0.3 m', side=left"
     )

@@ -15,11 +15,16 @@ from variantgen.wording.surds import with_surd
 
 
 def plain_problem(
-    variant: Variant, asked: Sequence[Quantity], values: Sequence[tuple[float, Unit, Surd | None]], language: Language
+    variant: Variant,
+    asked: Sequence[Quantity],
+    values: Sequence[tuple[float, Unit, Surd | None]],
+    language: Language,
+    with_notes: bool = True,
 ) -> str:
     """Statement, given data, asked quantities and answers in lines of at most 100 columns.
 
-    ``values`` are the answers in printed units, with their closed form where they have one.
+    ``values`` are the answers in printed units, with their closed form where they have one. The conventions of sign
+    stand at the end, unless they are told elsewhere.
     """
     problem_text = statement(variant, asked, language)
     words, key = language.words("sheet"), language.words("key")
@@ -34,6 +39,7 @@ def plain_problem(
         f"{words['given']} {', '.join(to_plain(equation) for equation in problem_text.given)}.",
         f"{words['find']} {', '.join(to_plain(symbol) for symbol in problem_text.asked)}.",
         f"{key['title']}: {'; '.join(found)}.",
-        " ".join(answer_notes(asked, language)),
     ]
+    if with_notes:
+        paragraphs.append(" ".join(answer_notes(asked, language)))
     return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)

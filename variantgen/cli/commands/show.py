@@ -23,7 +23,7 @@ Of an exam file: the sheet of one student (--student, --roster), with --explain 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    add_choice(parser)
+    add_choice(parser, "family, scene or exam file")
     add_language(parser)
     add_explaining(parser)
     parser.add_argument(

@@ -70,7 +70,8 @@ def run(arguments: argparse.Namespace) -> int:
                 if item["unit"]
                 else f"{name} = {item['value']}"
             )
-        say()
+        if document["parameters"]:
+            say()
         if arguments.all:
             say("\n\n".join("\n".join(_lines(table)) for table in tables))
             return 0

@@ -18,6 +18,7 @@ from variantgen.mechanism.joints.rope import Rope
 RADIUS = 2.2  # of a sheave, u
 BRACKET = 4.5
 HALF_LOAD = 3.0
+_SYMMETRIC = 0.05  # of the radius: loads on both sides of a sheave, as far from its middle
 _BEFORE = 5.8  # from a block in its guide to its sheaves, u
 _STEM = 4.0  # from the hinge of a sheave to the load under it, u
 
@@ -73,8 +74,20 @@ def _slots(board: Board, joint: Rope) -> dict[tuple[int, str], complex]:
         across = across if lean >= 0 else -across
         middle = (len(places) - 1) / 2
         before_block = 0j if point in board.loads or len(places) == 1 else _BEFORE * _towards(board, joint, visits[0])
-        found |= {place: before_block + 2 * RADIUS * (middle - n) * across for n, place in enumerate(places)}
+        half = _half_gap(board, joint, visits, across) or RADIUS
+        found |= {place: before_block + 2 * half * (middle - n) * across for n, place in enumerate(places)}
     return found
+
+
+def _half_gap(board: Board, joint: Rope, visits: list[int], across: complex) -> float:
+    """The radius with which a sheave holds two moving ends of the rope upright on both of its sides; 0 for no such."""
+    ends = [joint.path[i] for i in (visits[0] - 1, visits[0] + 1) if 0 <= i < len(joint.path)]
+    alone = [bend.along is not None and not bend.fixed and not _has_sheave(board, bend.point) for bend in ends]
+    if len(visits) != 1 or len(ends) != 2 or not all(alone):
+        return 0.0
+    middle = board.sketch.at[joint.path[visits[0]].point]
+    first, second = (((board.sketch.at[bend.point] - middle) * across.conjugate()).real for bend in ends)
+    return first if first > HINGE and abs(first + second) < _SYMMETRIC * first else 0.0
 
 
 def draw(board: Board, joint: Rope) -> None:
@@ -95,7 +108,7 @@ def draw(board: Board, joint: Rope) -> None:
             if abs(place - middle) > 1e-6:
                 _join(board, middle, place, along)
             if _is_load(board, bend.point) and not _has_sheave(board, bend.point):
-                _load(board, bend.point, middle, along)
+                _load(board, bend.point, middle, _towards(board, joint, i))
     for piece in pieces:
         board.sketch.path((piece.start, piece.end), Layer.THREAD, MEDIUM)
 

@@ -8,10 +8,11 @@ from pathlib import Path
 from variantgen.exam.content import Content
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.documents.sheet_data import group_text, points_text, sheets_data, who
+from variantgen.outputs.documents.sheet_data import group_text, points_text, sheet_notes, sheets_data, who
 from variantgen.outputs.documents.solution_data import solutions_data
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single.problem_page import page_format
+from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.wording.plain import plain_problem
@@ -27,12 +28,12 @@ def write_sheet(exam: Exam, sheet: Sheet, path: Path, explained: bool = False) -
     written. Raises InputError for another ending.
     """
     form, content = page_format(path), Content(exam, (sheet,))
-    if explained:
-        template, data = "solutions.typ", solutions_data(content, 0, TYPST)
-    else:
-        template, data = "sheets.typ", sheets_data(content, TYPST, built=True)
     with typesetter() as engine:
-        pages = engine.compile(template, data, form)
+        if explained:
+            pages = engine.compile("solutions.typ", solutions_data(content, 0, TYPST), form)
+        else:
+            data = with_pages(sheets_data(content, TYPST, built=True), engine)
+            pages = engine.compile("sheets.typ", data, form)
     paths = [path, *(path.with_stem(f"{path.stem}-{number}") for number in range(2, len(pages) + 1))]
     for own, page in zip(paths, pages, strict=True):
         write_whole(own, page, "--out")
@@ -50,8 +51,9 @@ def plain_sheet(exam: Exam, sheet: Sheet, explained: bool = False) -> str:
         points = points_text(item.task.points, language)
         word = f"{language.words('sheet')['problem']} {item.task.number}"
         values = [(answer.value, answer.unit, answer.surd) for answer in item.answers]
-        problem = plain_problem(item.variant, item.asked, values, language)
+        problem = plain_problem(item.variant, item.asked, values, language, with_notes=False)
         parts.append(f"{word} ({points}). {problem}" if points else f"{word}. {problem}")
         if explained:
             parts.append(plain_solution(solved[number].text, exam.explained))
+    parts += [textwrap.fill(note, _COLUMNS) for note in sheet_notes(sheet, language)]
     return "\n\n".join(parts)
