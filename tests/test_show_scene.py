@@ -35,6 +35,11 @@ def _shown(capsys, *arguments: str) -> str:
         ),
         ("planetary_compound", "AM = 25 mm, r_planet = 25 mm, ∠(AM, x) = 60°, x_O = 0 mm, y_O = 0 mm, x_A = 65 mm,"),
         ("whitworth", "OA = 16 cm, CD = 12 cm, DE = 40 cm,"),
+        ("pin_two_slots", "AC = 60 cm, BD = 60 cm, ∠(AP, x) = 55°, ∠(BP, x) = 120°,"),
+        (
+            "straight_cam_slot",
+            "OS = 10 cm, ST = 40 cm, ∠(OS, x) = 15°, ∠(ST, x) = 70°, x_O = 0 cm, y_O = 0 cm, x_B = 14 cm,",
+        ),
     ],
 )
 def test_the_numbers_of_the_file_are_given(scene, given, capsys):

@@ -24,6 +24,10 @@ _LINES = {
     "on_body": (("origin", "along"),),
     "fraction": (("start", "part"),),
 }
+# The rays of a construction: the field of the point from which each starts, and that of its angle.
+_RAYS = {"polar": (("origin", "angle"),), "line_line": (("first", "first_angle"), ("second", "second_angle"))}
+# Lines that may be guides: where one lies along an axis, a coordinate of the point tells it.
+_GUIDES = {"line_circle": (("through", "angle"),), "line_line": _RAYS["line_line"]}
 _LEVEL = 1e-9  # rad
 
 
@@ -89,14 +93,15 @@ def _of_point(name: str, template: ComponentTemplate) -> Iterator[LiteralDatum]:
         yield from _length(template, other, name, length)
     if kind == "on_body" and _literal(template, "across"):
         yield from _length(template, "towards", name, "along")
-    through: str = template.fields.get("through", "")
-    if kind == "line_circle" and (angle := _literal(template, "angle")) is not None:
-        for axis, across in (("y", math.sin(angle)), ("x", math.cos(angle))):
-            if abs(across) < _LEVEL:
-                yield LiteralDatum(axis, name, "length", points=(name,), unless=through)
-    if kind == "polar" and "towards" not in template.fields and _literal(template, "angle") is not None:
-        ends = (template.fields["origin"], name)
-        yield LiteralDatum("angle", "".join(ends), "angle", points=ends)
+    for start, angle_field in _GUIDES.get(kind, ()):
+        if (angle := _literal(template, angle_field)) is not None:
+            for axis, across in (("y", math.sin(angle)), ("x", math.cos(angle))):
+                if abs(across) < _LEVEL:
+                    yield LiteralDatum(axis, name, "length", points=(name,), unless=template.fields[start])
+    for start, angle_field in _RAYS.get(kind, ()):
+        if _literal(template, angle_field) is not None and "towards" not in template.fields:
+            ends = (template.fields[start], name)
+            yield LiteralDatum("angle", "".join(ends), "angle", points=ends)
 
 
 def _length(template: ComponentTemplate, start: str, end: str, field: str) -> Iterator[LiteralDatum]:
