@@ -137,13 +137,17 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
 
 
 def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
-    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
+    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative.
+
+    On a circle the acceleration that is given is the tangential one.
+    """
     fields = template.fields
     if key in ("omega", "epsilon"):
         return Name(key, fields["body"])
     is_relative = template.component in (RelativeTravel, Circling, Extension)
     target = fields["end"] if template.component is Extension else fields["point"]
-    return Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+    name = Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+    return name.component("tau") if template.component is Circling and key == "a" else name
 
 
 def unsigned(expression: Expression | None) -> Expression | None:
