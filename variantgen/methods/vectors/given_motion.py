@@ -143,7 +143,9 @@ def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
         return Name(key, fields["body"])
     is_relative = template.component in (RelativeTravel, Circling, Extension)
     target = fields["end"] if template.component is Extension else fields["point"]
-    return Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+    name = Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+    # On a circle only the component along the path is given, the normal one follows from the velocity.
+    return name.component("tau") if template.component is Circling and key == "a" else name
 
 
 def unsigned(expression: Expression | None) -> Expression | None:
