@@ -102,6 +102,13 @@ def test_a_unit_that_does_not_fit(ask: str, message: str, tmp_path: Path, capsys
     assert ask.partition(" in ")[0] in shown
 
 
+def test_the_text_tells_the_unit_that_is_wanted(capsys: pytest.CaptureFixture[str]) -> None:
+    assert (
+        main(["show", "four_bar", "--seed", "2", "--form", "crank", "--ask", "v_B in ft/s", "--ask", "omega_AB"]) == 0
+    )
+    assert "Determine: v_B (ft/s), ω_AB." in capsys.readouterr().out
+
+
 def test_one_quantity_is_asked_in_one_unit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "asked twice" in solved(tmp_path, capsys, '"v_A"', "--ask", "v_A", "--ask", "v_A in mph")
 

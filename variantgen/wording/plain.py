@@ -33,11 +33,15 @@ def plain_problem(
         to_plain(with_surd(Equation(symbol, Measured(language.answer(quantity, value), language.unit(unit))), exact))
         for quantity, symbol, (value, unit, exact) in zip(asked, problem_text.asked, values, strict=True)
     ]
+    # A unit of its own is told with what is asked: v_B (ft/s).
+    units = [language.unit(unit) for _, unit, _ in values]
+    wanted = [f" ({to_plain(unit)})" if q.wanted else "" for q, unit in zip(asked, units, strict=True)]
+    symbols = [to_plain(symbol) + told for symbol, told in zip(problem_text.asked, wanted, strict=True)]
     paragraphs = [
         variant.family.title(language.name),
         text,
         f"{words['given']} {', '.join(to_plain(equation) for equation in problem_text.given)}.",
-        f"{words['find']} {', '.join(to_plain(symbol) for symbol in problem_text.asked)}.",
+        f"{words['find']} {', '.join(symbols)}.",
         f"{key['title']}: {'; '.join(found)}.",
     ]
     if with_notes:
