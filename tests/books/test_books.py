@@ -4,6 +4,7 @@ Beside a scene ``NAME.toml`` (at most 30 lines) lies ``NAME.book.toml``:
 
 - ``source``: book, number, page; ``problem``: what it is about, in our own words;
 - ``scene``: the file of another problem with the same scene; ``set``: its parameters;
+- ``unexplained``: why there is no worked solution, where there is none;
 - ``[answers]``: by asked quantity the number as it is printed, as a text whose digits count, or a table with
   ``printed``, ``within`` (the deviation that the roundings or the drawing of the book explain, in the printed unit),
   ``magnitude`` (no sign is printed), ``correct`` (the publication is wrong, this is right).
@@ -25,7 +26,7 @@ from variantgen.cli import main
 FOLDER = Path(__file__).parent
 BOOKS = sorted(FOLDER.glob("*.book.toml"))
 _LINES = 30
-_KEYS = {"source", "problem", "scene", "set", "answers"}
+_KEYS = {"source", "problem", "scene", "set", "unexplained", "answers"}
 
 
 def _step(printed: str) -> float:
@@ -39,17 +40,25 @@ def _deviation(value: float, printed: str, magnitude: bool) -> float:
     return abs((abs(value) if magnitude else value) - float(printed))
 
 
-@pytest.mark.parametrize("path", BOOKS, ids=[path.name.removesuffix(".book.toml") for path in BOOKS])
+_EACH = pytest.mark.parametrize("path", BOOKS, ids=[path.name.removesuffix(".book.toml") for path in BOOKS])
+
+
+def _command(path: Path, book: dict[str, Any]) -> list[str]:
+    """The command that solves the scene of a book."""
+    scene = FOLDER / book.get("scene", path.name.replace(".book.toml", ".toml"))
+    assert len(scene.read_text(encoding="utf-8").splitlines()) <= _LINES
+    settings = [part for name, value in book.get("set", {}).items() for part in ("--set", f"{name}={value}")]
+    asked = list(book["answers"]) if "scene" in book else []
+    return ["solve", str(scene), *settings, *(part for name in asked for part in ("--ask", name))]
+
+
+@_EACH
 def test_the_printed_answers_are_reached(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     book: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
     assert set(book) <= _KEYS
     assert book["source"]
     assert book["problem"]
-    scene = FOLDER / book.get("scene", path.name.replace(".book.toml", ".toml"))
-    assert len(scene.read_text(encoding="utf-8").splitlines()) <= _LINES
-    settings = [part for name, value in book.get("set", {}).items() for part in ("--set", f"{name}={value}")]
-    asked = list(book["answers"]) if "scene" in book else []
-    code = main(["solve", str(scene), "--json", *settings, *(part for name in asked for part in ("--ask", name))])
+    code = main([*_command(path, book), "--json"])
     shown = capsys.readouterr()
     assert code == 0, shown.err
     found = {f"{a['quantity']} in {a['unit']}": a["value"] for a in json.loads(shown.out)["answers"]}
@@ -65,6 +74,18 @@ def test_the_printed_answers_are_reached(path: Path, capsys: pytest.CaptureFixtu
         assert _deviation(value, right, magnitude) <= within, f"{name}: {value}, {right} in the book"
         if "correct" in answer:
             assert _deviation(value, answer["printed"], magnitude) > within, f"{name}: the book is right"
+
+
+@_EACH
+def test_there_is_a_worked_solution(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    book: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
+    code = main([*_command(path, book), "--explain"])
+    shown = capsys.readouterr()
+    assert code == 0, shown.err
+    _, answer, last = shown.out.rpartition("\nAnswer: ")
+    assert bool(answer) != bool(book.get("unexplained")), shown.err
+    if answer:
+        assert last.partition("\n\n")[0].count(";") + 1 == len(book["answers"])
 
 
 def test_every_scene_has_its_book() -> None:

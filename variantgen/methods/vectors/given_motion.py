@@ -137,16 +137,14 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
 
 
 def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:
-    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative.
-
-    On a circle the acceleration that is given is the tangential one.
-    """
+    """The name of a rate that is not given itself; along a path on a body or along a cylinder it is relative."""
     fields = template.fields
     if key in ("omega", "epsilon"):
         return Name(key, fields["body"])
     is_relative = template.component in (RelativeTravel, Circling, Extension)
     target = fields["end"] if template.component is Extension else fields["point"]
     name = Name(book.letter if key in ("v", "a") else key, target, part="rel" if is_relative else "")
+    # On a circle only the component along the path is given, the normal one follows from the velocity.
     return name.component("tau") if template.component is Circling and key == "a" else name
 
 
