@@ -36,7 +36,7 @@ def plain_problem(
     # A unit of its own is told with what is asked: v_B (ft/s).
     units = [language.unit(unit) for _, unit, _ in values]
     wanted = [f" ({to_plain(unit)})" if q.wanted else "" for q, unit in zip(asked, units, strict=True)]
-    symbols = [to_plain(symbol) + told for symbol, told in zip(problem_text.asked, wanted, strict=True)]
+    symbols = [to_plain(symbol) + shown_unit for symbol, shown_unit in zip(problem_text.asked, wanted, strict=True)]
     paragraphs = [
         variant.family.title(language.name),
         text,
