@@ -139,3 +139,20 @@ rotation = { body = "crank", omega = "1 / t + (R / R)^2 / (1 * t)" }
     assert document["points"]["A"]["position"] == pytest.approx([0.1524, 0.0635])
     assert document["points"]["B"]["position"] == pytest.approx([0.3556, 0])
     assert document["answers"][0]["value"] == pytest.approx(6.5 * 0.1)
+
+
+@pytest.mark.parametrize(
+    ("omega", "given", "worked_out"),
+    [
+        ("-100 rpm", "ω_crank = 100 rpm", "ω_crank = π · 100 / 30 = 10.47 rad/s"),
+        ("2.5 rev/s", "ω_crank = 150 rpm", "ω_crank = π · 150 / 30 = 15.71 rad/s"),
+        ("4", "ω_crank = 4 rad/s", "(4 rad/s)"),
+    ],
+)
+def test_a_rate_in_turns_is_given_in_rpm_and_brought_to_radians(tmp_path, capsys, omega, given, worked_out):
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE.format(ask='"v_A"', omega=omega), encoding="utf-8")
+    assert main(["show", str(path), "--explain"]) == 0
+    shown = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
+    assert given in shown
+    assert worked_out in shown

@@ -91,6 +91,7 @@ def _table() -> dict[str, Unit]:
 UNITS = _table()
 _LARGEST_EXPONENT = 12
 _DECIMALS = 12  # of a number in another unit, where it does not end
+_SHORT, _SAME = 6, 1e-10  # digits of a number that is stated as it is; what a conversion rounds, relative
 _NUMBER_WITH_UNIT = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?:\s*/\s*(\d+\.?\d*))?\s*((?:[^\W\d_]|°)[\w/^°²*-]*)?\s*"
 )
@@ -110,6 +111,16 @@ def unit(name: str, key: str = "unit") -> Unit:
     if found is None:
         raise InputError(Problem("unknown unit", key=key, value=name, remedy=nearest(name, UNITS)))
     return found
+
+
+def unit_of_turning(si: float, usual: Unit) -> Unit:
+    """The unit in which a rate (SI) is a short number: rpm where an angular velocity is none in the usual unit."""
+    in_turns = UNITS[{"rad/s": "rpm", "rad/s^2": "rpm/s"}.get(usual.name, usual.name)]
+    return in_turns if not _is_short(usual.from_si(si)) and _is_short(in_turns.from_si(si)) else usual
+
+
+def _is_short(number: float) -> bool:
+    return abs(float(f"{number:.{_SHORT}g}") - number) <= _SAME * abs(number)
 
 
 def checked(value: Decimal, key: str) -> Decimal:

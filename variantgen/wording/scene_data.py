@@ -9,7 +9,7 @@ import numpy as np
 
 from variantgen.families.literal_data import LiteralDatum, literal_data
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import Unit, unit
+from variantgen.families.units import Unit, unit, unit_of_turning
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured, SymbolProperty
@@ -70,7 +70,7 @@ class _SceneData:
                 start, end = (self.at[point] for point in datum.points)
                 yield self._equation(datum.name, abs(end - start), own)
             case "rate":
-                yield self._equation(datum.name, abs(datum.si), own)
+                yield self._equation(datum.name, abs(datum.si), unit_of_turning(datum.si, own))
 
     def _equation(self, name: str, si: float, own: Unit) -> Equation:
         return Equation(self.language.symbol(name, self.variant.form.symbols), self._measured(si, own))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate
+from variantgen.families.units import unit, unit_of_turning
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
@@ -113,7 +114,11 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     if measure in ("velocity", "acceleration"):
         number /= book.task.length_unit
     if number == 0 or expression is None or isinstance(expression, Constant):
-        return Value(None, measure, number)
+        turns = unit_of_turning(number, unit(book.task.unit_of(measure)))
+        if not turns.name.startswith("rpm"):
+            return Value(None, measure, number)
+        in_turns = Constant(float(f"{turns.from_si(number):.9g}"))
+        return book.derive(_name_of(book, template, key), measure, Ratio(Times((Pi(), in_turns)), Constant(30.0)))
     if book.order == 1:
         _say_law(book, template, source)
     simple = unsigned(simplified(expression))
