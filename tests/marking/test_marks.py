@@ -121,7 +121,7 @@ def test_verdicts_and_causes(built: Path, mark: Mark, tmp_path: Path) -> None:
     ]
     code, marks, totals, left = mark(long(tmp_path, handed_in))
     assert code == 0
-    assert not left
+    assert [(row["where"], row["text"]) for row in left] == [("long.csv, row 5", "1.epsilon_AB: see page 2")]
     own = {f"{row['problem']}.{row['quantity']}": row for row in marks if row["id"] == first}
     assert {name: row["verdict"] for name, row in own.items()} == {
         "1.v_B": "right",
@@ -306,3 +306,55 @@ def test_wrong_policies(
     answers = long(tmp_path, [("s1", "1.v_B", "3")])
     assert mark(answers, options=["--policy", str(policy)])[0] == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_row_with_unquoted_commas_is_not_read(built: Path, mark: Mark, tmp_path: Path) -> None:
+    path = tmp_path / "commas.csv"
+    path.write_text("student,problem,quantity,answer\ns1,1,v_B,47,49\n", "utf-8")
+    _, marks, _, left = mark(path)
+    assert {row["verdict"] for row in marks} == {"blank"}
+    assert "more cells than the head" in left[0]["why"]
+
+
+@pytest.mark.parametrize("quantity", ["#0", "#-1", "#abc", "9" * 5000])
+def test_strange_names_of_quantities_are_told(quantity: str, mark: Mark, tmp_path: Path) -> None:
+    code, marks, _, left = mark(long(tmp_path, [("s1", f"1.{quantity}", "3")]))
+    assert (code, len(left)) == (0, 1)
+    assert {row["verdict"] for row in marks} == {"blank"}
+
+
+def test_a_part_of_a_name_names_nobody(mark: Mark, tmp_path: Path) -> None:
+    _, marks, _, left = mark(long(tmp_path, [("Ann", "1.v_B", "3"), ("ann lee", "1.a_B", "3")]))
+    assert [row["text"] for row in left] == ["Ann"]
+    assert {row["id"] for row in marks if row["verdict"] != "blank"} == {"s1"}
+
+
+def test_namesakes_are_told_apart_by_their_ids(tmp_path: Path) -> None:
+    (tmp_path / "exam.toml").write_text(EXAM, "utf-8")
+    (tmp_path / "class.csv").write_text("id,name\n007,Ann Lee\n008,Ann Lee\n", "utf-8")
+    out = tmp_path / "out"
+    assert main(["build", str(tmp_path / "exam.toml"), "--roster", str(tmp_path / "class.csv"), "--out", str(out)]) == 0
+    table = tmp_path / "wide.csv"
+    table.write_text("id,name,1.v_B\n007,Ann Lee,1\n008,Ann Lee,2\n,Ann Lee,3\n", "utf-8")
+    assert main(["mark", str(out), str(table), "--out", str(tmp_path / "marks")]) == 0
+    marks = rows(tmp_path / "marks" / "marks.csv")
+    assert {row["id"]: row["answer"] for row in marks if row["answer"]} == {"007": "1", "008": "2"}
+    assert [row["why"] for row in rows(tmp_path / "marks" / "not_matched.csv")] == ["2 students have this name"]
+
+
+def test_words_that_name_a_student_are_left_out(mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    _, _, _, left = mark(long(tmp_path, [("Secret Person", "1.v_B", "3")]), options=["--anonymous", "--json"])
+    assert left[0]["why"] == "the exam has no such student"
+    assert "Secret" not in "".join(capsys.readouterr()) + str(left)
+
+
+def test_points_never_exceed_what_there_is(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right = key(built)
+    first = order(built)[0]
+    policy = tmp_path / "policy.toml"
+    policy.write_text("points = { 1 = 6 }\nrounding = { problem = 4 }\n", "utf-8")
+    answers = [
+        (first, f"1.{name}", f"{right[first, f'1.{name}']:.6g}") for name in ("v_B", "omega_AB", "a_B", "epsilon_AB")
+    ]
+    _, _, totals, _ = mark(long(tmp_path, answers), options=["--policy", str(policy)])
+    assert next(row for row in totals if row["id"] == first)["1"] == "6"  # 8 is the nearest multiple of 4

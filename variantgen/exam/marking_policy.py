@@ -27,7 +27,8 @@ from variantgen.tables import Table, read_toml
 
 # Why an answer that is not right may be wrong, in the order of the documentation; ``other``: nothing is recognised.
 CAUSES = (
-    "sign", "power_of_ten", "unit", "rounding", "component", "other_answer", "neighbour", "mistake", "other",
+    "sign", "power_of_ten", "unit", "dimension", "rounding", "component", "other_answer", "neighbour", "mistake",
+    "other",
 )  # fmt: skip
 _MOST_POINTS = 1000
 
@@ -128,11 +129,13 @@ def _named(table: Table, name: str, asked: Mapping[int, frozenset[str]], whole: 
         number, _, quantity = text.partition(".")
         if not number.isdecimal() or int(number) not in asked:
             table.problem("the exam has no such problem", name, text, _numbers(asked))
+        elif text.endswith("."):
+            table.problem("expected a problem or an answer", name, text, f'write "{number}" or "{number}.v_B"')
         elif quantity and whole:
             table.problem("expected the number of a problem", name, text, f'write "{number}"')
         elif quantity and quantity not in asked[int(number)]:
             table.problem("the problem asks for no such quantity", name, text, nearest(quantity, asked[int(number)]))
-    return frozenset(found)
+    return frozenset(f"{int(n)}{dot}{q}" for n, dot, q in (text.partition(".") for text in found) if n.isdecimal())
 
 
 def _numbers(asked: Mapping[int, frozenset[str]]) -> str:

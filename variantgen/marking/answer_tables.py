@@ -25,28 +25,36 @@ from variantgen.resources import languages
 from variantgen.wording.language import load_language
 
 _ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
+_PROBLEM = re.compile(r"[0-9]{1,3}")
 _STUDENT = ("code", "id", "name", "student")
 
 
 @dataclass(frozen=True)
 class HandedIn:
-    """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row."""
+    """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
+
+    ``quantity`` is the name that the table has, or the place of the answer in a form.
+    """
 
     where: str
     who: tuple[str, ...]
     problem: int
-    quantity: str
+    quantity: str | int
     text: str
 
 
 @dataclass(frozen=True)
 class NotMatched:
-    """What could not be read or matched: where it stands, what it says, why, and what to do."""
+    """What could not be read or matched: where it stands, what it says, why, and what to do.
+
+    ``names_student``: what it says may name a student.
+    """
 
     where: str
     text: str
     why: str
     remedy: str = ""
+    names_student: bool = False
 
 
 @dataclass(frozen=True)
@@ -123,6 +131,13 @@ class _Tables:
         if not self.sheets:
             raise InputError(Problem("the table is empty", remedy="its first row names the columns"))
         understood = [self._sheet(sheet) for sheet in self.sheets]
+        form = any(self.form.columns(cells) for sheet in self.sheets for _, cells in sheet.rows[:TITLE_ROWS])
+        for sheet, read in zip(self.sheets, understood, strict=True):
+            if not read and not form:  # beside the form stand the answers of the key
+                head = ", ".join(sheet.rows[0][1])[:80]
+                self.left.append(
+                    NotMatched(self._where(sheet, sheet.rows[0][0]), head, "no table of answers: left out")
+                )
         if not any(understood):
             raise InputError(
                 Problem(
@@ -156,10 +171,10 @@ class _Tables:
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
         for number, cells in sheet.rows[head + 1 :]:
+            who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)  # code, id, name
             for column, (problem, answer) in columns.items():
-                if cells[0] and column < len(cells) and cells[column]:
-                    where = self._where(sheet, number)
-                    self.answers.append(HandedIn(where, (cells[0],), problem, f"#{answer}", cells[column]))
+                if column < len(cells) and cells[column]:
+                    self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, cells[column]))
 
     def _long(self, sheet: Worksheet, head: int, kinds: Sequence[str]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind}
@@ -167,10 +182,21 @@ class _Tables:
             row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
             where = self._where(sheet, number)
             problem = row["problem"].removesuffix(".")
-            if not problem.isdecimal():
-                self.left.append(NotMatched(where, row["problem"], "the problem is no number"))
+            if self._is_too_long(sheet, head, number, cells):
+                continue
+            if not _PROBLEM.fullmatch(problem):
+                self.left.append(NotMatched(where, row["problem"][:80], "the problem is no number"))
                 continue
             self.answers.append(HandedIn(where, _who(row), int(problem), row["quantity"], row["answer"]))
+
+    def _is_too_long(self, sheet: Worksheet, head: int, number: int, cells: Sequence[str]) -> bool:
+        """Whether a row has more cells than the head, as where a decimal comma parts them: it is told and not read."""
+        if not any(cells[len(sheet.rows[head][1]) :]):
+            return False
+        remedy = "quote answers with a decimal comma, or part the cells by semicolons"
+        what = ", ".join(cells)[:80]
+        self.left.append(NotMatched(self._where(sheet, number), what, "has more cells than the head", remedy, True))
+        return True
 
     def _wide(self, sheet: Worksheet, head: int, kinds: Sequence[str], asked: Mapping[int, tuple[int, str]]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind in _STUDENT}
@@ -183,6 +209,8 @@ class _Tables:
             where = self._where(sheet, sheet.rows[head][0])
             self.left.append(NotMatched(where, ", ".join(others), "columns that are not used"))
         for number, cells in sheet.rows[head + 1 :]:
+            if self._is_too_long(sheet, head, number, cells):
+                continue
             row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
             for column, (problem, quantity) in asked.items():
                 text = cells[column] if column < len(cells) else ""

@@ -15,8 +15,13 @@ from variantgen.exam.sheets import Answer
 from variantgen.marking.key import is_right, scale
 
 _POWERS = (1, -1, 2, -2, 3, -3)
-# Factors between units that are no power of ten: revolutions a minute, degrees, kilometres an hour, feet and inches.
-_UNITS = (math.pi / 30, math.pi / 180, 2 * math.pi, 3.6, 12.0, 0.3048, 0.0254)
+# Factors between units that are no power of ten, by the exponents of length and time.
+_UNITS = {
+    (0, 0): (math.degrees(1.0),),
+    (0, -1): (math.degrees(1.0), math.pi / 30, math.tau),
+    (0, -2): (math.degrees(1.0), math.tau),
+    (1, -1): (3.6,),
+}
 _METRES = {1: (100.0, 1000.0), 2: ()}  # exponent of length: metres taken for centimetres, for millimetres
 _NEAR = 3.0  # tolerances within which a number is right but for rounding
 _TIED = 0.02  # tolerances by which results differ that no one can tell apart: the first one counts
@@ -98,7 +103,12 @@ def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]
     for name, result in around.parts.items():
         yield Cause("component", name), result
         yield Cause("component", name), -result
-    if answer.quantity.is_angle or answer.quantity.component == "sense":
+    if answer.quantity.component == "sense":
+        return
+    for factor in _UNITS.get(answer.unit.dimension, ()):
+        for other in (factor, 1 / factor):
+            yield Cause("unit"), right * other
+    if answer.quantity.is_angle:
         return
     metres = _METRES.get(answer.unit.dimension[0], ())
     for power in _POWERS:
@@ -106,9 +116,6 @@ def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]
         unit = factor in metres or 1 / factor in metres
         yield Cause("unit" if unit else "power_of_ten"), right * factor
         yield Cause("unit" if unit else "power_of_ten"), -right * factor
-    for factor in _UNITS:
-        for other in (factor, 1 / factor):
-            yield Cause("unit"), right * other
     for name, sibling in around.siblings.items():
         if sibling.unit.dimension == answer.unit.dimension:
             yield Cause("other_answer", name), answer.unit.from_si(sibling.value * sibling.unit.size)

@@ -6,13 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+from math import degrees
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.manifest import Manifest, RecordedProblem
 from variantgen.exam.sheets import Answer
+from variantgen.exam.student_order import base
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
-from variantgen.finished.find import find
 
 
 @dataclass(frozen=True)
@@ -52,24 +53,50 @@ class Key:
             ]
         return known
 
-    def student(self, who: tuple[str, ...]) -> int:
-        """The place of the one student of whom all these words tell. Raises InputError."""
-        found = {find(self.record, text) for text in who}
-        if len(found) != 1:
-            raise InputError(
-                Problem("the words of this row name different students", remedy="correct the code or the name")
-            )
-        return found.pop()
+    @cached_property
+    def _students(self) -> Mapping[str, frozenset[int]]:
+        """The places of students by all that names them wholly: id, code with and without its dash, QR text, name."""
+        found: dict[str, set[int]] = {}
+        for place, sheet in enumerate(self.record.sheets):
+            code = sheet.code.casefold()
+            words = {
+                sheet.student.id,
+                code,
+                code.replace("-", ""),
+                f"variantgen:1:{self.record.exam_id}:{code}".casefold(),
+            }
+            for word in (*words, base(sheet.student.name)):
+                if word:
+                    found.setdefault(word, set()).add(place)
+        return {word: frozenset(places) for word, places in found.items()}
 
-    def quantity(self, place: int, problem: int, name: str) -> tuple[str, str]:
-        """The name of an asked quantity as the key has it, and '' or why there is none. ``#2`` is the third one."""
+    def student(self, who: tuple[str, ...]) -> int:
+        """The place of the one student whom all these words name wholly. Raises InputError."""
+        each = []
+        for text in who:
+            word = " ".join(text.split())
+            ways = (word, word.casefold(), base(word))
+            each.append(next((self._students[way] for way in ways if way in self._students), frozenset[int]()))
+            if not each[-1]:
+                remedy = nearest(word, (key for key in self._students if not key.startswith("variantgen:")))
+                remedy = remedy if remedy.startswith("did") else "give the code of the sheet, the id or the whole name"
+                raise InputError(Problem("the exam has no such student", value=text, remedy=remedy))
+        found = frozenset.intersection(*each)
+        if not found:
+            remedy = "correct the code, the id or the name"
+            raise InputError(Problem("the words of this row name different students", remedy=remedy))
+        if len(found) > 1:
+            raise InputError(Problem(f"{len(found)} students have this name", remedy="add the code or the id"))
+        return next(iter(found))
+
+    def quantity(self, place: int, problem: int, name: str | int) -> tuple[str, str]:
+        """The name of an asked quantity as the key has it, and '' or why there is none; a number is its place."""
         own = self.places[place].get(problem)
         if own is None:
             return "", "the sheet has no such problem: its problems are " + ", ".join(map(str, self.places[place]))
         names = [answer.quantity for answer in own.answers]
-        if name.startswith("#"):
-            number = int(name[1:])
-            return (names[number], "") if number < len(names) else ("", "the problem asks this student for less")
+        if isinstance(name, int):
+            return (names[name], "") if name < len(names) else ("", "the problem asks this student for less")
         plain = "".join(name.split())
         if plain in names:
             return plain, ""
@@ -82,9 +109,12 @@ class Key:
 def is_right(answer: Answer, value: float) -> bool:
     """Whether a value in the unit of the key is within the tolerance of an answer, its ends included."""
     typed = Decimal(repr(value))
+    if answer.quantity.is_direction:  # whole turns do not change it
+        gap = (typed - Decimal(repr(answer.value))) % 360
+        return min(abs(gap), 360 - abs(gap)) <= Decimal(repr(answer.tolerance))
     return any(low <= typed <= high for low, high in answer.exact_intervals)
 
 
 def scale(answer: Answer) -> float:
     """By what deviations from an answer are measured: its size, for an angle a radian."""
-    return float(180 / 3.141592653589793) if answer.quantity.is_angle else abs(answer.value)
+    return degrees(1.0) if answer.quantity.is_angle else abs(answer.value)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -23,6 +24,7 @@ from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
 
 _NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands alone
+_SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
 
 
 class Verdict(Enum):
@@ -79,6 +81,11 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
     left = list(read.not_matched)
     typed = _matched(key, read.answers, left)
     marks = _judged(key, typed)
+    for item in marks:
+        if item.verdict is Verdict.UNREADABLE:
+            found = typed[item.place, item.problem, item.answer.quantity.name]
+            what = f"{item.problem}.{item.answer.quantity.name}: {item.text}"[:80]
+            left.append(NotMatched(found.where, what, "is no number that can be read"))
     marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
@@ -94,6 +101,8 @@ def _matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> T
     found: Typed = {}
     students: dict[tuple[str, ...], int | None] = {}
     for item in answers:
+        if _is_blank(item.text) and item.text not in _SIGNS:
+            continue
         if item.who not in students:
             students[item.who] = _student(key, item, left)
         place = students[item.who]
@@ -104,9 +113,9 @@ def _matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> T
             left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}", why))
             continue
         known = found.get((place, item.problem, name))
-        if known is None or _is_blank(known.text):
+        if known is None:
             found[place, item.problem, name] = item
-        elif not _is_blank(item.text) and item.text != known.text:
+        elif item.text != known.text:
             why = f"the same student has another answer in {known.where}: {known.text}, which stands"
             text = f"{item.problem}.{name}: {item.text}"
             left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
@@ -117,13 +126,13 @@ def _student(key: Key, item: HandedIn, left: list[NotMatched]) -> int | None:
     """The place of the student of a row; None where there is none, which is told once."""
     words = ", ".join(item.who) or "nothing"
     if not item.who:
-        left.append(NotMatched(item.where, words, "the row names no student"))
+        left.append(NotMatched(item.where, item.text, "the row names no student"))
         return None
     try:
         return key.student(item.who)
     except InputError as error:
         problem = error.problems[0]
-        left.append(NotMatched(item.where, words, problem.message, problem.remedy))
+        left.append(NotMatched(item.where, words, problem.message, problem.remedy, names_student=True))
         return None
 
 
@@ -144,6 +153,9 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
 
 
 def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cause | None]:
+    if answer.quantity.component == "sense" and text.strip() in _SIGNS:
+        value = _SIGNS[text.strip()]
+        return text, value, *((Verdict.RIGHT, None) if is_right(answer, value) else (Verdict.WRONG, Cause("sign")))
     if _is_blank(text):
         return text, None, Verdict.BLANK, None
     number = read_number(text)
@@ -151,11 +163,14 @@ def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cau
         return text, None, Verdict.UNREADABLE, None
     values = number.in_unit(answer.unit)
     if values is None:
-        return text, number.values[0], Verdict.WRONG, Cause("unit", number.unit.name if number.unit else "")
+        other = Cause("dimension", number.unit.name if number.unit else "")
+        return text, number.values[0], Verdict.WRONG, other
     right = next((value for value in values if is_right(answer, value)), None)
     if right is not None:
         return text, right, Verdict.RIGHT, None
-    return text, values[0], Verdict.WRONG, OTHER
+    # Of several readings of a comma the one of the size of the answer is meant.
+    nearest = min(values, key=lambda value: abs(math.log(abs(value / answer.value))) if value and answer.value else 0.0)
+    return text, nearest, Verdict.WRONG, OTHER
 
 
 def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
@@ -221,7 +236,7 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
 
 def _is_wrong(item: MarkedAnswer) -> bool:
     """Whether an answer is a number in a unit of its own kind that is not right."""
-    return item.verdict is Verdict.WRONG and not (item.cause and item.cause.name == "unit" and item.cause.detail)
+    return item.verdict is Verdict.WRONG and not (item.cause and item.cause.name == "dimension")
 
 
 def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
@@ -269,12 +284,17 @@ def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> l
     found = []
     for place, sheet in enumerate(key.record.sheets):
         problems: dict[int, Fraction] = defaultdict(Fraction)
+        had: dict[int, Fraction] = defaultdict(Fraction)
         most = Fraction(0)
         for item in own[place]:
             problems[item.problem] += item.points
+            had[item.problem] += item.of
             most += Fraction(0) if str(item.problem) in policy.bonus else item.of
-        by_problem = {number: rounded(points, policy.problem_step) for number, points in problems.items()}
-        points = rounded(sum(by_problem.values(), Fraction(0)), policy.total_step)
+        by_problem = {
+            number: min(rounded(points, policy.problem_step), had[number]) for number, points in problems.items()
+        }
+        every = sum(had.values(), Fraction(0))
+        points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
         grade = policy.grade(points, most)
         found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))

@@ -7,10 +7,12 @@ apostrophe.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
+from variantgen.marking.answer_tables import NotMatched
 from variantgen.marking.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer
 from variantgen.outputs.files.records import csv_rows, safe_cell
@@ -36,8 +38,16 @@ def write_marks(folder: Path, record: Manifest, marked: Marked, anonymous: bool)
         sums = (shown(total.points), shown(total.of), percent, safe_cell(total.grade), total.handed_in)
         rows.append((*student, total.code, *own, *sums))
     _write(folder / TOTALS, rows)
-    left = [tuple(map(safe_cell, (item.where, item.text, item.why, item.remedy))) for item in marked.not_matched]
+    shown_items = not_matched(marked, anonymous)
+    left = [tuple(map(safe_cell, (item.where, item.text, item.why, item.remedy))) for item in shown_items]
     _write(folder / NOT_MATCHED, [("where", "text", "why", "remedy"), *left])
+
+
+def not_matched(marked: Marked, anonymous: bool) -> list[NotMatched]:
+    """What was not matched; without words that may name a student where these are left out."""
+    if not anonymous:
+        return list(marked.not_matched)
+    return [replace(item, text="", remedy="") if item.names_student else item for item in marked.not_matched]
 
 
 def shown(points: Fraction) -> str:

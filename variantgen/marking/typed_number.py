@@ -17,6 +17,7 @@ from variantgen.wording.language import load_language
 
 LONGEST = 60  # characters of a text that may be a number
 _LARGEST_POWER = 12
+_DIGITS = 13
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans(
     {
@@ -37,7 +38,9 @@ _ALIKE = str.maketrans(
 _SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
 _GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
 _POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
-_PLAIN = re.compile(r"\d+(?:\.\d+)?|\.\d+")
+_PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
+_TIMES = re.compile(r"(?<=\d)\s*[xхXХ]\s*(?=10\b|10\^)")  # 2.5x10^3, with a Latin or a Russian letter
+_BRACKETED = re.compile(r"([^()]*\d)\s*\(([^()\d][^()]*)\)")
 _TOKEN = re.compile(rf"\s*(?:({_PLAIN.pattern})(?:[eE]([+-]?\d{{1,3}})(?![\d.]))?|(sqrt|√|pi|π|[-+*/^()]))")
 
 
@@ -54,7 +57,8 @@ class TypedNumber:
             return self.values
         if self.unit.dimension != own.dimension:
             return None
-        return tuple(own.from_si(value * self.unit.size) for value in self.values)
+        # Digits that only the conversion has made could lie beyond the end of a tolerance.
+        return tuple(float(f"{own.from_si(value * self.unit.size):.{_DIGITS}g}") for value in self.values)
 
 
 def read_number(text: str) -> TypedNumber | None:
@@ -62,14 +66,22 @@ def read_number(text: str) -> TypedNumber | None:
     if len(text) > LONGEST:
         return None
     plain = _POWER.sub(lambda found: "10^" + found[0][2:].translate(_SUPERSCRIPTS), text)
-    plain = _SPACE.sub(" ", plain.translate(_ALIKE)).strip()
+    plain = _SPACE.sub(" ", plain.translate(_ALIKE).translate(_SUPERSCRIPTS)).strip(" ≈~")
+    plain = _TIMES.sub("*", plain)
+    if plain.endswith(")") and (found := _BRACKETED.fullmatch(plain)):
+        plain = f"{found[1]} {found[2]}"  # 2.95 (cm/s)
     for spelled, unit in _spellings():
-        if plain.casefold().endswith(spelled):
+        if plain.casefold().endswith(spelled) and not (spelled[0].isdecimal() and _is_digit_before(plain, spelled)):
             values = _values(plain[: -len(spelled)].rstrip(" *"))
             if values:
                 return TypedNumber(values, unit)
     values = _values(plain)
     return TypedNumber(values) if values else None
+
+
+def _is_digit_before(text: str, spelled: str) -> bool:
+    """Whether what stands before the spelling of a unit goes on in its first digit: 0.51/s is 0.51 of 1/s."""
+    return text[: -len(spelled)][-1:].isdecimal() or text[: -len(spelled)][-1:] in (".", ",")
 
 
 def _values(text: str) -> tuple[float, ...]:
@@ -85,11 +97,12 @@ def _decimal_points(text: str) -> tuple[str, ...]:
         return (text,) if text.count(".") < 2 or "/" in text or "*" in text else ()
     if "." in text:  # the last one of them parts the decimals, the others thousands
         thousands, decimal = (",", ".") if text.rindex(".") > text.rindex(",") else (".", ",")
-        return (text.replace(thousands, "").replace(decimal, "."),)
+        grouped = re.fullmatch(rf"[-+]?\d{{1,3}}(?:\{thousands}\d{{3}})+\{decimal}\d*", text)
+        return (text.replace(thousands, "").replace(decimal, "."),) if grouped else ()
     comma = text.replace(",", ".")
     if re.search(r"\d,\d+,", text) and not set(text) & set("/*"):
-        return (text.replace(",", ""),) if re.fullmatch(r"-?\d{1,3}(,\d{3})+", text) else ()
-    return (comma, text.replace(",", "")) if re.fullmatch(r"-?[1-9]\d{0,2},\d{3}", text) else (comma,)
+        return (text.replace(",", ""),) if re.fullmatch(r"[-+]?\d{1,3}(,\d{3})+", text) else ()
+    return (comma, text.replace(",", "")) if re.fullmatch(r"[-+]?[1-9]\d{0,2},\d{3}", text) else (comma,)
 
 
 class _Reader:
@@ -131,14 +144,14 @@ class _Reader:
         return sign * self._product()
 
     def _product(self) -> float:
-        found = self._power()
+        found, divided = self._power(), False
         while True:
             ahead = self._peek()
             if ahead in ("*", "/"):
-                self._next()
+                divided = self._next() == "/"
                 other = self._power()
-                found = found * other if ahead == "*" else found / other
-            elif ahead in ("sqrt", "√", "pi", "π", "("):  # 40√3: a factor without a sign between
+                found = found / other if divided else found * other
+            elif ahead in ("sqrt", "√", "pi", "π", "(") and not divided:  # 40√3; 1/2√3 could be meant in two ways
                 found *= self._power()
             else:
                 return found
@@ -192,11 +205,24 @@ def _spellings() -> tuple[tuple[str, Unit], ...]:
         words = {name, *(load_language(language).tables["units"].get(name, name) for language in languages())}
         for word in words:
             found.setdefault(usual_name(word).casefold(), unit)
+            found.setdefault(word.casefold(), unit)
     for word, unit in list(found.items()):
         if word.endswith("^2"):
             found.setdefault(word.replace("^2", "2"), unit)  # m/s2
-    for second in ("s", "с"):
-        found[f"1/{second}"] = found[f"{second}^-1"] = UNITS["rad/s"]
-        found[f"1/{second}^2"] = found[f"{second}^-2"] = UNITS["rad/s^2"]
-    found["°"] = UNITS["deg"]
+    for second in ("s", "с", "c"):  # the last two look alike on Russian keyboards
+        for power, unit in ((1, UNITS["rad/s"]), (2, UNITS["rad/s^2"])):
+            whole = second if power == 1 else f"{second}^2"
+            for word in (f"1/{whole}", f"/{whole}", f"{second}^-{power}", f"{second}-{power}"):
+                found.setdefault(word, unit)
+    for word, unit in list(found.items()):
+        for written, other in (("с", "c"), ("с", "сек"), ("s", "sec")):
+            if re.search(rf"/{written}(?!\w)", word):
+                found.setdefault(re.sub(rf"/{written}(?!\w)", f"/{other}", word), unit)
+    found |= {
+        "°": UNITS["deg"],
+        "град": UNITS["deg"],
+        "rev/min": UNITS["rpm"],
+        "mph": UNITS["mi/h"],
+        "об/мин": UNITS["rpm"],
+    }
     return tuple(sorted(found.items(), key=lambda item: -len(item[0])))

@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
     from variantgen.marking.pages import write_pages
-    from variantgen.marking.records import FILES, write_marks
+    from variantgen.marking.records import FILES, not_matched, write_marks
     from variantgen.outputs.files.folder import check_free, whole_folder
 
     known = (*FILES, *PAGES)
@@ -62,10 +62,15 @@ def run(arguments: argparse.Namespace) -> int:
         say(_json(found, arguments.anonymous))
     for difference in finished.differences:
         tell(f"not as when the exam was made: {difference}")
-    for item in found.not_matched[:_SHOWN]:
-        tell(f"{item.where}: {item.why} (got {item.text})" + (f"\n    {item.remedy}" if item.remedy else ""))
-    if len(found.not_matched) > _SHOWN:
-        tell(f"and {len(found.not_matched) - _SHOWN} more, see not_matched.csv")
+    left = not_matched(found, arguments.anonymous)
+    for item in left[:_SHOWN]:
+        tell(
+            f"{item.where}: {item.why}"
+            + (f" (got {item.text})" if item.text else "")
+            + (f"\n    {item.remedy}" if item.remedy else "")
+        )
+    if len(left) > _SHOWN:
+        tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
     tell(_summary(found))
     tell(f"written: {arguments.out}: {', '.join((*FILES, *PAGES))}")
     return 0
@@ -85,6 +90,8 @@ def _json(found: Marked, anonymous: bool) -> str:
     """The sums and what was not matched, as JSON."""
     from dataclasses import asdict
 
+    from variantgen.marking.records import not_matched
+
     students = [
         {
             **({} if anonymous else {"id": total.student.id, "name": total.student.name, "group": total.student.group}),
@@ -98,7 +105,7 @@ def _json(found: Marked, anonymous: bool) -> str:
         for total in found.totals
     ]
     return json.dumps(
-        {"students": students, "not_matched": [asdict(item) for item in found.not_matched]},
+        {"students": students, "not_matched": [asdict(item) for item in not_matched(found, anonymous)]},
         ensure_ascii=False,
         indent=1,
     )
