@@ -102,7 +102,7 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
                 problem = f"the figure does not show {', '.join(sorted(hidden))}"
                 shown = ", ".join(name for name in form.points if name not in form.figure.hidden)
                 problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
-            elif quantity.group in ("position", "path") and (reason := given_position(form, quantity)):
+            elif quantity.group in ("position", "path", "centre") and (reason := given_position(form, quantity)):
                 problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
             if wanted:
                 quantity = in_unit(quantity, wanted, place)
