@@ -168,6 +168,13 @@ def test_a_centre_at_infinity_has_no_place(capsys):
     assert any(row[column] is None for row in bodies["rows"].values())
 
 
+@pytest.mark.parametrize("whole", ["--all", "--json"])
+@pytest.mark.parametrize("wish", [["--method", "pole"], ["--depth", "full"], ["--notation", "alpha"]])
+def test_wishes_of_a_solution_need_one(whole, wish, scene, capsys):
+    assert main(["solve", str(scene), whole, *wish]) == 2
+    assert f"{wish[0]}: only has a meaning for solutions" in capsys.readouterr().err
+
+
 def test_tables_hold_what_is_asked_already(scene, capsys):
     assert main(["solve", str(scene), "--all", "--ask", "v_A"]) == 2
     assert "leave out --all or --ask" in capsys.readouterr().err

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import json
 import math
+import textwrap
 import tomllib
 from decimal import Decimal
 from pathlib import Path
@@ -86,6 +87,26 @@ def test_there_is_a_worked_solution(path: Path, capsys: pytest.CaptureFixture[st
     assert bool(answer) != bool(book.get("unexplained")), shown.err
     if answer:
         assert last.partition("\n\n")[0].count(";") + 1 == len(book["answers"])
+
+
+@_EACH
+def test_the_printed_program_finds_what_the_solver_finds(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    book: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
+    command = [part.partition(" in ")[0] for part in _command(path, book)]
+    if "--ask" not in command:
+        command += [part for name in book["answers"] for part in ("--ask", name.partition(" in ")[0])]
+    assert main([*command, "--json"]) == 0
+    solved = {a["quantity"]: a["value"] for a in json.loads(capsys.readouterr().out)["answers"]}
+    assert main([*command, "--explain", "--method", "coordinates"]) == 0
+    _, head, program = capsys.readouterr().out.partition("    import numpy as np\n")
+    if not head:
+        assert all(name.startswith(("x_", "y_", "angle_", "distance_")) for name in solved), "no program"
+        return
+    lines = textwrap.dedent(head + program.partition("\nAnswer: ")[0])
+    exec(compile(lines, path.name, "exec"), {})
+    printed = dict(line.split(" = ") for line in capsys.readouterr().out.splitlines())
+    for name, value in solved.items():
+        assert float(printed[name]) == pytest.approx(value, rel=1e-7, abs=1e-7), name
 
 
 def test_every_scene_has_its_book() -> None:

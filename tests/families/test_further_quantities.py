@@ -13,7 +13,7 @@ import pytest
 from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity, split_name
 from variantgen.families.restrict import restrict
@@ -235,9 +235,9 @@ def test_a_line_is_named_by_points_of_one_letter() -> None:
 @pytest.mark.parametrize(
     ("name", "remedy"),
     [
-        ("v_B.along_OX", "after along_ and across_ stand two points, each a letter or a letter with a number"),
+        ("v_B.along_OX", "each a letter or a letter with a number, of: A, B, C, M, O"),
         ("ratio_AB.XY", "write the two bodies of omega / omega"),
-        ("angle_XY", "points: O, M, C, A, B"),
+        ("angle_XY", "points: A, B, C, M, O"),
         ("distance_A", "the distance of two points distance_A.B"),
     ],
 )
@@ -245,6 +245,16 @@ def test_remedies(name: str, remedy: str) -> None:
     with pytest.raises(InputError, match="unknown quantity") as found:
         read_ask(load_family("four_bar").forms["crank"], [name])
     assert remedy in str(found.value)
+
+
+@pytest.mark.parametrize("name", ["angle_AA", "v_B.along_OX", "distance_A", "ratio_AB.XY"])
+def test_a_mistake_in_all_forms_is_told_once(name: str) -> None:
+    """They name their points and bodies in different orders."""
+    family = load_family("four_bar")
+    assert len({tuple(form.points) for form in family.forms.values()}) > 1
+    with pytest.raises(InputError) as found:
+        check_ask(family, [name], family)
+    assert len(found.value.problems) == 1
 
 
 def test_what_has_no_value_is_not_drawn() -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from variantgen.cli.columns import in_columns
+from variantgen.cli.exam_preview import refuse_exam
 from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_families, add_language
 from variantgen.errors import InputError, Problem
@@ -46,6 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     load_language(arguments.lang)
     folders = family_folders(arguments.families)
     if arguments.family:
+        refuse_exam(arguments, "list tells what a family offers")
         _one(arguments, load_family(arguments.family, folders), folders)
         return 0
     if arguments.figure:

@@ -111,6 +111,8 @@ class _Program:
             if rate.exact:
                 sign, size = signed(rate.expression)
                 function.append((sign, f"{enclosed(size, self.names)}*{power}"))
+        if not function:  # at rest, where it counts from
+            return self.names[own.place]
         text = "".join((" + " if sign > 0 else " - ") + part for sign, part in function)
         return f"{self.names[own.place]} - ({text.removeprefix(' + ').replace(' - ', '-', text.startswith(' - '))})"
 
@@ -152,11 +154,12 @@ class _Program:
             yield value
 
     def _is_number(self, value: Value) -> bool:
-        """Whether a constant is written as a number: given, or not following from given data by a short formula."""
+        """Whether a constant is written as a number: given (in any unit), or not following from given data."""
         if value.expression is None:
             return True
         used = in_order(parts(value.expression))
-        return not used or any(part.name is None or part.name.kind != "parameter" for part in used)
+        names = [part.name for part in used]
+        return not used or value.name in names or any(name is None or name.kind != "parameter" for name in names)
 
     def _extra(self, asked: list[str]) -> Iterator[str]:
         """Constants that only the answers use."""

@@ -60,7 +60,7 @@ class _Part:
 def _with_straight_angle(shown: Expression) -> Expression | None:
     """A product with a factor pi, with 180 degrees in its place; None for anything else."""
     if isinstance(shown, Pi):
-        return Constant(180.0)
+        return Constant(180.0, "angle")
     if isinstance(shown, Times):
         for place, factor in enumerate(shown.operands()):
             changed = _with_straight_angle(factor)
@@ -124,7 +124,7 @@ class Translator:
     def _name(self, name: str) -> _Part | None:
         """A parameter as its value, a choice as its number, a derived quantity written out, a constant."""
         if name == "deg":
-            return _Part(Constant(1.0), True)
+            return _Part(Constant(1.0, "angle"), True)
         if name == "pi":
             return _Part(Pi())
         if name in CONSTANTS:
@@ -166,6 +166,8 @@ def _product(left: Expression, right: Expression) -> Expression:
     if isinstance(left, Constant) and isinstance(right, Constant) and (_is_length(left) or _is_length(right)):
         return Constant(_short(left.value * right.value), "length")
     for one, other in ((left, right), (right, left)):
-        if isinstance(one, Constant) and abs(one.value) == 1:
+        if isinstance(one, Constant) and isinstance(other, Constant) and one.measure == "angle":
+            return Constant(_short(one.value * other.value), "angle")
+        if isinstance(one, Constant) and abs(one.value) == 1 and one.measure != "angle":
             return other if one.value > 0 else -other
     return left * right
