@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -15,22 +14,20 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
-from variantgen.families.family import Form
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.restrict import restrict
-from variantgen.families.soundness import demands
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.variants.draw import draw
+from variantgen.variants.only_variant import only_variant
 from variantgen.variants.screening import verification
 from variantgen.variants.variant import Variant, solve_variants
 
 # What stands in the place of student and problem in the key of a draw for one variant.
 SINGLE = ("single", 0)
-_ONE_PLACE = 1e-9  # of the size of the mechanism: points nearer than that are one but for rounding
 
 
 def one_variant(
@@ -49,52 +46,19 @@ def one_variant(
     Fixed values may lie beyond the range of the family. Which single quantities are asked changes no data, only whether
     accelerations are (:mod:`variantgen.variants.examined`). When nothing is left to draw, the values are taken as they
     are, without screens. ``nice``: a hand-friendly variant. ``units``: the unit of length of data and answers, if it is
-    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError.
+    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError, also where
+    ``nice`` leaves nothing to choose.
     """
     family = restrict(load_family(family_or_file, folders), fixed, ranges, (form,) if form else (), nice, True, units)
     only = next(iter(family.forms.values()))
+    if nice and only.parameters.keys() <= (fixed or {}).keys():
+        problem = "no value is drawn, so there are no hand-friendly ones to choose"
+        raise InputError(Problem(problem, family_or_file, "nice", remedy="leave nice out"))
     if len(family.forms) == 1 and only.grid_size == 1:
-        variant = Variant(family, only, {name: p.printed[0] for name, p in only.parameters.items()})
-        try:
-            _check_values(only)
-            _check_places(variant)
-        except InputError as error:
-            raise error.located(family_or_file) from None
-        return variant
+        return only_variant(family, only, family_or_file)
     if ask:
         check_ask(family, tuple(ask), load_family(family_or_file, folders))
     return draw(family, tuple(ask) or None, [(seed, *SINGLE)], screening=AnswerTolerances())[0]
-
-
-def _check_values(form: Form) -> None:
-    """Raise InputError where a fixed value leaves an expression without a meaning."""
-    values = form.values({name: float(p.si[0]) for name, p in form.parameters.items()})
-    wrong = [demand for demand in demands(form) if not demand.met(values)]
-    if wrong:
-        raise InputError([Problem(f"expected {d.expects}", key=d.key, value=d.expression.text) for d in wrong])
-
-
-def _check_places(variant: Variant) -> None:
-    """Raise InputError where two points of a body lie in one place: a line through them has no direction."""
-    motion = solve_variants([variant], 0)
-    if not motion.solved[0]:
-        return
-    size = float(motion.length_scale()[0])
-    problems = [
-        Problem(
-            f"the points {first} and {second} of this body lie in one place: two names for one point",
-            key=f"bodies.{body}",
-            value=", ".join(members),
-            remedy=f"use one of the names everywhere (a point of two bodies is a hinge), place {second} elsewhere, or"
-            f' say that it is so:  {second} = "{first}"  in [points]',
-        )
-        for body, members in variant.form.bodies.items()
-        for first, second in combinations(members, 2)
-        if variant.form.points[first] is not variant.form.points[second]  # told to be in one place
-        and abs(complex(motion.z[first][0] - motion.z[second][0])) <= _ONE_PLACE * size
-    ]
-    if problems:
-        raise InputError(problems)
 
 
 def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:

@@ -16,6 +16,7 @@ from variantgen.arrays.batch import Batch
 from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.mechanism.verify import recompute
+from variantgen.single import one_variant
 from variantgen.variants import attempts
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import RejectionCounts
@@ -175,6 +176,37 @@ def test_a_scene_of_ones_own_without_parameters(tmp_path: Path) -> None:
     assert repr(found[0]) == "<Variant of crank>"
     assert "<svg" in found[0]._repr_html_()
     assert "Answer" in variantgen.explain(found[0], ask=["v_B"])._repr_html_()
+
+
+def test_where_nothing_is_left_to_draw_there_are_no_screens_of_a_draw(tmp_path: Path) -> None:
+    """Parts that lie in one place on paper are refused to a draw, and no matter to an author who wrote them so."""
+    kinds = Path(__file__).parents[1] / "textbook_kinds"
+    # The cylinder unwinds: its centre falls with 2 m/s from a thread 0.1 m beside it.
+    yoyo = variantgen.batch(str(kinds / "yoyo.toml"), 3, ask=["v_O.y", "omega_d"])
+    assert len(yoyo) == 3
+    assert yoyo.answers["v_O.y"] == pytest.approx([-2] * 3)
+    assert np.abs(yoyo.answers["omega_d"]) == pytest.approx([20] * 3)
+    for name in ("peaucellier", "watt_six_bar", "oldham"):
+        assert variantgen.batch(str(kinds / f"{name}.toml"), 2).motion.solved.all()
+    with pytest.raises(InputError, match="no valid variant found"):
+        variantgen.batch(str(kinds / "yoyo.toml"), 1, for_sheets=True)
+    apart, twice = tmp_path / "apart.toml", tmp_path / "twice.toml"
+    apart.write_text(
+        SCENE.replace("x = 0.4, y = 0 }", "x = 0.4, y = 0.3 }").replace("angle = 0 ", "angle = 90 "), "utf-8"
+    )
+    with pytest.raises(InputError, match="dead point"):
+        variantgen.batch(str(apart), 2)
+    twice.write_text(SCENE.replace("x = 0.4, y = 0 }", "x = 0, y = 0.3 }"), "utf-8")
+    with pytest.raises(InputError, match=r"twice\.toml: bodies\.AB: the points A and B"):
+        variantgen.batch(str(twice), 2)
+
+
+def test_values_that_go_together_do_so_where_one_pair_is_left() -> None:
+    """Hand-friendly Scotch yokes have phi and alpha (60, 120) or (120, 150): with phi 120, alpha is 150."""
+    fixed = {"OA": 10, "omega_OA": 2, "epsilon_OA": 0, "sense": "counter_clockwise", "phi": 120}
+    found = variantgen.batch("scotch_yoke", 2, form="oblique", nice=True, set=fixed)
+    assert found.parameters["alpha"].tolist() == [150, 150]
+    assert one_variant("scotch_yoke", fixed, form="oblique", nice=True).printed["alpha"] == 150
 
 
 def test_the_table_has_columns_of_one_length() -> None:

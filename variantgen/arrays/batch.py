@@ -27,11 +27,13 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion
+from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.solve import solve
 from variantgen.notebook import display
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import Attempts, RejectionCounts
 from variantgen.variants.examined import examined
+from variantgen.variants.only_variant import only_variant
 from variantgen.variants.screening import verification
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant
@@ -163,8 +165,10 @@ def batch(
     as the options of ``variantgen show`` do; bare numbers are in printed units. The screens are those of the family,
     mistakes that must be seen in the answers among them. What takes the steps of a solution is done only
     ``for_sheets``: a calculation by hand with three digits stays within the family's ceiling, and the independent
-    computation confirms every variant; some 0.3 to 3 ms each. Variants may repeat. Raises InputError, and
-    VerificationError where that computation finds something else: a defect of the program.
+    computation confirms every variant; some 0.3 to 3 ms each. Variants may repeat: where nothing is left to draw (a
+    scene without parameters, everything fixed) all are that one, as ``variantgen show`` takes it, without the screens
+    of a draw (but ``for_sheets``). Raises InputError, and VerificationError where that computation finds something
+    else: a defect of the program.
     """
     if isinstance(n, bool) or not isinstance(n, int) or not 0 < n <= _LARGEST:
         raise InputError(Problem(f"expected a whole number from 1 to {_LARGEST}", key="n", value=repr(n)))
@@ -177,6 +181,8 @@ def batch(
         check_ask(narrowed, ask, whole)
     only = next(iter(narrowed.forms.values()))
     asked = read_ask(only, ask)
+    if only.grid_size == 1 and not for_sheets:
+        return _copies(only_variant(narrowed, only, whole.name if whole is family else str(family)), tuple(asked), n)
     sampler = FormSampler(
         narrowed, only, examined(only, asked), RejectionCounts(), f"batch: {whole.name}", AnswerTolerances()
     )
@@ -191,6 +197,19 @@ def _first_form(family: Family, named: Collection[str], nice: bool) -> str:
     """The first form that has parameters of these names; the very first where none has, to say so."""
     forms = (family.nice_forms if nice else []) or list(family.forms)
     return next((form for form in forms if all(name in family.forms[form].parameters for name in named)), forms[0])
+
+
+def _copies(variant: Variant, asked: tuple[Quantity, ...], n: int) -> Batch:
+    """A batch of one variant, so many times. Raises InputError where it is not solved."""
+    zeros = np.zeros(n, np.int64)
+    parameters = variant.form.parameters
+    index = {name: zeros + parameters[name].printed.index(value) for name, value in variant.printed.items()}
+    attempts = Attempts(index, zeros, zeros, np.arange(1, n + 1))
+    found = _solved(variant.family, variant.form, asked, [(variant.sense, variant.turns)], attempts)
+    if not found.motion.solved[0]:
+        outcome = Outcome(int(found.motion.outcome[0]))
+        raise InputError(Problem(outcome.text, key="motion", value=variant.family.name))
+    return found
 
 
 def _solved(

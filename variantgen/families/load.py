@@ -22,6 +22,8 @@ from variantgen.resources import catalog_dir
 from variantgen.tables import Table, read_toml
 
 SCHEMA = 1
+# What no exam says; a title and the number of the schema stand there too.
+FAMILY_KEYS = frozenset({*SECTIONS, "length_unit", "ask", "may_ask", "source", "solution", "forms"})
 
 
 def family_names(folders: Sequence[Path] = ()) -> list[str]:
