@@ -104,7 +104,12 @@ def test_a_scene(scene, capsys):
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
-    [(["list", "four_barr"], "did you mean four_bar"), (["list", "--figure", "f.svg"], "of which family?")],
+    [
+        (["list", "four_barr"], "did you mean four_bar"),
+        (["list", "--figure", "f.svg"], "of which family?"),
+        (["list", "four_bar", "--figure", "."], "unknown format of a figure"),
+        (["list", "four_bar", "--figure", "x.bmp"], "unknown format of a figure (got x.bmp)"),
+    ],
 )
 def test_wrong_wishes(arguments, said, capsys):
     assert main(arguments) == 2
@@ -161,6 +166,13 @@ def test_a_centre_at_infinity_has_no_place(capsys):
     bodies = next(table for table in found["tables"] if table["title"] == "bodies")
     column = [item["name"] for item in bodies["columns"]].index("P.x")
     assert any(row[column] is None for row in bodies["rows"].values())
+
+
+@pytest.mark.parametrize("whole", ["--all", "--json"])
+@pytest.mark.parametrize("wish", [["--method", "pole"], ["--depth", "full"], ["--notation", "alpha"]])
+def test_wishes_of_a_solution_need_one(whole, wish, scene, capsys):
+    assert main(["solve", str(scene), whole, *wish]) == 2
+    assert f"{wish[0]}: only has a meaning for solutions" in capsys.readouterr().err
 
 
 def test_tables_hold_what_is_asked_already(scene, capsys):

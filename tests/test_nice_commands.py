@@ -60,6 +60,13 @@ def test_nice_draws_hand_friendly_variants(capsys: pytest.CaptureFixture[str]) -
     assert "three_rod_plate" in capsys.readouterr().err
 
 
+def test_nothing_drawn_is_nothing_to_choose(capsys: pytest.CaptureFixture[str]) -> None:
+    scene = Path(__file__).parent / "textbook_kinds" / "bar_on_disc.toml"
+    for problem in ([str(scene)], [*LADDER, *SET]):
+        assert main(["show", *problem, "--nice"]) == 2
+        assert "nice: no value is drawn" in capsys.readouterr().err
+
+
 def test_gallery_of_hand_friendly_variants(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "gallery"
     wanted = ["wheel_with_rod", "three_rod_plate", "ladder"]

@@ -101,6 +101,8 @@ def test_a_part_of_a_name(exam, tmp_path, capsys):
     [
         (["sample_en", "--set", "OA=20"], "--set: has no meaning for an exam"),
         (["sample_en", "--lang", "ru"], "--lang: has no meaning for an exam"),
+        (["sample_en", "--view", "velocity_plan"], "--view: has no meaning for an exam"),
+        (["four_bar", "--notation", "alpha"], "--notation: only has a meaning for solutions"),
         (["four_bar", "--student", "7"], "--student: only has a meaning for an exam"),
         (["sample_en", "--out", "page.docx"], "unknown format"),
     ],
@@ -108,6 +110,35 @@ def test_a_part_of_a_name(exam, tmp_path, capsys):
 def test_wrong_options(arguments, said, capsys):
     assert main(["show", *arguments]) == 2
     assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--seed", "--student"])
+def test_an_empty_text_is_no_value(option, capsys):
+    with pytest.raises(SystemExit) as left:
+        main(["show", "sample_en", option, ""])
+    assert left.value.code == 2
+    assert f"argument {option}: expected a text that is not empty" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["list", "solve"])
+def test_other_commands_say_that_it_is_an_exam(command, exam, capsys):
+    for name in (str(exam), "sample_en"):
+        assert main([command, name]) == 2
+        said = capsys.readouterr().err
+        assert said.startswith(f"variantgen: {name}: this is an exam, ")
+        assert f"variantgen show {name}  or  variantgen build {name}" in said
+
+
+def test_a_misspelt_exam_is_told_as_one(tmp_path, capsys):
+    """Neither [[problem]] nor a language, but nothing of a mechanism either."""
+    path = tmp_path / "exam.toml"
+    path.write_text('title = "T"\n[[problems]]\nfamily = "four_bar"\n', encoding="utf-8")
+    assert main(["show", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "language: missing" in said
+    assert "did you mean problem?" in said
+    assert main(["list", str(path)]) == 2
+    assert "this is an exam" in capsys.readouterr().err
 
 
 def test_a_wrong_exam_is_told_as_one(tmp_path, capsys):

@@ -49,9 +49,10 @@ def test_the_numbers_of_the_file_are_given(scene, given, capsys):
 
 
 def test_rates_of_second_order_are_given_for_accelerations_alone(capsys):
-    out = _shown(capsys, str(KINDS / "frame_on_cart.toml"), "--ask", "v_M")
-    assert "v_C = 2 m/s" in out
-    assert "a_C" not in out
+    for asked in (["--ask", "v_M"], ["--ask", "x_M"], ["--ask", "v_M", "--ask", "x_M"]):
+        out = _shown(capsys, str(KINDS / "frame_on_cart.toml"), *asked)
+        assert "v_C = 2 m/s" in out
+        assert "a_C" not in out
 
 
 def test_parameters_stand_with_the_numbers(tmp_path, capsys):

@@ -17,7 +17,6 @@ import numpy as np
 
 from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.families.units import Unit, unit
-from variantgen.mechanism.centres import CentrePosition, acceleration_centre, velocity_centre
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion
@@ -133,11 +132,12 @@ def _bodies(motion: Motion, length: str) -> ResultTable:
         row.append(float(motion.omega[body][0]))
         if motion.epsilon:
             row.append(float(motion.epsilon[body][0]))
-        row += _place(velocity_centre(motion, body), length)
+        centres = [Quantity("P", body, "x"), Quantity("P", body, "y")]
         if motion.epsilon:
-            row += _place(acceleration_centre(motion, body), length)
-            slope = np.arctan2(abs(motion.epsilon[body][0]), motion.omega[body][0] ** 2)
-            row.append(None if row[-1] is None else float(np.degrees(slope)))
+            centres += [Quantity("Q", body, "x"), Quantity("Q", body, "y"), Quantity("mu", body)]
+        row += [_value(quantity, motion, length)["value"] for quantity in centres]
+        if motion.epsilon and row[-2] is None:
+            row[-1] = None  # without the centre its angle says nothing
         name = body if body == "".join(members[:2]) else f"{body} ({' to '.join(members[:2])})"
         rows[name] = tuple(row)
     return ResultTable("bodies", tuple(columns), rows)
@@ -174,10 +174,6 @@ def _direction(vector: complex) -> Number:
     """The angle from the x axis in degrees, above -180."""
     angle = float(np.degrees(np.angle(vector)))
     return None if not vector else angle + 360.0 if angle < _OPPOSITE else angle
-
-
-def _place(centre: CentrePosition, length: str) -> list[Number]:
-    return [unit(length).from_si(part) for part in _parts(centre.z)] if centre.finite[0] else [None, None]
 
 
 def _without_rounding(table: ResultTable) -> ResultTable:

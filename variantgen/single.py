@@ -46,10 +46,14 @@ def one_variant(
     Fixed values may lie beyond the range of the family. Which single quantities are asked changes no data, only whether
     accelerations are (:mod:`variantgen.variants.examined`). When nothing is left to draw, the values are taken as they
     are, without screens. ``nice``: a hand-friendly variant. ``units``: the unit of length of data and answers, if it is
-    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError.
+    not that of the family. ``ranges`` are lowest and highest values, or words of choices. Raises InputError, also where
+    ``nice`` leaves nothing to choose.
     """
     family = restrict(load_family(family_or_file, folders), fixed, ranges, (form,) if form else (), nice, True, units)
     only = next(iter(family.forms.values()))
+    if nice and only.parameters.keys() <= (fixed or {}).keys():
+        problem = "no value is drawn, so there are no hand-friendly ones to choose"
+        raise InputError(Problem(problem, family_or_file, "nice", remedy="leave nice out"))
     if len(family.forms) == 1 and only.grid_size == 1:
         return only_variant(family, only, family_or_file)
     if ask:

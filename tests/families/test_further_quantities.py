@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import mpmath
@@ -12,7 +13,7 @@ import pytest
 from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.asking import read_ask
+from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity, split_name
 from variantgen.families.restrict import restrict
@@ -210,6 +211,7 @@ def test_how_they_are_written(name: str, plain: str, typst: str, latex: str) -> 
         ("four_bar", "rho_B", "the radius is their distance"),
         ("rolling_wheel", "x_O", "the data tell it"),
         ("sleeve_on_crank", "distance_O.C", "both points belong to OA"),
+        ("four_bar", "P_OA.x", "OA turns about O, which rests"),
     ],
 )
 def test_positions_that_are_data_are_refused(family: str, name: str, reason: str) -> None:
@@ -219,12 +221,23 @@ def test_positions_that_are_data_are_refused(family: str, name: str, reason: str
     assert reason in str(found.value)
 
 
+def test_a_line_is_named_by_points_of_one_letter() -> None:
+    """``PinB`` would be read as the points P and inB on a sheet, ``ABC`` as A-BC or as AB-C."""
+    scene = four_bar(0.2, 0.6, 0.5, 0.7, 1.0, 2.0, 3.0)
+    points = {**scene.points, "Pin": scene.points["A"], "BC": scene.points["B"]}
+    scene = replace(scene, points=points)
+    assert parse_quantity("v_B.along_OA", scene).line == "OA"
+    for name in ("v_B.along_PinB", "v_B.along_ABC"):
+        with pytest.raises(InputError, match="each a letter or a letter with a number"):
+            parse_quantity(name, scene)
+
+
 @pytest.mark.parametrize(
     ("name", "remedy"),
     [
-        ("v_B.along_OX", "after along_ and across_ stand two points: O, M, C, A, B"),
+        ("v_B.along_OX", "each a letter or a letter with a number, of: A, B, C, M, O"),
         ("ratio_AB.XY", "write the two bodies of omega / omega"),
-        ("angle_XY", "points: O, M, C, A, B"),
+        ("angle_XY", "points: A, B, C, M, O"),
         ("distance_A", "the distance of two points distance_A.B"),
     ],
 )
@@ -232,6 +245,16 @@ def test_remedies(name: str, remedy: str) -> None:
     with pytest.raises(InputError, match="unknown quantity") as found:
         read_ask(load_family("four_bar").forms["crank"], [name])
     assert remedy in str(found.value)
+
+
+@pytest.mark.parametrize("name", ["angle_AA", "v_B.along_OX", "distance_A", "ratio_AB.XY"])
+def test_a_mistake_in_all_forms_is_told_once(name: str) -> None:
+    """They name their points and bodies in different orders."""
+    family = load_family("four_bar")
+    assert len({tuple(form.points) for form in family.forms.values()}) > 1
+    with pytest.raises(InputError) as found:
+        check_ask(family, [name], family)
+    assert len(found.value.problems) == 1
 
 
 def test_what_has_no_value_is_not_drawn() -> None:

@@ -92,7 +92,8 @@ def test_the_command_line_asks_in_units(tmp_path: Path, capsys: pytest.CaptureFi
         ("v_A in rpm", "rpm measures no velocity"),
         ("v_A in furlong", "unknown unit"),
         ("omega_crank in rad", "rad measures no angular velocity"),
-        ("v_A.angle in rad", "use one of: deg"),
+        ("angle_OA in rev", "angles are answered in deg"),
+        ("v_A.angle in rad", "angles are answered in deg"),
         ("velocities in ft/s", "a unit goes with one quantity"),
     ],
 )

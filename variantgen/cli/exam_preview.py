@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import say, tell
+from variantgen.cli.options import some_text
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 # What the exam file says: the options of one problem have no meaning for a sheet.
 _OF_A_FAMILY = (
     "set", "range", "form", "ask", "nice", "units", "lang", "motion", "figure", "method", "depth", "notation",
-    "true_scale",
+    "view", "true_scale",
 )  # fmt: skip
 _OF_AN_EXAM = ("student", "roster")
 _FIRST = "1"  # the student of a class that nobody has named
@@ -28,6 +29,7 @@ def add_students(parser: argparse.ArgumentParser) -> None:
     """The ways to choose a student of an exam."""
     parser.add_argument(
         "--student",
+        type=some_text,
         metavar="WHO",
         help="of an exam: whose sheet, by the id, or with --roster by the name or a part of it (default: variant 1)",
     )
@@ -39,7 +41,7 @@ def add_students(parser: argparse.ArgumentParser) -> None:
 def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
     """The path of an exam file, by a path or the name of a sample; None for a family or a scene."""
     from variantgen.exam.samples import exam_path
-    from variantgen.families.load import family_names
+    from variantgen.families.load import FAMILY_KEYS, family_names
     from variantgen.tables import read_toml
 
     if text in family_names(folders):
@@ -51,7 +53,19 @@ def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
         content = read_toml(path)
     except (InputError, OSError, ValueError):
         return None  # what is wrong with it is told where it is read as a scene
-    return path if "problem" in content or ("language" in content and "points" not in content) else None
+    is_exam = "problem" in content or (content and not FAMILY_KEYS & content.keys())
+    return path if is_exam else None
+
+
+def refuse_exam(arguments: argparse.Namespace, command: str) -> None:
+    """Raise InputError where a ``command`` for families is given an exam."""
+    from variantgen.families.folders import family_folders
+
+    if exam_file(arguments.family, family_folders(arguments.families)) is None:
+        return
+    name = arguments.family
+    remedy = f"its sheets:  variantgen show {name}  or  variantgen build {name} ..."
+    raise InputError(Problem(f"this is an exam, {command}", name, remedy=remedy))
 
 
 def check_options(arguments: argparse.Namespace, of_an_exam: bool) -> None:

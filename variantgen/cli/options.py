@@ -17,6 +17,13 @@ if TYPE_CHECKING:
     from variantgen.variants.variant import Variant
 
 
+def some_text(text: str) -> str:
+    """The value of an option that may be any text but none: it would be taken for an option that is not given."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("expected a text that is not empty")
+    return text
+
+
 def add_families(parser: argparse.ArgumentParser) -> None:
     """``--families DIR``: where else families are looked for."""
     parser.add_argument(
@@ -46,7 +53,7 @@ def add_choice(parser: argparse.ArgumentParser, files: str = "family or scene fi
     parser.add_argument(
         "--ask", action="append", default=[], metavar="QUANTITY", help="ask for this (v_B, a_B.x, omega_AB, ...)"
     )
-    parser.add_argument("--seed", default="0", help="seed of the draw (default: 0)")
+    parser.add_argument("--seed", type=some_text, default="0", help="seed of the draw (default: 0)")
     add_nice(parser)
     parser.add_argument(
         "--units", default="", metavar="UNIT", help="unit of length of data and answers: cm, mm, m, in, ft"
@@ -86,15 +93,21 @@ def add_explaining(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def check_explaining(arguments: argparse.Namespace) -> None:
+    """Raise InputError for what is wished of a solution that is not asked for."""
+    names = () if arguments.explain else ("method", "depth", "notation")
+    given = [f"--{name}" for name in names if getattr(arguments, name)]
+    if given:
+        problem = "only has a meaning for solutions"
+        raise InputError([Problem(problem, key=option, remedy="add --explain") for option in given])
+
+
 def explained(arguments: argparse.Namespace, variant: Variant) -> Explanation | None:
     """The solution that is asked for, None without ``--explain``; where no method leads there it is said, and None.
 
     Raises InputError.
     """
     if not arguments.explain:
-        for option, value in (("--method", arguments.method), ("--depth", arguments.depth)):
-            if value:
-                raise InputError(Problem("only has a meaning for solutions", key=option, remedy="add --explain"))
         return None
     from variantgen.outputs.single.explanation import explain
     from variantgen.wording.solution.explain import UnexplainedError

@@ -100,9 +100,9 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
                 problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
             elif text not in form.askable and (hidden := {*quantity.points(form.points)} & {*form.figure.hidden}):
                 problem = f"the figure does not show {', '.join(sorted(hidden))}"
-                shown = ", ".join(name for name in form.points if name not in form.figure.hidden)
+                shown = ", ".join(sorted(name for name in form.points if name not in form.figure.hidden))
                 problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
-            elif quantity.group in ("position", "path") and (reason := given_position(form, quantity)):
+            elif quantity.group in ("position", "path", "centre") and (reason := given_position(form, quantity)):
                 problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
             if wanted:
                 quantity = in_unit(quantity, wanted, place)

@@ -24,6 +24,8 @@ from variantgen.tables import Table, parse_toml, read_text
 
 SCHEMA = 1
 Folders: TypeAlias = Sequence[str | PathLike[str]] | str | PathLike[str]  # with families, looked through in order
+# What no exam says; a title and the number of the schema stand there too.
+FAMILY_KEYS = frozenset({*SECTIONS, "length_unit", "ask", "may_ask", "source", "solution", "forms"})
 
 
 def family_names(folders: Folders = ()) -> list[str]:

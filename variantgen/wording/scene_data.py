@@ -8,7 +8,7 @@ from decimal import Decimal
 import numpy as np
 
 from variantgen.families.literal_data import LiteralDatum, literal_data
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import Unit, unit, unit_of_turning
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -33,7 +33,7 @@ def scene_data(
     seen = [datum for datum in found if set(datum.points) <= case.shown and datum.unless not in case.shown]
     kinds = ("length", "radius", "angle", "place", "x", "y")
     position = [e for kind in kinds for datum in seen if datum.kind == kind for e in case.equations(datum)]
-    slow = all(quantity.order == 1 for quantity in asked)
+    slow = motion_order(asked) == 1
     rates = [datum for datum in found if datum.kind == "rate" and not (datum.second and slow)]
     return position, [e for datum in rates for e in case.equations(datum)]
 

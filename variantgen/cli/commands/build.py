@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from variantgen.cli.late import late
 from variantgen.cli.messages import counted, some_of, tell
-from variantgen.cli.options import add_families, at_least_one, format_names
+from variantgen.cli.options import add_families, at_least_one, format_names, some_text
 from variantgen.cli.progress import Progress
 from variantgen.errors import InputError, Problem
 
@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the column with the ids, by its header (default: found by itself)",
     )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to be made")
-    parser.add_argument("--seed", help="seed of the draw (default: the one in the exam file, or 0)")
+    parser.add_argument("--seed", type=some_text, help="seed of the draw (default: the one in the exam file, or 0)")
     parser.add_argument("--no-solutions", action="store_true", help="leave the worked solutions out")
     known = ", ".join(format_names())
     parser.add_argument(

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from variantgen.cli.columns import in_columns
+from variantgen.cli.exam_preview import refuse_exam
 from variantgen.cli.messages import say, tell
 from variantgen.cli.options import add_families, add_language
 from variantgen.errors import InputError, Problem
@@ -46,6 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     load_language(arguments.lang)
     folders = family_folders(arguments.families)
     if arguments.family:
+        refuse_exam(arguments, "list tells what a family offers")
         _one(arguments, load_family(arguments.family, folders), folders)
         return 0
     if arguments.figure:
@@ -146,9 +148,11 @@ def _asked(form: Mapping[str, Any]) -> Iterator[tuple[str, ...]]:
 
 def _draw(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
     """The figure of each form, with the name of the form before the ending where there are several."""
+    from variantgen.outputs.figures import check_ending
     from variantgen.outputs.single.picture import picture
     from variantgen.single import one_variant
 
+    check_ending(arguments.figure)
     for form in family.forms:
         variant = one_variant(arguments.family, form=form, folders=folders)
         goal: Path = arguments.figure

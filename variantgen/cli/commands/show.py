@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from variantgen.cli.exam_preview import add_students, check_options, exam_file, show_exam
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
+from variantgen.cli.options import add_choice, add_explaining, add_language, check_explaining, explained, wanted_variant
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--view",
-        default="statement",
+        default="",
         metavar="KIND",
         help="kind of figure (default: statement); of several in a solution one by its number: velocity_equation:2",
     )
@@ -53,6 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     exam = exam_file(arguments.family, family_folders(arguments.families))
     check_options(arguments, of_an_exam=exam is not None)
+    check_explaining(arguments)
     if exam is not None:
         show_exam(arguments, exam)
     else:
@@ -103,7 +104,9 @@ def _write_figures(arguments: argparse.Namespace, variant: Variant) -> None:
 
     path: Path = arguments.figure
     methods = arguments.method if arguments.explain else ()
-    found = pictures(variant, arguments.view, arguments.lang, arguments.ask, methods, arguments.true_scale)
+    found = pictures(
+        variant, arguments.view or "statement", arguments.lang, arguments.ask, methods, arguments.true_scale
+    )
     for number, each in enumerate(found, start=1):
         goal = path if len(found) == 1 else path.with_stem(f"{path.stem}-{number}")
         each.save(goal)

@@ -9,8 +9,9 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from variantgen.cli.columns import in_columns
+from variantgen.cli.exam_preview import refuse_exam
 from variantgen.cli.messages import say
-from variantgen.cli.options import add_choice, add_explaining, add_language, explained, wanted_variant
+from variantgen.cli.options import add_choice, add_explaining, add_language, check_explaining, explained, wanted_variant
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -36,11 +37,13 @@ def run(arguments: argparse.Namespace) -> int:
 
     Raises InputError where the problem cannot be read or solved, and for options that contradict each other.
     """
+    check_explaining(arguments)
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
     for option, chosen in (("--ask", arguments.ask), ("--explain", arguments.explain)):
         if arguments.all and chosen:
             raise InputError(Problem("has everything in tables", key="--all", remedy=f"leave out --all or {option}"))
+    refuse_exam(arguments, "solve works out one problem")
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, solution_document
     from variantgen.wording.language import load_language

@@ -61,6 +61,8 @@ def in_unit(quantity: Quantity, wanted: str, key: str) -> Quantity:
     )
     if wanted not in fitting:
         message = f"{wanted} measures no {own.measures}" if wanted in UNITS else "unknown unit"
+        if quantity.is_angle:
+            message = f"angles are answered in {own.name}"
         raise InputError(
             Problem(message, key=key, value=f"{quantity.name} in {wanted}", remedy="use one of: " + ", ".join(fitting))
         )
@@ -128,22 +130,21 @@ _LENGTHS = ("z", "s", "l", "r")
 def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequence[str]) -> str:
     """What to ask for in place of a quantity in other letters, or of one that is not quite written so; "" for none."""
     letter, _, target = text.partition("_")
+    points = ", ".join(sorted(scene.points))  # forms that differ in their order say the same
     own = f"{_OTHERWISE.get(letter, letter)}_{target}"
     if letter in _OTHERWISE and own in known:
         return f"write {own}: angular velocities are omega, angular accelerations epsilon"
     if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:
-        return f"after along_ and across_ stand two points: {', '.join(scene.points)}"
+        return f"after along_ and across_ stand two points, each a letter or a letter with a number, of: {points}"
     if quantity is not None and quantity.group == "ratio":
-        return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(scene.bodies)}"
+        return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":
-        pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
+        pieces = sorted(".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene))
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if letter in _ANGLES or letter == "angle":
         if line_ends(target, scene.points):
             return f"the direction of {target} is angle_{target}, a corner of three points angle_O.A.B"
-        names = ", ".join(scene.points)
-        return f"the direction of a link AB is angle_AB, the corner of three points angle_O.A.B; points: {names}"
+        return f"the direction of a link AB is angle_AB, the corner of three points angle_O.A.B; points: {points}"
     if letter in (*_LENGTHS, "x", "y", "distance"):
-        names = ", ".join(scene.points)
-        return f"a coordinate is x_B or y_B, the distance of two points distance_A.B; points: {names}"
+        return f"a coordinate is x_B or y_B, the distance of two points distance_A.B; points: {points}"
     return ""

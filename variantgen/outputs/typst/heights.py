@@ -19,8 +19,7 @@ class Heights:
 
     A request names what is measured: ``said`` a statement in a column of some ``width``, ``head`` what stands above
     the problems of a page, ``line`` a line of text, ``formula`` and ``given`` the width of one and of the word before
-    the data. Sheets have the most of them in
-    common: what an engine has measured it is not asked again.
+    the data. Sheets have the most of them in common: what an engine has measured it is not asked again.
     """
 
     def __init__(self, engine: Typesetter, data: Mapping[str, Any]) -> None:
