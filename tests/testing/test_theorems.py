@@ -192,6 +192,9 @@ def test_an_example_is_told_in_one_line() -> None:
 def test_a_mistake_in_what_is_wanted_is_told_at_once() -> None:
     with pytest.raises(InputError, match="did you mean four_bar"):
         testing.variants("four_bra")
+    for name in ("n", "seed"):
+        with pytest.raises(InputError, match=rf"{name}: is chosen by Hypothesis.* \(got 1\)"):
+            testing.variants("four_bar", **{name: 1})
 
 
 def test_random_chains_have_all_kinds_of_dyads() -> None:
