@@ -46,6 +46,8 @@ class _SceneData:
         self.shown = set(shown_points(variant, asked))
         motion = solve_variants([variant], 0)
         self.at = {name: complex(z[0]) for name, z in motion.z.items()}
+        form = variant.form
+        self._values = form.values({name: variant.si(name) for name in form.parameters})
 
     def equations(self, datum: LiteralDatum) -> Iterator[Equation]:
         """One equation, of a place two."""
@@ -70,7 +72,8 @@ class _SceneData:
                 start, end = (self.at[point] for point in datum.points)
                 yield self._equation(datum.name, abs(end - start), own)
             case "rate":
-                yield self._equation(datum.name, abs(datum.si), unit_of_turning(datum.si, own))
+                si = datum.si if datum.source is None else float(datum.source.value(self._values))
+                yield self._equation(datum.name, abs(si), unit_of_turning(si, own))
 
     def _equation(self, name: str, si: float, own: Unit) -> Equation:
         return Equation(self.language.symbol(name, self.variant.form.symbols), self._measured(si, own))
