@@ -104,7 +104,12 @@ def test_a_scene(scene, capsys):
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
-    [(["list", "four_barr"], "did you mean four_bar"), (["list", "--figure", "f.svg"], "of which family?")],
+    [
+        (["list", "four_barr"], "did you mean four_bar"),
+        (["list", "--figure", "f.svg"], "of which family?"),
+        (["list", "four_bar", "--figure", "."], "unknown format of a figure"),
+        (["list", "four_bar", "--figure", "x.bmp"], "unknown format of a figure (got x.bmp)"),
+    ],
 )
 def test_wrong_wishes(arguments, said, capsys):
     assert main(arguments) == 2

@@ -49,9 +49,10 @@ def test_the_numbers_of_the_file_are_given(scene, given, capsys):
 
 
 def test_rates_of_second_order_are_given_for_accelerations_alone(capsys):
-    out = _shown(capsys, str(KINDS / "frame_on_cart.toml"), "--ask", "v_M")
-    assert "v_C = 2 m/s" in out
-    assert "a_C" not in out
+    for asked in (["--ask", "v_M"], ["--ask", "x_M"], ["--ask", "v_M", "--ask", "x_M"]):
+        out = _shown(capsys, str(KINDS / "frame_on_cart.toml"), *asked)
+        assert "v_C = 2 m/s" in out
+        assert "a_C" not in out
 
 
 def test_parameters_stand_with_the_numbers(tmp_path, capsys):
@@ -115,3 +116,39 @@ def test_a_scene_with_parameters_needs_no_title(tmp_path, capsys):
     path.write_text(text, encoding="utf-8")
     assert main(["check", str(path), "--seeds", "20"]) == 0
     assert "guides: ok" in capsys.readouterr().out
+
+
+def test_a_rate_by_a_law_of_time_is_told_with_its_value(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(
+        """
+length_unit = "dm"
+ask = ["a_M.x"]
+[parameters]
+t = { unit = "s", values = [2] }
+[laws]
+time = "t"
+s = "3 * t^2"
+phi = "t^3"
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+Q = { coordinates = { x = 20, y = 0 } }
+M = { coordinates = { x = "s", y = 0 } }
+[bodies]
+disc = ["O", "Q"]
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+slot = { point = "M", body = "disc", along = ["O", "Q"] }
+[[drivers]]
+rotation = { body = "disc", omega = "phi_dot", epsilon = "phi_ddot" }
+[[drivers]]
+relative_travel = { point = "M", body = "disc", along = ["O", "Q"], v = "s_dot", a = "s_ddot" }
+""",
+        encoding="utf-8",
+    )
+    assert main(["show", str(path)]) == 0
+    given = " ".join(capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ").partition("Determine")[0].split())
+    assert "t = 2 s" in given
+    for datum in ("ω_disc = 12 rad/s", "α_disc = 12 rad/s²", "v_rel M = 12 dm/s", "a_rel M = 6 dm/s²"):
+        assert datum in given, given

@@ -224,9 +224,41 @@ def test_the_table_has_columns_of_one_length() -> None:
     assert rows[2]["side"] == table["side"][2]
 
 
+def test_a_part_of_a_batch_is_a_batch() -> None:
+    found = variantgen.batch("four_bar", 6, seed=1)
+    for places in (slice(0, 2), slice(None, None, -2), slice(4, 4)):
+        part, expected = found[places], list(range(6))[places]
+        assert len(part) == len(part.table()["OA"]) == len(expected)
+        assert [variant.printed for variant in part] == [found[i].printed for i in expected]
+        assert part.answers["v_B"].tolist() == [found.answers["v_B"][i] for i in expected]
+        assert part.velocities["B"].tolist() == [found.velocities["B"][i] for i in expected]
+        assert part._repr_html_()
+    assert found[np.int64(3)].printed == found[3].printed
+    with pytest.raises(TypeError):
+        found["3"]  # type: ignore[call-overload]
+
+
+def test_numbers_arrays_and_ranges_of_numpy_and_python_are_taken() -> None:
+    found = variantgen.batch("four_bar", np.int64(3), set={"OA": np.int64(30), "omega_OA": np.float32(1.3)})
+    assert (len(found), set(found.parameters["OA"]), set(found.parameters["omega_OA"])) == (3, {30}, {1.3})
+    for limits in (np.array([60, 90]), np.array([60.0, 90.0]), range(60, 91), (60, 90)):
+        narrowed = variantgen.batch("four_bar", 30, form="rocker", range={"phi": limits})
+        assert set(narrowed.parameters["phi"]) <= {60, 65, 70, 75, 80, 85, 90}
+    sides = variantgen.batch("four_bar", 2, range={"side": np.array(["left"])}, folders=[Path("nowhere")])
+    assert set(sides.table()["side"]) == {"left"}
+
+
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
+        ({"n": True}, r"n: expected a whole number from 1 to 10000000 \(got True\)"),
+        ({"ask": 5}, r"ask: expected the name of a quantity \(got 5\)"),
+        ({"ask": ["v_B", 5]}, r"ask: expected the name of a quantity \(got 5\)"),
+        ({"set": ["OA=3"]}, r"set: expected names of parameters with values \(got \['OA=3'\]\)"),
+        ({"range": {3: 4}}, r"range: expected names of parameters with values \(got \{3: 4\}\)"),
+        ({"range": {"phi": range(30, 61, 10)}}, r"range\.phi: expected \[lowest, highest\] \(got \[30, 40, 50, 60\]\)"),
+        ({"range": {"phi": np.eye(2)}}, r"range\.phi: expected a number"),
+        ({"form": 5}, r"form: unknown form \(got 5\)"),
         ({"family": "four_bra"}, "did you mean four_bar"),
         ({"form": "crnk"}, "did you mean crank"),
         ({"n": 0}, "expected a whole number from 1"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -71,3 +72,18 @@ def test_what_does_not_move_has_no_turn() -> None:
     broken = type(variant)(variant.family, variant.form, still)
     with pytest.raises(InputError, match="does not assemble"):
         variantgen.turn(broken)
+
+
+@pytest.mark.parametrize("samples", [-5, 0, 1, 2.5, "90", True, 10**9])
+def test_a_turn_has_two_positions_or_more(samples: Any) -> None:
+    with pytest.raises(InputError, match="samples: expected a whole number from 2 to 1000000"):
+        variantgen.turn(variantgen.batch("four_bar", 1, seed=2)[0], samples)
+
+
+def test_a_turn_is_of_one_variant() -> None:
+    found = variantgen.batch("four_bar", 1, seed=2)
+    with pytest.raises(InputError, match=r"expected a variant \(got Batch\)\n.*turn\(found\[0\]\)"):
+        variantgen.turn(found)  # type: ignore[arg-type]
+    least = variantgen.turn(found[0], np.int64(2))
+    assert np.isfinite(least.values).all()
+    assert len(least) >= 2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import mpmath
@@ -210,6 +211,7 @@ def test_how_they_are_written(name: str, plain: str, typst: str, latex: str) -> 
         ("four_bar", "rho_B", "the radius is their distance"),
         ("rolling_wheel", "x_O", "the data tell it"),
         ("sleeve_on_crank", "distance_O.C", "both points belong to OA"),
+        ("four_bar", "P_OA.x", "OA turns about O, which rests"),
     ],
 )
 def test_positions_that_are_data_are_refused(family: str, name: str, reason: str) -> None:
@@ -219,10 +221,21 @@ def test_positions_that_are_data_are_refused(family: str, name: str, reason: str
     assert reason in str(found.value)
 
 
+def test_a_line_is_named_by_points_of_one_letter() -> None:
+    """``PinB`` would be read as the points P and inB on a sheet, ``ABC`` as A-BC or as AB-C."""
+    scene = four_bar(0.2, 0.6, 0.5, 0.7, 1.0, 2.0, 3.0)
+    points = {**scene.points, "Pin": scene.points["A"], "BC": scene.points["B"]}
+    scene = replace(scene, points=points)
+    assert parse_quantity("v_B.along_OA", scene).line == "OA"
+    for name in ("v_B.along_PinB", "v_B.along_ABC"):
+        with pytest.raises(InputError, match="each a letter or a letter with a number"):
+            parse_quantity(name, scene)
+
+
 @pytest.mark.parametrize(
     ("name", "remedy"),
     [
-        ("v_B.along_OX", "after along_ and across_ stand two points: A, B, C, M, O"),
+        ("v_B.along_OX", "each a letter or a letter with a number, of: A, B, C, M, O"),
         ("ratio_AB.XY", "write the two bodies of omega / omega"),
         ("angle_XY", "points: A, B, C, M, O"),
         ("distance_A", "the distance of two points distance_A.B"),

@@ -12,7 +12,9 @@ from pathlib import Path
 import pytest
 
 from variantgen.cli import main
+from variantgen.families.load import load_family
 from variantgen.resources import catalog_dir
+from variantgen.single import one_variant
 
 HEAD = 'length_unit = "cm"\n'
 POINTS = """
@@ -75,7 +77,7 @@ class Bench:
 
 @pytest.fixture
 def bench(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Bench:
-    """A bench; files of one test have one content, because families are cached by path."""
+    """A bench: a file in an empty folder."""
     return Bench(tmp_path, capsys)
 
 
@@ -83,6 +85,21 @@ def test_the_sound_scene_is_solved(bench: Bench) -> None:
     code, out, message = bench.run(CRANK, "solve", "--json")
     assert code == 0, message
     assert json.loads(out)["outcome"] == "solved"
+
+
+def test_an_edited_file_is_read_anew(tmp_path: Path) -> None:
+    """A crank of 0.2 m turns with 2, then with 4 rad/s; both texts have the same length."""
+    path = tmp_path / "crank.toml"
+    for omega, speed in ((2, 0.4), (4, 0.8), (2, 0.4)):
+        path.write_text(CRANK.replace("omega = 2", f"omega = {omega}"), "utf-8")
+        assert abs(one_variant(str(path)).motion(1).v["A"][0]) == pytest.approx(speed)
+        assert load_family(path) is load_family(str(path))
+
+
+def test_folders_are_given_as_paths_or_texts(tmp_path: Path) -> None:
+    shutil.copytree(catalog_dir() / "four_bar", tmp_path / "my_bars")
+    for folders in ([tmp_path], (str(tmp_path),), tmp_path):
+        assert load_family("my_bars", folders).name == "my_bars"
 
 
 @pytest.mark.parametrize(

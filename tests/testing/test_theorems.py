@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -115,6 +116,39 @@ def test_what_is_missing_is_said() -> None:
         testing.centre_consistent(motion)
 
 
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"pivots": ("X",)}, r"pivots: this point is missing in z, v \(got X\)"),
+        ({"pivots": ("K",)}, r"pivots: this point is missing in v \(got K\)"),
+        ({"slots": {"X": ("rod", "A", "B")}}, r"slots: this point is missing in z, v \(got X\)"),
+        ({"slots": {"C": ("ZZ", "A", "B")}}, r"slots\.C: is no body \(got ZZ\)"),
+        ({"slots": {"C": ("rod", "A", "C")}}, r"slots\.C: is no point of rod \(got C\)"),
+        ({"slots": {"C": ("rod", "A")}}, r"slots\.C: expected a body and two of its points"),
+        ({"rolling": {"w": ("C", "K")}}, r"rolling: is no body \(got w\)"),
+        ({"rolling": {"wheel": ("A", "K")}}, r"rolling\.wheel: is no point of wheel \(got A\)"),
+        ({"rolling": {"wheel": ("C", "Z")}}, r"rolling\.wheel: has no place in z \(got Z\)"),
+        ({"rolling": {"wheel": "C"}}, r"rolling\.wheel: expected its centre and its point of contact"),
+        ({"bodies": {"rod": ("A", "B"), "wheel": ()}}, r"bodies\.wheel: expected the names of its points"),
+        ({"v": {"A": 1, "B": 1, "C": 1, "D": 1}}, r"v: has no place in z \(got D\)"),
+    ],
+)
+def test_names_that_do_not_fit_together_are_told(changes: dict[str, Any], says: str) -> None:
+    right: dict[str, Any] = {
+        "bodies": {"rod": ("A", "B"), "wheel": ("C",)},
+        "z": {"A": 0, "B": 2, "C": 1, "K": 1 - 1j},
+        "v": {"A": 1, "B": 1, "C": 1},
+        "omega": {"rod": 0, "wheel": -1},
+        "slots": {"C": ("rod", "A", "B")},
+        "rolling": {"wheel": ("C", "K")},
+    }
+    motion = motion_of(**right)
+    assert testing.rolling_contact_at_rest(motion)[0] == testing.coriolis_direction(motion)[0] == 0
+    assert testing.power_balance_of_constraints(motion)[0] < 1e-8
+    with pytest.raises(InputError, match=says):
+        motion_of(**{**right, **changes})
+
+
 def test_without_hypothesis_theorems_work_and_strategies_say_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "hypothesis", None)
     assert testing.equal_projections(FOUR)[0] < 1e-12
@@ -158,6 +192,9 @@ def test_an_example_is_told_in_one_line() -> None:
 def test_a_mistake_in_what_is_wanted_is_told_at_once() -> None:
     with pytest.raises(InputError, match="did you mean four_bar"):
         testing.variants("four_bra")
+    for name in ("n", "seed"):
+        with pytest.raises(InputError, match=rf"{name}: is chosen by Hypothesis.* \(got 1\)"):
+            testing.variants("four_bar", **{name: 1})
 
 
 def test_random_chains_have_all_kinds_of_dyads() -> None:

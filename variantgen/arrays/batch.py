@@ -8,24 +8,26 @@ student: the variants of a batch are like those of an exam, and none of them is 
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
-from typing import Any
+from os import PathLike
+from typing import Any, SupportsIndex, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.arrays.columns import Columns, as_csv, motion_columns
+from variantgen.arrays.whole_number import whole_number
 from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
-from variantgen.families.load import load_family
+from variantgen.families.load import Folders, load_family
 from variantgen.families.quantities import Quantity
-from variantgen.families.restrict import restrict
+from variantgen.families.restrict import by_parameter, restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.solve import solve
@@ -117,13 +119,32 @@ class Batch:
     def __len__(self) -> int:
         return int(self.attempt.size)
 
-    def __getitem__(self, number: int) -> Variant:
+    @overload
+    def __getitem__(self, number: SupportsIndex) -> Variant: ...
+    @overload
+    def __getitem__(self, number: slice) -> Batch: ...
+
+    def __getitem__(self, number: SupportsIndex | slice) -> Variant | Batch:
+        if isinstance(number, slice):
+            return self._part(np.arange(len(self))[number])
+        number = operator.index(number)
         if not -len(self) <= number < len(self):
             raise IndexError(f"a batch of {len(self)} variants has none with the number {number}")
         parameters = self.form.parameters
         printed = {name: parameters[name].printed[int(self.index[name][number])] for name in parameters}
         pose = int(self.sense[number]), int(self.turns[number])
         return Variant(self.family, self.form, printed, *pose, int(self.attempt[number]))
+
+    def _part(self, places: NDArray[np.int64]) -> Batch:
+        """The variants at these places."""
+        return replace(
+            self,
+            motion=self.motion.take(places),
+            index={name: index[places] for name, index in self.index.items()},
+            sense=self.sense[places],
+            turns=self.turns[places],
+            attempt=self.attempt[places],
+        )
 
     def __iter__(self) -> Iterator[Variant]:
         return (self[number] for number in range(len(self)))
@@ -138,18 +159,18 @@ class Batch:
 
 
 def batch(
-    family: str | Family,
-    n: int,
+    family: str | PathLike[str] | Family,
+    n: SupportsIndex,
     seed: object = 0,
     form: str = "",
-    ask: Ask = None,
+    ask: Ask | str = None,
     set: Mapping[str, Any] | None = None,  # noqa: A002  (as the option is called)
-    range: Mapping[str, Sequence[Any]] | None = None,  # noqa: A002
+    range: Mapping[str, Any] | None = None,  # noqa: A002
     *,
     for_sheets: bool = False,
     nice: bool = False,
     units: str = "",
-    folders: tuple[Path, ...] = (),
+    folders: Folders = (),
 ) -> Batch:
     """``n`` valid variants of one form of a family, solved, as arrays.
 
@@ -162,7 +183,8 @@ def batch(
 
     ``family`` is a name, a path or a family that is loaded; without ``form`` it is the first of its forms that has what
     is fixed or narrowed (and, for ``nice``, hand-friendly variants). ``set`` fixes parameters, ``range`` narrows them,
-    as the options of ``variantgen show`` do; bare numbers are in printed units. The screens are those of the family,
+    as the options of ``variantgen show`` do (to the lowest and highest value, or to words of a choice; ``range(30,
+    61)`` is from 30 to 60); bare numbers are in printed units. The screens are those of the family,
     mistakes that must be seen in the answers among them. What takes the steps of a solution is done only
     ``for_sheets``: a calculation by hand with three digits stays within the family's ceiling, and the independent
     computation confirms every variant; some 0.3 to 3 ms each. Variants may repeat: where nothing is left to draw (a
@@ -170,14 +192,12 @@ def batch(
     of a draw (but ``for_sheets``). Raises InputError, and VerificationError where that computation finds something
     else: a defect of the program.
     """
-    if isinstance(n, bool) or not isinstance(n, int) or not 0 < n <= _LARGEST:
-        raise InputError(Problem(f"expected a whole number from 1 to {_LARGEST}", key="n", value=repr(n)))
-    whole = family if isinstance(family, Family) else load_family(str(family), folders)
-    ranges = {name: list(limits) if isinstance(limits, tuple) else limits for name, limits in (range or {}).items()}
-    chosen = form or _first_form(whole, {*(set or {}), *ranges}, nice)
-    narrowed = restrict(whole, set, ranges, (chosen,) if chosen else (), nice, True, units)
+    n = whole_number(n, "n", 1, _LARGEST)
+    whole = family if isinstance(family, Family) else load_family(family, folders)
+    fixed, ranges = by_parameter(set, "set"), by_parameter(range, "range")
+    chosen = form or _first_form(whole, {*fixed, *ranges}, nice)
+    narrowed = restrict(whole, fixed, ranges, (chosen,) if chosen else (), nice, True, units)
     if ask is not None:
-        ask = (ask,) if isinstance(ask, str) else ask
         check_ask(narrowed, ask, whole)
     only = next(iter(narrowed.forms.values()))
     asked = read_ask(only, ask)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import SupportsIndex
 
 import numpy as np
 
 from variantgen.arrays.columns import Columns, as_csv, motion_columns
+from variantgen.arrays.whole_number import whole_number
+from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.units import unit
 from variantgen.mechanism.motion import Field, Motion
@@ -17,6 +20,7 @@ from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.variants.variant import Variant
 
 _WAY = "way"
+_LARGEST = 1_000_000
 _DECIMALS = 9  # of degrees: what is beyond is rounding
 
 
@@ -72,7 +76,7 @@ class DriverTurn:
         return f"<Turn of {self.variant.family.name}: {len(self)} positions, {self.name} {low} to {high} {self.unit}>"
 
 
-def turn(variant: Variant, samples: int = 361) -> DriverTurn:
+def turn(variant: Variant, samples: SupportsIndex = 361) -> DriverTurn:
     """The motion of a variant over a turn of its driver, as far as it goes, in about so many positions.
 
     >>> import variantgen
@@ -82,8 +86,12 @@ def turn(variant: Variant, samples: int = 361) -> DriverTurn:
     >>> crank.csv().splitlines()[0][:23]
     'phi [deg],x_O [cm],y_O '
 
-    Raises InputError for a variant that is not solved or does not move.
+    Raises InputError for a variant that is not solved or does not move, and for less than two positions.
     """
+    if not isinstance(variant, Variant):
+        remedy = "of a batch take one:  turn(found[0])"  # type: ignore[unreachable]
+        raise InputError(Problem("expected a variant", key="variant", value=type(variant).__name__, remedy=remedy))
+    samples = whole_number(samples, "samples", 2, _LARGEST)
     asked = read_ask(variant.form)
     found = driver_sweep(variant, asked, samples)
     length = variant.family.length_unit

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
@@ -24,7 +25,7 @@ class ByForm:
 Ask = Sequence[str] | ByForm | None  # None: what each form asks by itself
 
 
-def read_ask(form: Form, ask: Ask = None, key: str = "ask") -> list[Quantity]:
+def read_ask(form: Form, ask: Ask | str = None, key: str = "ask") -> list[Quantity]:
     """The asked quantities of a form, by names (``v_B``, or ``v_B in ft/s``) and by the ``WORDS``.
 
     Raises InputError with every unknown quantity, every one that is given, repetition, and an empty list.
@@ -32,14 +33,23 @@ def read_ask(form: Form, ask: Ask = None, key: str = "ask") -> list[Quantity]:
     if isinstance(ask, ByForm):
         own = dict(ask.forms).get(form.name)
         ask, key = own, f"{key}.{form.name}"
-    names = tuple(form.ask if ask is None else ask)
+    names = _names(form.ask if ask is None else ask, key)
     known = form.remembered.get(("asked", names))
     if known is None:
         known = form.remembered["asked", names] = tuple(_read(form, names, key))
     return list(known)
 
 
-def check_ask(family: Family, ask: Ask, whole: Family) -> None:
+def _names(ask: Any, key: str) -> tuple[str, ...]:
+    """The names, one or several. Raises InputError for what is none."""
+    names = (ask,) if isinstance(ask, str) or not isinstance(ask, Iterable) else tuple(ask)
+    if wrong := [name for name in names if not isinstance(name, str)]:
+        remedy = f"a list of names, such as v_B, or of {', '.join(WORDS)}"
+        raise InputError(Problem("expected the name of a quantity", key=key, value=repr(wrong[0]), remedy=remedy))
+    return names
+
+
+def check_ask(family: Family, ask: Ask | str, whole: Family) -> None:
     """Raise InputError where a form cannot be asked for this; it names the forms of the ``whole`` family that can."""
     problems: list[Problem] = []
     for form in family.forms.values():
@@ -102,7 +112,7 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
                 problem = f"the figure does not show {', '.join(sorted(hidden))}"
                 shown = ", ".join(sorted(name for name in form.points if name not in form.figure.hidden))
                 problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
-            elif quantity.group in ("position", "path") and (reason := given_position(form, quantity)):
+            elif quantity.group in ("position", "path", "centre") and (reason := given_position(form, quantity)):
                 problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
             if wanted:
                 quantity = in_unit(quantity, wanted, place)

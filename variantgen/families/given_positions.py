@@ -15,6 +15,8 @@ from variantgen.mechanism.linkage import Linkage
 def given_position(form: Form, quantity: Quantity) -> str:
     """Why a coordinate, angle, distance or radius of curvature needs no solution; '' where it has to be found."""
     points = quantity.points(form.points)
+    if quantity.is_centre:
+        return _pivot(form, quantity)
     if quantity.group == "path":
         return _circle(form, quantity.target)
     if quantity.kind == "distance":
@@ -27,6 +29,12 @@ def given_position(form: Form, quantity: Quantity) -> str:
     if any(_gives(form, name, form.points[name], quantity, points) for name in points):
         return "the data tell it: ask for a position that has to be found"
     return ""
+
+
+def _pivot(form: Form, quantity: Quantity) -> str:
+    """Why the velocity centre of a body has coordinates of the data: it turns about a fixed point."""
+    pivot = Linkage(form.sample).pivot(quantity.target) if quantity.kind == "P" and quantity.is_coordinate else None
+    return f"{quantity.target} turns about {pivot}, which rests: that is its velocity centre" if pivot else ""
 
 
 def _circle(form: Form, point: str) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from variantgen.families.expressions import FamilyExpression
@@ -38,6 +38,7 @@ class LiteralDatum:
     Kinds: ``place`` of a point, ``x`` or ``y`` of one in a guide, ``length`` and ``angle`` of the line of two
     ``points``, all of which are measured on the solved position; ``radius`` of a body and ``rate`` with their SI value.
     ``second`` says whether only accelerations depend on it, ``unless`` names a point that tells it, if it is seen.
+    A rate that follows from parameters, as one by a law of time, has its ``source`` in place of a number.
     """
 
     kind: str
@@ -47,6 +48,7 @@ class LiteralDatum:
     second: bool = False
     points: tuple[str, ...] = ()
     unless: str = ""
+    source: FamilyExpression | None = None
 
 
 def literal_data(form: Form) -> Iterator[LiteralDatum]:
@@ -64,11 +66,21 @@ def literal_data(form: Form) -> Iterator[LiteralDatum]:
             if bend.fields.get("body") and (radius := _literal(bend, "radius")):
                 yield LiteralDatum("radius", bend.fields["body"], "length", radius)
     for template in form.drivers:
-        for field in _RATES:
-            if (rate := _literal(template, field)) is not None:
-                second = field in ("a", "epsilon")
-                if rate or not second:
-                    yield LiteralDatum("rate", rate_name(template, field), _measure(template, field), rate, second)
+        yield from _rates(template, form)
+
+
+def _rates(template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:
+    """Rates of a driver, but those that are a parameter, which has its own name."""
+    for field in _RATES:
+        source = template.fields.get(field)
+        if not isinstance(source, FamilyExpression) or source.text.lstrip("- ") in form.parameters:
+            continue
+        second, rate = field in ("a", "epsilon"), _literal(template, field)
+        if source.names:
+            datum = LiteralDatum("rate", rate_name(template, field), _measure(template, field), 0.0, second)
+            yield replace(datum, source=source)
+        elif rate or (rate is not None and not second):
+            yield LiteralDatum("rate", rate_name(template, field), _measure(template, field), rate, second)
 
 
 def rate_name(template: ComponentTemplate, field: str) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache
+from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.drawn_bodies import with_drawn_bodies
@@ -19,27 +20,35 @@ from variantgen.families.units import unit
 from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
 from variantgen.resources import catalog_dir
-from variantgen.tables import Table, read_toml
+from variantgen.tables import Table, parse_toml, read_text
 
 SCHEMA = 1
+Folders: TypeAlias = Sequence[str | PathLike[str]] | str | PathLike[str]  # with families, looked through in order
 # What no exam says; a title and the number of the schema stand there too.
 FAMILY_KEYS = frozenset({*SECTIONS, "length_unit", "ask", "may_ask", "source", "solution", "forms"})
 
 
-def family_names(folders: Sequence[Path] = ()) -> list[str]:
+def family_names(folders: Folders = ()) -> list[str]:
     """Names of the families in the given folders and in the catalogue, sorted."""
-    return sorted({path.parent.name for folder in (*folders, catalog_dir()) for path in folder.glob(f"*/{FAMILY}")})
+    return sorted({path.parent.name for folder in _searched(folders) for path in folder.glob(f"*/{FAMILY}")})
 
 
-@cache
-def load_family(name_or_path: str, folders: tuple[Path, ...] = ()) -> Family:
+def _searched(folders: Folders) -> list[Path]:
+    """The given folders, then the catalogue."""
+    given = [folders] if isinstance(folders, str | PathLike) else folders
+    return [*map(Path, given), catalog_dir()]
+
+
+def load_family(name_or_path: str | PathLike[str], folders: Folders = ()) -> Family:
     """A family by name, from the given folders or the catalogue (the first that has it), or by path.
 
-    A path leads to a family folder, its ``family.toml``, or a scene file. Raises InputError.
+    A path leads to a family folder, its ``family.toml``, or a scene file. The file is read anew each time; as long as
+    it says the same, it is the same family. Raises InputError.
     """
+    name_or_path = str(name_or_path)
     known = family_names(folders)
     if name_or_path in known:
-        for folder in (*folders, catalog_dir()):
+        for folder in _searched(folders):
             if (folder / name_or_path / FAMILY).is_file():
                 return read_family(folder / name_or_path / FAMILY)
     path = Path(name_or_path)
@@ -59,9 +68,15 @@ def read_family(path: Path) -> Family:
     if path.name == FAMILY:
         check_files(path.parent)
     try:
-        return parse_family(read_toml(path), path)
+        return _of_text(read_text(path), path)
     except InputError as error:
         raise error.located(str(path)) from None
+
+
+@cache
+def _of_text(text: str, path: Path) -> Family:
+    """The family that the text of a file says."""
+    return parse_family(parse_toml(text, path), path)
 
 
 def parse_family(data: dict[str, Any], path: Path) -> Family:

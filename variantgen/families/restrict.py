@@ -8,6 +8,8 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
+
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.length_units import check_length_unit, in_unit
@@ -34,9 +36,34 @@ def restrict(
     gives the same family again, so that problems which are alike share what is known of their forms. Raises InputError
     naming the key, the value and what is possible.
     """
-    fixed, ranges = fixed or {}, ranges or {}
+    fixed, ranges = by_parameter(fixed, "set"), by_parameter(ranges, "range")
     key = repr((sorted(fixed.items()), sorted(ranges.items()), tuple(forms), nice, beyond, units))
     return _restricted(_Narrowing(id(family), key, family, fixed, ranges, tuple(forms), nice, beyond, units))
+
+
+def by_parameter(given: Mapping[str, Any] | None, key: str) -> dict[str, Any]:
+    """What is said of parameters, by their names; numbers, arrays and ranges of Python as numbers and lists.
+
+    A range of steps of one is its lowest and highest value. Raises InputError for what is no table of names.
+    """
+    given = {} if given is None else given
+    if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
+        remedy = 'such as {"OA": 30}' if key == "set" else 'such as {"OA": [20, 40]}'
+        raise InputError(Problem("expected names of parameters with values", key=key, value=repr(given), remedy=remedy))
+    return {name: _plain(value) for name, value in given.items()}
+
+
+def _plain(value: Any) -> Any:
+    """Numbers of numpy as those of Python, arrays, tuples and ranges as lists."""
+    if isinstance(value, np.ndarray) and not value.ndim:
+        return _plain(value[()])
+    if isinstance(value, range) and len(value) > 1 and value.step == 1:
+        return [value[0], value[-1]]
+    if isinstance(value, np.ndarray | tuple | list | range):
+        return [_plain(item) for item in value]
+    if isinstance(value, np.floating):
+        return float(str(value))  # the decimals that are shown, also of single precision
+    return value.item() if isinstance(value, np.generic) else value
 
 
 @dataclass(frozen=True)
@@ -63,7 +90,9 @@ def _restricted(narrowing: _Narrowing) -> Family:
     problems: list[Problem] = []
     for name in forms:
         if name not in family.forms:
-            problems.append(Problem("unknown form", key="form", value=name, remedy=nearest(name, family.forms)))
+            problems.append(
+                Problem("unknown form", key="form", value=str(name), remedy=nearest(str(name), family.forms))
+            )
     chosen = {name: form for name, form in family.forms.items() if not forms or name in forms}
     known = {name for form in chosen.values() for name in form.parameters}
     for key, table in (("set", fixed), ("range", ranges)):

@@ -120,7 +120,9 @@ def _time_step(motion: Motion, length: Field) -> Field:
 def invariants(motion: Motion) -> Field:
     """Largest violation of the theorems that a student would use for a check, relative, shape (N,).
 
-    Those of :mod:`variantgen.mechanism.invariants` that need no second solution.
+    Four of :mod:`variantgen.mechanism.invariants`: equal projections, the velocity centre, the direction of Coriolis,
+    no slip where bodies roll. They are exact but for rounding. The power balance is left out: it rests on the closing
+    equations and on differences in time, as :func:`recompute` does, and would say less precisely what that says.
     """
     theorems = (equal_projections, centre_consistent, coriolis_direction, rolling_contact_at_rest)
     return np.asarray(np.max([theorem(motion) for theorem in theorems], axis=0))

@@ -5,12 +5,13 @@ Hypothesis is imported when a strategy is made; it comes with the extra ``testin
 
 from __future__ import annotations
 
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from variantgen.arrays.batch import batch
-from variantgen.errors import InputError, missing_package
+from variantgen.errors import InputError, Problem, missing_package
 from variantgen.families.family import Family
 from variantgen.families.load import load_family
 from variantgen.mechanism.constructions.coordinates import Coordinates
@@ -27,13 +28,18 @@ _LEAST_TRANSMISSION = 0.2  # away from dead points, where every solver loses its
 _SEEDS = 2**32
 
 
-def variants(family: str | Family, **options: Any) -> SearchStrategy[Variant]:
+def variants(family: str | PathLike[str] | Family, **options: Any) -> SearchStrategy[Variant]:
     """Valid variants of a family, of the catalogue or of your own, in all forms that have what the options name.
 
-    ``options`` are those of :func:`variantgen.batch`: ``form``, ``ask``, ``set``, ``range``, ... Raises InputError
-    where no form has them, and ToolMissingError without Hypothesis.
+    ``options`` are those of :func:`variantgen.batch`: ``form``, ``ask``, ``set``, ``range``, ... (but ``n`` and
+    ``seed``, which Hypothesis chooses). Raises InputError where no form has them, and ToolMissingError without
+    Hypothesis.
     """
     st = _strategies()
+    chosen_here = [name for name in ("n", "seed") if name in options]
+    if chosen_here:
+        message, remedy = "is chosen by Hypothesis, one variant after the other", "leave it out"
+        raise InputError(Problem(message, key=name, value=repr(options[name]), remedy=remedy) for name in chosen_here)
     batch(family, 1, **options)  # a mistake is told here, and not for an example
     whole = family if isinstance(family, Family) else load_family(family, options.get("folders", ()))
     forms = [options["form"]] if options.get("form") else [form for form in whole.forms if _has(whole, form, options)]

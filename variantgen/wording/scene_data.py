@@ -8,7 +8,7 @@ from decimal import Decimal
 import numpy as np
 
 from variantgen.families.literal_data import LiteralDatum, literal_data
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import Unit, unit, unit_of_turning
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -33,7 +33,7 @@ def scene_data(
     seen = [datum for datum in found if set(datum.points) <= case.shown and datum.unless not in case.shown]
     kinds = ("length", "radius", "angle", "place", "x", "y")
     position = [e for kind in kinds for datum in seen if datum.kind == kind for e in case.equations(datum)]
-    slow = all(quantity.order == 1 for quantity in asked)
+    slow = motion_order(asked) == 1
     rates = [datum for datum in found if datum.kind == "rate" and not (datum.second and slow)]
     return position, [e for datum in rates for e in case.equations(datum)]
 
@@ -46,6 +46,8 @@ class _SceneData:
         self.shown = set(shown_points(variant, asked))
         motion = solve_variants([variant], 0)
         self.at = {name: complex(z[0]) for name, z in motion.z.items()}
+        form = variant.form
+        self._values = form.values({name: variant.si(name) for name in form.parameters})
 
     def equations(self, datum: LiteralDatum) -> Iterator[Equation]:
         """One equation, of a place two."""
@@ -70,7 +72,8 @@ class _SceneData:
                 start, end = (self.at[point] for point in datum.points)
                 yield self._equation(datum.name, abs(end - start), own)
             case "rate":
-                yield self._equation(datum.name, abs(datum.si), unit_of_turning(datum.si, own))
+                si = datum.si if datum.source is None else float(datum.source.value(self._values))
+                yield self._equation(datum.name, abs(si), unit_of_turning(si, own))
 
     def _equation(self, name: str, si: float, own: Unit) -> Equation:
         return Equation(self.language.symbol(name, self.variant.form.symbols), self._measured(si, own))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from variantgen.wording.formula import Fraction, Index, Measured, Number, Product, Symbol, UnitText, Vector
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import (
+    Block,
     FormulaLine,
     FormulaLines,
     Paragraph,
@@ -13,6 +14,7 @@ from variantgen.wording.solution.document import (
     SolutionText,
     VectorTable,
     VectorTableRow,
+    append_block,
 )
 from variantgen.wording.solution.plain import plain_solution
 
@@ -74,3 +76,11 @@ def test_tables_are_aligned() -> None:
 def test_programs_keep_their_lines() -> None:
     lines = solution(Program("import math\nfor i in range(2):\n    print(i)\n"))
     assert lines[3:6] == ["    import math", "    for i in range(2):", "        print(i)"]
+
+
+def test_a_sentence_that_announces_no_formula_ends_with_a_full_stop() -> None:
+    blocks: list[Block] = []
+    append_block(blocks, Paragraph(("The radius of the gear:",)))
+    append_block(blocks, Paragraph(("The gear turns:",)))
+    append_block(blocks, FormulaLines((FormulaLine((("", V_B),)),)))
+    assert blocks[0] == Paragraph(("The radius of the gear.", " ", "The gear turns:"))

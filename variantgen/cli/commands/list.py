@@ -148,9 +148,11 @@ def _asked(form: Mapping[str, Any]) -> Iterator[tuple[str, ...]]:
 
 def _draw(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
     """The figure of each form, with the name of the form before the ending where there are several."""
+    from variantgen.outputs.figures import check_ending
     from variantgen.outputs.single.picture import picture
     from variantgen.single import one_variant
 
+    check_ending(arguments.figure)
     for form in family.forms:
         variant = one_variant(arguments.family, form=form, folders=folders)
         goal: Path = arguments.figure

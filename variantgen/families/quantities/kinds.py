@@ -5,6 +5,7 @@ One entry of :data:`KINDS` per kind: whoever wants to know anything of a kind lo
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -18,6 +19,7 @@ from variantgen.mechanism.rope_speed import rope_piece, rope_speed
 
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
+_ENDS = re.compile(r"([A-Za-z]\d*)([A-Za-z]\d*)")
 NATURAL = {"t": tangential_acceleration, "n": normal_acceleration}  # components of an acceleration along the path
 
 Computed = Callable[[Motion, str, str], Field]  # of a motion, a target and what is asked of it, in SI
@@ -37,9 +39,14 @@ class Kind:
 
 
 def line_ends(text: str, points: Mapping[str, object]) -> tuple[str, str] | None:
-    """The two points whose names make up a text, ``("O1", "A")`` of ``O1A``; None where it is no such text."""
-    splits = ((text[:i], text[i:]) for i in range(1, len(text)))
-    return next((ends for ends in splits if ends[0] != ends[1] and ends[0] in points and ends[1] in points), None)
+    """The two points whose names make up a text, ``("O1", "A")`` of ``O1A``; None where it is no such text.
+
+    A point is told from the next by its letter: names of several letters could be read in two ways.
+    """
+    found = _ENDS.fullmatch(text)
+    if found is None or found[1] == found[2] or not {found[1], found[2]} <= points.keys():
+        return None
+    return found[1], found[2]
 
 
 def direction(motion: Motion, text: str) -> ComplexField:

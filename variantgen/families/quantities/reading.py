@@ -135,7 +135,7 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if letter in _OTHERWISE and own in known:
         return f"write {own}: angular velocities are omega, angular accelerations epsilon"
     if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:
-        return f"after along_ and across_ stand two points: {points}"
+        return f"after along_ and across_ stand two points, each a letter or a letter with a number, of: {points}"
     if quantity is not None and quantity.group == "ratio":
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":

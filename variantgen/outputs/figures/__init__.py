@@ -33,14 +33,19 @@ def back_ends() -> dict[str, ModuleType]:
     return found
 
 
+def check_ending(path: Path) -> None:
+    """Raise InputError for a file whose ending is that of no format of figures."""
+    known = back_ends()
+    if path.suffix.lower() not in known:
+        remedy = nearest(path.suffix.lower(), known)
+        raise InputError(Problem("unknown format of a figure", value=path.name or str(path), remedy=remedy))
+
+
 def write_figure(drawing: Drawing, path: Path, width_mm: float | None = None) -> None:
     """Write a figure, complete or not at all; the format follows the ending. Raises InputError."""
-    known = back_ends()
-    suffix = path.suffix.lower()
-    if suffix not in known:
-        raise InputError(Problem("unknown format of a figure", value=path.name, remedy=nearest(suffix, known)))
+    check_ending(path)
     usual = drawing if width_mm is None else without_millimetres(drawing)
-    write_whole(path, known[suffix].render(usual, width_mm))
+    write_whole(path, back_ends()[path.suffix.lower()].render(usual, width_mm))
 
 
 def write_whole(path: Path, content: bytes, key: str = "") -> None:

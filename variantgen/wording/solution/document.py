@@ -70,9 +70,15 @@ def append_block(blocks: list[Block], block: Block) -> None:
     if isinstance(block, FormulaLines) and isinstance(last, FormulaLines):
         blocks[-1] = FormulaLines(last.lines + block.lines)
     elif isinstance(block, Paragraph) and isinstance(last, Paragraph):
-        blocks[-1] = Paragraph((*last.text, " ", *block.text))
+        blocks[-1] = Paragraph((*_ended(last.text), " ", *block.text))
     else:
         blocks.append(block)
+
+
+def _ended(text: Text) -> Text:
+    """A sentence with a full stop where it announces formulas that do not follow."""
+    *first, last = text
+    return (*first, f"{last[:-1]}.") if isinstance(last, str) and last.endswith(":") else text
 
 
 def both_sides(first: FormulaLine, second: FormulaLine) -> FormulaLines:
