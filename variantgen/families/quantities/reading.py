@@ -139,7 +139,7 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if quantity is not None and quantity.group == "ratio":
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":
-        pieces = sorted(".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene))
+        pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if letter in _ANGLES or letter == "angle":
         if line_ends(target, scene.points):
