@@ -102,6 +102,7 @@ def test_a_part_of_a_name(exam, tmp_path, capsys):
         (["sample_en", "--set", "OA=20"], "--set: has no meaning for an exam"),
         (["sample_en", "--lang", "ru"], "--lang: has no meaning for an exam"),
         (["sample_en", "--view", "velocity_plan"], "--view: has no meaning for an exam"),
+        (["four_bar", "--view", "velocity_plan"], "--view: only has a meaning for a figure"),
         (["four_bar", "--notation", "alpha"], "--notation: only has a meaning for solutions"),
         (["four_bar", "--student", "7"], "--student: only has a meaning for an exam"),
         (["sample_en", "--out", "page.docx"], "unknown format"),

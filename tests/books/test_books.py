@@ -5,6 +5,7 @@ Beside a scene ``NAME.toml`` (at most 30 lines) lies ``NAME.book.toml``:
 - ``source``: book, number, page; ``problem``: what it is about, in our own words;
 - ``scene``: the file of another problem with the same scene; ``set``: its parameters;
 - ``unexplained``: why there is no worked solution, where there is none;
+- ``inexact``: why a printed number is off by more than a hundredth, where one is: measured on a drawing, say;
 - ``[answers]``: by asked quantity the number as it is printed, as a text whose digits count, or a table with
   ``printed``, ``within`` (the deviation that the roundings or the drawing of the book explain, in the printed unit),
   ``magnitude`` (no sign is printed), ``correct`` (the publication is wrong, this is right).
@@ -27,7 +28,8 @@ from variantgen.cli import main
 FOLDER = Path(__file__).parent
 BOOKS = sorted(FOLDER.glob("*.book.toml"))
 _LINES = 30
-_KEYS = {"source", "problem", "scene", "set", "unexplained", "answers"}
+_KEYS = {"source", "problem", "scene", "set", "unexplained", "inexact", "answers"}
+_LARGEST, _INEXACT = 0.01, 0.05  # deviations of printed numbers, relative: of any, and of those said to be inexact
 
 
 def _step(printed: str) -> float:
@@ -107,6 +109,16 @@ def test_the_printed_program_finds_what_the_solver_finds(path: Path, capsys: pyt
     printed = dict(line.split(" = ") for line in capsys.readouterr().out.splitlines())
     for name, value in solved.items():
         assert float(printed[name]) == pytest.approx(value, rel=1e-7, abs=1e-7), name
+
+
+@_EACH
+def test_large_deviations_have_a_reason(path: Path) -> None:
+    book: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
+    answers = [answer for answer in book["answers"].values() if isinstance(answer, dict) and "within" in answer]
+    allowed = [answer["within"] / abs(float(answer.get("correct", answer["printed"]))) for answer in answers]
+    largest = max(allowed, default=0.0)
+    assert (largest > _LARGEST) == bool(book.get("inexact"))
+    assert largest <= _INEXACT
 
 
 def test_every_scene_has_its_book() -> None:

@@ -56,6 +56,8 @@ def run(arguments: argparse.Namespace) -> int:
     check_explaining(arguments)
     if exam is not None:
         show_exam(arguments, exam)
+    elif arguments.view and not arguments.figure:
+        raise InputError(Problem("only has a meaning for a figure", key="--view", remedy="add --figure FILE"))
     else:
         arguments.seed, arguments.lang = "0" if arguments.seed is None else arguments.seed, arguments.lang or "en"
         _show_problem(arguments)

@@ -167,19 +167,22 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
             if book.order == 2 and not known:
                 normal = Name(book.letter, point, part="tr").component("n")
                 book.say("rates.no_normal", omega=Name("omega", carrier), vector=normal)
-            known, sides.turn = tuple(_transport(t) for t in known), _transport(sides.turn)
+            known, sides.turn = tuple(_transport(book, t) for t in known), _transport(book, sides.turn)
         sides.right += [*known, sides.turn]
     else:
         name = Name(book.letter, point, part="tr") if fixed else Name(book.letter, point, pole)
         sides.right += rotation(book, point, pole, carrier, name)
 
 
-def _transport(term: Term) -> Term:
+def _transport(book: Book, term: Term) -> Term:
     """A vector of the rotation about a fixed point under the name of transport motion."""
     part = f"tr {term.name.part}".strip()
     name = term.name._replace(part=part)
     if term.size is not None:
         term.size.name = name
+        book.values[name] = book.values.pop(
+            term.name, term.size
+        )  # the old name is that of a component of the absolute vector
     return Term(name, term.size, term.angle, term.way)
 
 
