@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from variantgen.cli import main
+from variantgen.errors import InputError
 from variantgen.families.load import load_family
 from variantgen.resources import catalog_dir
 from variantgen.single import one_variant
@@ -100,6 +101,9 @@ def test_folders_are_given_as_paths_or_texts(tmp_path: Path) -> None:
     shutil.copytree(catalog_dir() / "four_bar", tmp_path / "my_bars")
     for folders in ([tmp_path], (str(tmp_path),), tmp_path):
         assert load_family("my_bars", folders).name == "my_bars"
+    for wrong in (5, [5]):
+        with pytest.raises(InputError, match="folders: expected a list of folders"):
+            load_family("my_bars", wrong)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

@@ -34,9 +34,11 @@ def family_names(folders: Folders = ()) -> list[str]:
 
 
 def _searched(folders: Folders) -> list[Path]:
-    """The given folders, then the catalogue."""
-    given = [folders] if isinstance(folders, str | PathLike) else folders
-    return [*map(Path, given), catalog_dir()]
+    """The given folders, then the catalogue. Raises InputError for what is no path."""
+    try:
+        return [*map(Path, [folders] if isinstance(folders, str | PathLike) else folders), catalog_dir()]
+    except TypeError:
+        raise InputError(Problem("expected a list of folders", key="folders", value=repr(folders))) from None
 
 
 def load_family(name_or_path: str | PathLike[str], folders: Folders = ()) -> Family:

@@ -9,22 +9,19 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 
-from variantgen.errors import InputError
 from variantgen.exam.marking_policy import MarkingPolicy, rounded
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import HandedIn, NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
+from variantgen.marking.matching import SIGNS, Typed, is_blank, matched
 from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
-
-_NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands alone
-_SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
 
 
 class Verdict(Enum):
@@ -79,7 +76,7 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
     """Mark the answers of a class. Raises InputError where the exam cannot be restored."""
     key = Key(finished.record, policy.tolerance)
     left = list(read.not_matched)
-    typed = _matched(key, read.answers, left)
+    typed = matched(key, read.answers, left)
     marks = _judged(key, typed)
     for item in marks:
         if item.verdict is Verdict.UNREADABLE:
@@ -91,53 +88,6 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
     totals = _totals(key, marks, policy)
     return Marked(tuple(marks), tuple(totals), tuple(left))
-
-
-Typed = dict[tuple[int, int, str], HandedIn]
-
-
-def _matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Typed:
-    """The answers by student, problem and quantity; what cannot be matched, or contradicts an earlier one, is told."""
-    found: Typed = {}
-    students: dict[tuple[str, ...], int | None] = {}
-    for item in answers:
-        if _is_blank(item.text) and item.text not in _SIGNS:
-            continue
-        if item.who not in students:
-            students[item.who] = _student(key, item, left)
-        place = students[item.who]
-        if place is None:
-            continue
-        name, why = key.quantity(place, item.problem, item.quantity)
-        if not name:
-            left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}", why))
-            continue
-        known = found.get((place, item.problem, name))
-        if known is None:
-            found[place, item.problem, name] = item
-        elif item.text != known.text:
-            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
-            text = f"{item.problem}.{name}: {item.text}"
-            left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
-    return found
-
-
-def _student(key: Key, item: HandedIn, left: list[NotMatched]) -> int | None:
-    """The place of the student of a row; None where there is none, which is told once."""
-    words = ", ".join(item.who) or "nothing"
-    if not item.who:
-        left.append(NotMatched(item.where, item.text, "the row names no student"))
-        return None
-    try:
-        return key.student(item.who)
-    except InputError as error:
-        problem = error.problems[0]
-        left.append(NotMatched(item.where, words, problem.message, problem.remedy, names_student=True))
-        return None
-
-
-def _is_blank(text: str) -> bool:
-    return not text.strip() or text.strip() in _NOTHING
 
 
 def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
@@ -153,10 +103,10 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
 
 
 def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cause | None]:
-    if answer.quantity.component == "sense" and text.strip() in _SIGNS:
-        value = _SIGNS[text.strip()]
+    if answer.quantity.component == "sense" and text.strip() in SIGNS:
+        value = SIGNS[text.strip()]
         return text, value, *((Verdict.RIGHT, None) if is_right(answer, value) else (Verdict.WRONG, Cause("sign")))
-    if _is_blank(text):
+    if is_blank(text):
         return text, None, Verdict.BLANK, None
     number = read_number(text)
     if number is None:

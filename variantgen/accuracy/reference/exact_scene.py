@@ -49,7 +49,10 @@ def data(scene: Scene) -> Iterator[SceneNumber]:
     for number, component in enumerate(_components(scene)):
         for spec in _fields(component):
             if spec.dimension and not spec.words:
-                value = getattr(component, spec.name).value
+                found = getattr(component, spec.name)
+                if found is None:
+                    continue
+                value = found.value
                 if value != 0:
                     yield SceneNumber(number, spec.name, value)
 

@@ -9,6 +9,7 @@ from variantgen.algebra.expression import Constant
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import is_translating
+from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Projection, VectorOf, Word
 
@@ -42,3 +43,11 @@ def say_unneeded(book: Book, terms: Known) -> None:
     for term in terms:
         if term.name not in met:
             book.say("relative.coriolis_not_needed", vector=VectorOf(term.name))
+
+
+def say_uniform(book: Book, group: SlidingPair) -> None:
+    """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
+    if book.order == 2 and book.relative[(point := group.path.point), group.carrier]:
+        whole = Name("a", point, part="rel")
+        key = "uniform" if group.path.line is not None else "uniform_circle"
+        book.say(f"relative.{key}", False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))

@@ -21,7 +21,7 @@ from variantgen.methods.groups.wanted import is_last_sought, is_rate_wanted, lea
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
 from variantgen.methods.vectors import constant_distance
-from variantgen.methods.vectors.coriolis import coriolis_of, say_unneeded
+from variantgen.methods.vectors.coriolis import coriolis_of, say_uniform, say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import RIGHT, across, enter_sum, modulus, rotation, vector
@@ -220,7 +220,7 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
             continue
         rate = float(driver.rates(book.order)[0])
         if rate == 0:
-            _say_uniform(book, group)
+            say_uniform(book, group)
             return ()
         size = amount(book, template, book.letter, book.measure)
         name = as_stated(name, size)
@@ -231,14 +231,6 @@ def _given(book: Book, group: SlidingPair, name: Name) -> Known:
         angle = book.geometry.direction(*(path.line if sign > 0 else path.line[::-1]))
         return (book.term(name, size, angle, "given", point=Point(point)),)
     return ()
-
-
-def _say_uniform(book: Book, group: SlidingPair) -> None:
-    """Why a relative acceleration is zero, or has no component along the path, if the point slides uniformly."""
-    if book.order == 2 and book.relative[(point := group.path.point), group.carrier]:
-        whole = Name("a", point, part="rel")
-        key = "uniform" if group.path.line is not None else "uniform_circle"
-        book.say(f"relative.{key}", False, vector=VectorOf(whole), normal=VectorOf(whole.component("n")))
 
 
 def _solve(book: Book, group: SlidingPair, sides: _Sides) -> None:

@@ -1,0 +1,59 @@
+"""Answers that were handed in, matched with the students, problems and quantities of the key."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from variantgen.errors import InputError
+from variantgen.marking.answer_tables import HandedIn, NotMatched
+from variantgen.marking.key import Key
+
+_NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands alone
+SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
+
+Typed = dict[tuple[int, int, str], HandedIn]
+
+
+def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Typed:
+    """The answers by student, problem and quantity; what cannot be matched, or contradicts an earlier one, is told."""
+    found: Typed = {}
+    students: dict[tuple[str, ...], int | None] = {}
+    for item in answers:
+        if is_blank(item.text) and item.text not in SIGNS:
+            continue
+        if item.who not in students:
+            students[item.who] = _student(key, item, left)
+        place = students[item.who]
+        if place is None:
+            continue
+        name, why = key.quantity(place, item.problem, item.quantity)
+        if not name:
+            left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}", why))
+            continue
+        known = found.get((place, item.problem, name))
+        if known is None:
+            found[place, item.problem, name] = item
+        elif item.text != known.text:
+            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
+            text = f"{item.problem}.{name}: {item.text}"
+            left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
+    return found
+
+
+def _student(key: Key, item: HandedIn, left: list[NotMatched]) -> int | None:
+    """The place of the student of a row; None where there is none, which is told once."""
+    words = ", ".join(item.who) or "nothing"
+    if not item.who:
+        left.append(NotMatched(item.where, item.text, "the row names no student"))
+        return None
+    try:
+        return key.student(item.who)
+    except InputError as error:
+        problem = error.problems[0]
+        left.append(NotMatched(item.where, words, problem.message, problem.remedy, names_student=True))
+        return None
+
+
+def is_blank(text: str) -> bool:
+    """Whether a text stands for no answer."""
+    return not text.strip() or text.strip() in _NOTHING
