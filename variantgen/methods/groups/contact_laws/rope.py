@@ -40,10 +40,11 @@ def _tied(task: Task, side: ContactSide) -> ContactSide:
 
 
 def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
-    """Whether no straight piece turns: the stations have no velocities across it."""
-    top = max(abs(v) for v in task.now.v.values())
+    """Whether no straight piece turns: the stations have no velocities across it, or from rest no accelerations."""
+    motion = task.now.v if any(task.now.v.values()) or not task.now.a else task.now.a
+    top = max(abs(vector) for vector in motion.values())
     swings = [
-        abs((1j * ray * task.now.v[bend.point].conjugate()).real)
+        abs((1j * ray * motion[bend.point].conjugate()).real)
         for bends, ray in zip(zip(joint.path, joint.path[1:], strict=False), pieces, strict=True)
         for bend in bends
         if not bend.fixed
