@@ -95,7 +95,7 @@ def test_each_by_itself(path):
 def test_what_is_made_of_others(path):
     """Positions, the path of a point, components along a line, coordinates of centres, a ratio.
 
-    Of these only places and radii of paths may be told by the data. A point at rest has no path: that is said, and no
+    Of these only places, radii of paths and centres at a pivot may be told by the data. A point at rest has no path: that is said, and no
     method leads to it.
     """
     variant = one_variant(str(path))
@@ -111,7 +111,7 @@ def test_what_is_made_of_others(path):
             asked += read_ask(form, [name])
         except InputError as error:
             assert "is given, so it cannot be asked" in str(error)
-            assert split_name(name).kind in ("x", "y", "rho")
+            assert split_name(name).kind in ("x", "y", "rho", "P")
     assert len(asked) >= 2 * len(moving) + 2 * len(bodies) + 1  # the accelerations, the centres, the component
     motion = solve_variants([variant], 2)
     slowest = 1e-9 * max(abs(complex(v[0])) for v in motion.v.values())
