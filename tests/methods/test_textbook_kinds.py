@@ -95,8 +95,8 @@ def test_each_by_itself(path):
 def test_what_is_made_of_others(path):
     """Positions, the path of a point, components along a line, coordinates of centres, a ratio.
 
-    Of these only places, radii of paths and velocity centres may be told by the data. A point at rest has no path: that is said, and no
-    method leads to it.
+    Of these only places, radii of paths and centres at a pivot may be told by the data. A point at rest has no path:
+    that is said, and no method leads to it.
     """
     variant = one_variant(str(path))
     form, bodies = variant.form, list(variant.form.bodies)
