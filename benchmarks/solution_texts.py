@@ -122,20 +122,20 @@ def not_met_again(items: Sequence[Any], found: Any) -> list[Any]:
         if type(item).__name__ != "Derived":
             met |= names_in(item)
             continue
-        if item.value.name not in met:
+        if item.value.name not in met and id(item.value) not in met:
             unused.append(item.value)
         met |= names_in(item.value.expression) | names_in(getattr(item, "law", None))
     return unused
 
 
 def names_in(item: Any) -> set[Any]:
-    """The names of values and vectors in an item; a value without a name has those of which it is computed."""
+    """The names of values and vectors in an item; a value without a name is itself and what it is computed of."""
     names: set[Any] = set()
     for part in inside(item):
         if type(part).__name__ == "Term":
             names.add(part.name)
         elif type(part).__name__ == "Value":
-            names |= {part.name} if part.name is not None else names_in(part.expression)
+            names |= {part.name} if part.name is not None else {id(part), *names_in(part.expression)}
     return names
 
 
