@@ -91,7 +91,9 @@ def _problem(number: int, form: str, own: Sequence[MarkedAnswer], marks: Sequenc
     by_answer: dict[str, list[MarkedAnswer]] = defaultdict(list)
     for item in own:
         by_answer[item.answer.quantity.name].append(item)
-    causes = Counter(item.cause for item in own if item.verdict is Verdict.WRONG and item.cause not in (None, OTHER))
+    wrong = (item.cause for item in own if item.verdict is Verdict.WRONG and item.cause not in (None, OTHER))
+    # Mistakes are told apart; of others the kind is enough, not whose sheet or which answer.
+    causes = Counter(cause if cause is None or cause.name == "mistake" else Cause(cause.name) for cause in wrong)
     return ProblemFacts(
         number,
         form,
