@@ -12,12 +12,12 @@ import pytest
 from tests.joint_scenes import SCENES
 from variantgen.check.family import check_family
 from variantgen.cli import main
-from variantgen.families.load import family_names, read_family
+from variantgen.families.load import family_names, parse_family
 from variantgen.families.quantities import quantity_names, split_name
 from variantgen.reference import refreshed
 from variantgen.resources import catalog_dir
 from variantgen.single import one_variant
-from variantgen.tables import Table
+from variantgen.tables import Table, read_toml
 from variantgen.wording import statement as statement_module
 from variantgen.wording.language import load_language
 
@@ -66,7 +66,8 @@ def keys_read(monkeypatch: pytest.MonkeyPatch) -> dict[str, set[str]]:
 
     monkeypatch.setattr(Table, "finish", watched)
     for name in family_names():
-        read_family(catalog_dir() / name / "family.toml")
+        path = catalog_dir() / name / "family.toml"
+        parse_family(read_toml(path), path)  # read anew, whatever has been read before
     return asked
 
 

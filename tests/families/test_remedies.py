@@ -156,7 +156,7 @@ def test_a_quantity_that_one_form_is_given(capsys):
             "theta_OA",
             "the direction of OA is angle_OA, a corner of three points angle_O.A.B",
         ),
-        ("s_A", "a coordinate is x_B or y_B, the distance of two points distance_A.B; points: O, A"),
+        ("s_A", "a coordinate is x_B or y_B, the distance of two points distance_A.B; points: A, O"),
     ],
 )
 def test_quantities_in_other_letters(output, asked, remedy):
