@@ -79,7 +79,7 @@ def test_scale(scene: Scene, length: float, time: float) -> None:
 
 @given(st.one_of(mechanisms(), scenes()))
 def test_time_reversal(scene: Scene) -> None:
-    assert time_reversal(solve(scene), solve(rescaled(scene, time=-1.0)))[0] < 1e-9
+    assert time_reversal(solve(scene), solve(rescaled(scene, time=-1.0)))[0] < 1e-10
 
 
 @given(st.one_of(mechanisms(), scenes()))

@@ -54,6 +54,11 @@ class RecordedProblem:
     attempt: int
     answers: tuple[RecordedAnswer, ...]
 
+    @property
+    def problem_type(self) -> str:
+        """The family with its form: ``four_bar crank``."""
+        return f"{self.family} {self.form}".strip()
+
 
 @dataclass(frozen=True)
 class RecordedSheet:

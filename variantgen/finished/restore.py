@@ -36,6 +36,11 @@ class Finished:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
         return [[variant for variant in own if variant is not None] for own in found]
 
+    def variant(self, place: int, number: int) -> Variant:
+        """The variant of a student, by the place of the student and the number of the problem. Raises InputError."""
+        numbers = [problem.number for problem in self.record.sheets[place].problems]
+        return self.variants[place][numbers.index(number)]
+
     def sheets(self, places: Sequence[int], marked: bool = False) -> tuple[Sheet, ...]:
         """The sheets of some students, by their places, with answers computed anew.
 

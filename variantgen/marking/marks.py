@@ -95,10 +95,13 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
     marks = []
     for place, problems in key.places.items():
         for number, problem in problems.items():
-            form = f"{problem.family} {problem.form}".strip()
             for answer in key.answers(place, number):
                 item = typed.get((place, number, answer.quantity.name))
-                marks.append(MarkedAnswer(place, number, form, answer, *_verdict(answer, item.text if item else "")))
+                marks.append(
+                    MarkedAnswer(
+                        place, number, problem.problem_type, answer, *_verdict(answer, item.text if item else "")
+                    )
+                )
     return marks
 
 
@@ -177,8 +180,7 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
             continue
         group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
         rules = known.setdefault(group, FollowThrough(group[1]))
-        index = [problem.number for problem in finished.record.sheets[place].problems].index(number)
-        for k, earlier in rules.granted(finished.variants[place][index], answers, wrong).items():
+        for k, earlier in rules.granted(finished.variant(place, number), answers, wrong).items():
             names = ", ".join(answers[other].quantity.name for other in earlier)
             found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=Cause("from", names))
     return found
@@ -194,7 +196,7 @@ def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
     found: dict[tuple[int, str], list[int]] = defaultdict(list)
     for place, problems in key.places.items():
         for number, problem in problems.items():
-            found[number, f"{problem.family} {problem.form}".strip()].append(place)
+            found[number, problem.problem_type].append(place)
     return found
 
 

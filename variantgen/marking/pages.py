@@ -70,7 +70,7 @@ def _common(exam: Exam, language: Language) -> dict[str, Any]:
 
 def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[str, Any]:
     """One row of a student's page."""
-    form = _form_symbols(finished, item)
+    form = dict(finished.variant(item.place, item.problem).form.symbols)
     words = language.words("marking")
     return {
         "symbol": Markup(to_mathml(language.quantity(item.answer.quantity, form))),  # noqa: S704
@@ -85,13 +85,6 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
-
-
-def _form_symbols(finished: Finished, item: MarkedAnswer) -> dict[str, str]:
-    """What is written in the place of the names of bodies of a problem."""
-    problems = finished.record.sheets[item.place].problems
-    index = next(i for i, problem in enumerate(problems) if problem.number == item.problem)
-    return dict(finished.variants[item.place][index].form.symbols)
 
 
 def _cause_text(cause: Cause, words: Any, language: Language, symbols: dict[str, str]) -> str:

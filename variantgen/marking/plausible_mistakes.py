@@ -28,10 +28,9 @@ def mistakes_of(finished: Finished, wanted: Iterable[tuple[int, int]]) -> dict[t
     """
     groups: dict[tuple[str, str, tuple[str, ...]], list[tuple[int, int, Variant]]] = defaultdict(list)
     for place, number in wanted:
-        sheet = finished.record.sheets[place]
-        index = next(i for i, problem in enumerate(sheet.problems) if problem.number == number)
-        variant = finished.variants[place][index]
-        asked = tuple(answer.quantity for answer in sheet.problems[index].answers)
+        variant = finished.variant(place, number)
+        problem = next(problem for problem in finished.record.sheets[place].problems if problem.number == number)
+        asked = tuple(answer.quantity for answer in problem.answers)
         groups[variant.family.name, variant.form.name, asked].append((place, number, variant))
     found: dict[tuple[int, int], OfProblem] = {}
     for (_, _, names), members in groups.items():
