@@ -60,8 +60,8 @@ class Exam:
     problems stand in another order where that saves a page.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers that
-    are read from a scan.
+    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
+    that are read from a scan.
     """
 
     title: str
