@@ -92,10 +92,10 @@ def _cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
         text = dict.fromkeys(LANGUAGES, name)
         nothing = {"forms": 1, "titles": text, "form_titles": text, "topics": [], "kinds": [], "level": 0, "ask": {}}
         return [{**common, **nothing, "form": "", "error": str(error.problems[0])}]
-    told = {} if common["own"] else _described().get(name, {})
+    described = {} if common["own"] else _described().get(name, {})
     found = []
     for form in family.forms.values():
-        own = told.get(form.name, {})
+        own = described.get(form.name, {})
         found.append(
             {
                 **common,

@@ -18,13 +18,13 @@ class Events:
     """The events of a server; may be told from any thread."""
 
     def __init__(self) -> None:
-        self._told: deque[tuple[int, str]] = deque(maxlen=_KEPT)
+        self._sent: deque[tuple[int, str]] = deque(maxlen=_KEPT)
         self._number = 0
         self._queues: set[asyncio.Queue[str | None]] = set()
         self._loop: asyncio.AbstractEventLoop | None = None
 
     @property
-    def windows(self) -> int:
+    def listening(self) -> int:
         """How many windows listen."""
         return len(self._queues)
 
@@ -41,7 +41,7 @@ class Events:
     def _tell(self, event: str, data: dict[str, Any]) -> None:
         self._number += 1
         text = f"id: {self._number}\nevent: {event}\ndata: {json.dumps(data, ensure_ascii=False)}\n\n"
-        self._told.append((self._number, text))
+        self._sent.append((self._number, text))
         for queue in self._queues:
             with contextlib.suppress(asyncio.QueueFull):
                 queue.put_nowait(text)
@@ -59,11 +59,11 @@ class Events:
         try:
             yield f"retry: 1000\nid: {self._number}\nevent: hello\ndata: {{}}\n\n"
             if last is not None and last != self._number:
-                first = self._told[0][0] if self._told else self._number + 1
+                first = self._sent[0][0] if self._sent else self._number + 1
                 if last > self._number or last + 1 < first:
                     yield "event: reload\ndata: {}\n\n"
                 else:
-                    for text in [text for number, text in self._told if number > last]:
+                    for text in [text for number, text in self._sent if number > last]:
                         yield text
             while True:
                 try:

@@ -13,7 +13,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from variantgen.studio.documents.document import Document
-from variantgen.studio.documents.journal import Step
+from variantgen.studio.documents.journal import Change
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
@@ -45,9 +45,9 @@ def _environment() -> jinja2.Environment:
 
 def language_of(request: Request) -> str:
     """The language of the pages: as the address says, else as was chosen, else what the browser likes best."""
-    for wish in (request.query_params.get("lang", ""), request.cookies.get(_COOKIE, "")):
-        if wish in LANGUAGES:
-            return wish
+    for wanted in (request.query_params.get("lang", ""), request.cookies.get(_COOKIE, "")):
+        if wanted in LANGUAGES:
+            return wanted
     liked = [part.split(";")[0].strip()[:2] for part in request.headers.get("accept-language", "").split(",")]
     return next((name for name in liked if name in LANGUAGES), "en")
 
@@ -111,7 +111,7 @@ def command(*words: str) -> str:
     return shlex.join(words)
 
 
-def step_words(words: PageWords, step: Step | None) -> str:
+def step_words(words: PageWords, step: Change | None) -> str:
     """What undo or redo takes back or does again; '' if there is nothing."""
     if step is None:
         return ""

@@ -64,7 +64,7 @@ class Studio:
         """Look every second, while a window is open, whether an editor has changed an exam."""
         while True:
             await asyncio.sleep(_WATCH_SECONDS)
-            if self.events.windows:
+            if self.events.listening:
                 await asyncio.to_thread(self.look)
 
     def look(self) -> None:

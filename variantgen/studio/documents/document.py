@@ -85,7 +85,7 @@ class Document:
             return self._state
 
     def refresh(self) -> bool:
-        """Look at the file; whether another has changed it."""
+        """Look at the file; whether another has changed it. Raises InputError where it is gone."""
         with self._lock:
             try:
                 status = self.path.stat()

@@ -100,7 +100,7 @@ def value_at(data: Any, path: Path) -> Any:
 
 
 def written(value: Any) -> str:
-    """A value as TOML."""
+    """A value as TOML. Raises InputError for one that TOML has no word for."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, Decimal):

@@ -14,7 +14,7 @@ _STEPS = 500
 
 
 @dataclass(frozen=True)
-class Step:
+class Change:
     """A change: the versions before and after it, the key of the words for it with what they name, whose it was."""
 
     before: str
@@ -32,11 +32,11 @@ class Journal:
         self._file = folder / "journal.json"
         self.steps, self.done = self._read()
 
-    def _read(self) -> tuple[list[Step], int]:
+    def _read(self) -> tuple[list[Change], int]:
         """What is on disk; a file that cannot be read counts as none."""
         try:
             data = json.loads(self._file.read_text("utf-8"))
-            steps = [Step(**step) for step in data["steps"]]
+            steps = [Change(**step) for step in data["steps"]]
             done = int(data["done"])
         except (OSError, ValueError, KeyError, TypeError):
             return [], 0
@@ -68,7 +68,7 @@ class Journal:
 
     def add(self, before: str, after: str, words: str, about: dict[str, str], window: str) -> None:
         """A new step; those that could be done again are forgotten."""
-        self.steps = [*self.steps[: self.done], Step(self.keep(before), self.keep(after), words, about, window)]
+        self.steps = [*self.steps[: self.done], Change(self.keep(before), self.keep(after), words, about, window)]
         for step in self.steps[:-_STEPS]:
             self._forget(step.before)
         self.steps = self.steps[-_STEPS:]
@@ -80,12 +80,12 @@ class Journal:
             (self._folder / f"{version}.toml").unlink(missing_ok=True)
 
     @property
-    def undoable(self) -> Step | None:
+    def undoable(self) -> Change | None:
         """The step that undo takes back."""
         return self.steps[self.done - 1] if self.done else None
 
     @property
-    def redoable(self) -> Step | None:
+    def redoable(self) -> Change | None:
         """The step that is done again."""
         return self.steps[self.done] if self.done < len(self.steps) else None
 

@@ -27,7 +27,7 @@ _STARS = "stars.json"
 
 
 def routes(studio: Studio) -> list[Route]:
-    """The addresses of this page."""
+    """The addresses of this page; they raise InputError for requests that do not fit."""
 
     async def choose(request: Request) -> Response:
         document = studio.document(request.path_params["exam"])
@@ -47,10 +47,10 @@ def routes(studio: Studio) -> list[Route]:
         html = part(request, "cards", "choose", cards=shown, first=FIRST_SEED, levels=LEVELS)
         words = page_words(language)
         families = len({card["family"] for card in shown})
-        told = words.of("choose")["counts"].format(
+        line_of_counts = words.of("choose")["counts"].format(
             forms=words.counted(len(shown), "form"), families=words.counted(families, "of_families")
         )
-        return JSONResponse({"html": html, "counts": counts, "told": told})
+        return JSONResponse({"html": html, "counts": counts, "counted": line_of_counts})
 
     async def figure(request: Request) -> Response:
         path = request.path_params

@@ -20,7 +20,7 @@ from variantgen.studio.workspace import write_whole
 
 
 def routes(studio: Studio) -> list[Route]:
-    """The addresses of this page."""
+    """The addresses of this page; they raise InputError for requests that do not fit."""
 
     async def exams(request: Request) -> Response:
         found = studio.workspace.exams()

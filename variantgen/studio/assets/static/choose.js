@@ -111,7 +111,7 @@ try {
   const data = await get(`/${exam}/cards?lang=${lang}`);
   shelf.innerHTML = data.html;
   cards = all(".card", shelf);
-  $("told").textContent = data.told;
+  $("told").textContent = data.counted;
   all("[data-count]").forEach(place => { place.textContent = data.counts[place.dataset.count] ?? ""; });
   show(); filter();
 } catch (error) { complain(error); }
