@@ -57,7 +57,7 @@ class Typesetter:
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
         with_alt = tagged and form == "pdf"
-        known = {}
+        known: dict[str, Any] = {}
         if form == "pdf":
             known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
         try:
