@@ -38,6 +38,7 @@ _ALIKE = str.maketrans(
 _SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
 _GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
 _POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
+_DIGITS_ALONE = re.compile(r"[-+]?[\d.,]+")
 _PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
 _TIMES = re.compile(r"(?<=\d)\s*[xхXХ]\s*(?=10\b|10\^)")  # 2.5x10^3, with a Latin or a Russian letter
 _BRACKETED = re.compile(r"([^()]*\d)\s*\(([^()\d][^()]*)\)")
@@ -70,6 +71,8 @@ def read_number(text: str) -> TypedNumber | None:
     plain = _TIMES.sub("*", plain)
     if plain.endswith(")") and (found := _BRACKETED.fullmatch(plain)):
         plain = f"{found[1]} {found[2]}"  # 2.95 (cm/s)
+    if _DIGITS_ALONE.fullmatch(plain):  # no unit is looked for
+        return TypedNumber(values) if (values := _values(plain)) else None
     for spelled, unit in _spellings():
         if plain.casefold().endswith(spelled) and not (spelled[0].isdecimal() and _is_digit_before(plain, spelled)):
             values = _values(plain[: -len(spelled)].rstrip(" *"))
