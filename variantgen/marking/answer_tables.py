@@ -21,19 +21,21 @@ from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import TITLE_ROWS
+from variantgen.marking.attempts import NO_TEXTS, Report, lacks_texts, report_of
 from variantgen.resources import languages
 from variantgen.wording.language import load_language
 
 _ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
 _PROBLEM = re.compile(r"[0-9]{1,3}")
-_STUDENT = ("code", "id", "name", "student")
+_STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 
 @dataclass(frozen=True)
 class HandedIn:
     """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
 
-    ``quantity`` is the name that the table has, or the place of the answer in a form.
+    ``quantity`` is the name that the table has, or the place of the answer in a form. ``sheet`` is the code of the
+    sheet that the question is from, where the table says it.
     """
 
     where: str
@@ -41,6 +43,7 @@ class HandedIn:
     problem: int
     quantity: str | int
     text: str
+    sheet: str = ""
 
 
 @dataclass(frozen=True)
@@ -59,10 +62,14 @@ class NotMatched:
 
 @dataclass(frozen=True)
 class ReadAnswers:
-    """What the files hold: answers in their order, and rows and columns that say nothing that is understood."""
+    """What the files hold: answers in their order, and rows and columns that say nothing that is understood.
+
+    ``corrections`` are points that somebody gave or took by hand in a form, each with the problem it is about.
+    """
 
     answers: tuple[HandedIn, ...]
     not_matched: tuple[NotMatched, ...]
+    corrections: tuple[HandedIn, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -154,6 +161,12 @@ class _Tables:
             if columns := self.form.columns(cells):
                 self._filled(sheet, place, columns)
                 return True
+            if report := report_of(cells, _kind):
+                self._attempts(sheet, place, report)
+                return True
+            if lacks_texts(cells, _kind):
+                message, remedy = NO_TEXTS
+                raise InputError(Problem(message, remedy=remedy))
             kinds = [_kind(cell) for cell in cells]
             heads = {column: found for column, cell in enumerate(cells) if (found := _asked(cell))}
             if not set(kinds) & set(_STUDENT):
@@ -175,6 +188,17 @@ class _Tables:
             for column, (problem, answer) in columns.items():
                 if column < len(cells) and cells[column]:
                     self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, cells[column]))
+
+    def _attempts(self, sheet: Worksheet, head: int, report: Report) -> None:
+        for number, cells in sheet.rows[head + 1 :]:
+            where, who = self._where(sheet, number), report.student(cells)
+            for item in report.attempted(cells):
+                question = item.question
+                if question is None:
+                    if item.text:
+                        self.left.append(NotMatched(where, item.text[:80], "the question is not one of this program"))
+                    continue
+                self.answers.append(HandedIn(where, who, question.problem, item.quantity, item.text, question.code))
 
     def _long(self, sheet: Worksheet, head: int, kinds: Sequence[str]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind}
@@ -218,7 +242,10 @@ class _Tables:
 
 
 def _who(row: Mapping[str, str]) -> tuple[str, ...]:
-    return tuple(row[kind] for kind in _STUDENT if row.get(kind))
+    """What a row says of the student: words that each name one, and the parts of a name as one of them."""
+    words = [row[kind] for kind in _STUDENT[:4] if row.get(kind)]
+    name = " ".join(row[kind] for kind in _STUDENT[4:] if row.get(kind))
+    return (*words, name) if name else tuple(words)
 
 
 def _asked(head: str) -> tuple[int, str] | None:
