@@ -18,9 +18,10 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.roster.columns import cell_of
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
-from variantgen.limits import TITLE_ROWS
+from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
 from variantgen.marking.attempts import NO_TEXTS, Report, lacks_texts, report_of
 from variantgen.resources import languages
 from variantgen.wording.language import load_language
@@ -108,20 +109,27 @@ class FormWords:
             start = end + 1
         return found
 
+    def corrections(self, cells: Sequence[str]) -> dict[int, int]:
+        """The columns with points given or taken by hand, with the problems they belong to."""
+        ends = (column for column, cell in enumerate(cells) if cell == self.last)
+        return dict(zip(ends, self.problems, strict=True))
+
 
 def read_answers(paths: Sequence[Path], form: FormWords) -> ReadAnswers:
     """All answers of some files. Raises InputError for a file that is no table, or one without answers."""
     answers: list[HandedIn] = []
     left: list[NotMatched] = []
+    corrections: list[HandedIn] = []
     for path in paths:
         try:
-            found = _Tables(path.name, read_worksheets(path), form)
+            found = _Tables(path.name, read_worksheets(path, ANSWER_COLUMNS, formulas=True), form)
             found.read()
         except InputError as error:
             raise error.located(str(path)) from None
         answers += found.answers
         left += found.left
-    return ReadAnswers(tuple(answers), tuple(left))
+        corrections += found.corrections
+    return ReadAnswers(tuple(answers), tuple(left), tuple(corrections))
 
 
 class _Tables:
@@ -132,6 +140,7 @@ class _Tables:
         self.sheets = [sheet for sheet in sheets if sheet.rows]
         self.answers: list[HandedIn] = []
         self.left: list[NotMatched] = []
+        self.corrections: list[HandedIn] = []
 
     def read(self) -> None:
         """Read every worksheet that has answers."""
@@ -183,11 +192,15 @@ class _Tables:
         return f"{self.name}, " + (f"worksheet {sheet.title}, " if sheet.title else "") + f"row {number}"
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
+        ends = self.form.corrections(sheet.rows[head][1])
         for number, cells in sheet.rows[head + 1 :]:
             who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)  # code, id, name
             for column, (problem, answer) in columns.items():
-                if column < len(cells) and cells[column]:
-                    self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, cells[column]))
+                if text := cell_of(cells, column):
+                    self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, text))
+            for column, problem in ends.items():
+                if text := cell_of(cells, column):
+                    self.corrections.append(HandedIn(self._where(sheet, number), who, problem, "", text))
 
     def _attempts(self, sheet: Worksheet, head: int, report: Report) -> None:
         for number, cells in sheet.rows[head + 1 :]:

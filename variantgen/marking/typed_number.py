@@ -40,6 +40,7 @@ _GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a
 _POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
 _DIGITS_ALONE = re.compile(r"[-+]?[\d.,]+")
 _PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
+_SLASH = re.compile(r" ?/ ?")
 _TIMES = re.compile(r"(?<=\d)\s*[xхXХ]\s*(?=10\b|10\^)")  # 2.5x10^3, with a Latin or a Russian letter
 _BRACKETED = re.compile(r"([^()]*\d)\s*\(([^()\d][^()]*)\)")
 _TOKEN = re.compile(rf"\s*(?:({_PLAIN.pattern})(?:[eE]([+-]?\d{{1,3}})(?![\d.]))?|(sqrt|√|pi|π|[-+*/^()]))")
@@ -68,7 +69,7 @@ def read_number(text: str) -> TypedNumber | None:
         return None
     plain = _POWER.sub(lambda found: "10^" + found[0][2:].translate(_SUPERSCRIPTS), text)
     plain = _SPACE.sub(" ", plain.translate(_ALIKE).translate(_SUPERSCRIPTS)).strip(" ≈~")
-    plain = _TIMES.sub("*", plain)
+    plain = _SLASH.sub("/", _TIMES.sub("*", plain).replace("**", "^"))
     if plain.endswith(")") and (found := _BRACKETED.fullmatch(plain)):
         plain = f"{found[1]} {found[2]}"  # 2.95 (cm/s)
     if _DIGITS_ALONE.fullmatch(plain):  # no unit is looked for
@@ -221,6 +222,12 @@ def _spellings() -> tuple[tuple[str, Unit], ...]:
         for written, other in (("с", "c"), ("с", "сек"), ("s", "sec")):
             if re.search(rf"/{written}(?!\w)", word):
                 found.setdefault(re.sub(rf"/{written}(?!\w)", f"/{other}", word), unit)
+    for word, unit in list(found.items()):
+        for second in ("s", "с", "c"):  # m s^-1, м·с^-2
+            whole, slash, power = word.partition(f"/{second}")
+            if slash and whole and power in ("", "^2"):
+                for part in ("*", " "):
+                    found.setdefault(f"{whole}{part}{second}^-{power[1:] or 1}", unit)
     found |= {
         "°": UNITS["deg"],
         "град": UNITS["deg"],
