@@ -31,13 +31,11 @@ _ALIKE = str.maketrans(
         "∙": "*",
         "÷": "/",
         "⁄": "/",
-        "²": "^2",
-        "³": "^3",
     }
 )
 _SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
 _GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
-_POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
+_RAISED = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
 _DIGITS_ALONE = re.compile(r"[-+]?[\d.,]+")
 _PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
 _SLASH = re.compile(r" ?/ ?")
@@ -67,8 +65,8 @@ def read_number(text: str) -> TypedNumber | None:
     """What a text says, or None where it is no number with or without a unit of the program."""
     if len(text) > LONGEST:
         return None
-    plain = _POWER.sub(lambda found: "10^" + found[0][2:].translate(_SUPERSCRIPTS), text)
-    plain = _SPACE.sub(" ", plain.translate(_ALIKE).translate(_SUPERSCRIPTS)).strip(" ≈~")
+    plain = _RAISED.sub(lambda found: "^" + found[0].translate(_SUPERSCRIPTS), text)
+    plain = _SPACE.sub(" ", plain.translate(_ALIKE)).strip(" ≈~")
     plain = _SLASH.sub("/", _TIMES.sub("*", plain).replace("**", "^"))
     if plain.endswith(")") and (found := _BRACKETED.fullmatch(plain)):
         plain = f"{found[1]} {found[2]}"  # 2.95 (cm/s)
@@ -224,10 +222,10 @@ def _spellings() -> tuple[tuple[str, Unit], ...]:
                 found.setdefault(re.sub(rf"/{written}(?!\w)", f"/{other}", word), unit)
     for word, unit in list(found.items()):
         for second in ("s", "с", "c"):  # m s^-1, м·с^-2
-            whole, slash, power = word.partition(f"/{second}")
-            if slash and whole and power in ("", "^2"):
+            above, slash, squared = word.partition(f"/{second}")
+            if slash and above and squared in ("", "^2"):
                 for part in ("*", " "):
-                    found.setdefault(f"{whole}{part}{second}^-{power[1:] or 1}", unit)
+                    found.setdefault(f"{above}{part}{second}^-{squared[1:] or 1}", unit)
     found |= {
         "°": UNITS["deg"],
         "град": UNITS["deg"],
