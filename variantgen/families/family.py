@@ -116,7 +116,7 @@ class Form:
         if not self.may_ask or any(fnmatchcase(quantity.name, pattern) for pattern in self.may_ask):
             return True
         sources = quantity.sources(self.sample)
-        return bool(sources) and all(self._is_determined(source) for source in sources)
+        return bool(sources) and not quantity.is_of_turn and all(self._is_determined(source) for source in sources)
 
     def _is_determined(self, plain: Quantity) -> bool:
         """Whether a plain quantity is given, or ``may_ask`` allows it or another component of it."""
