@@ -12,6 +12,7 @@ import pytest
 from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.load import read_family
+from variantgen.outputs.single.explanation import explain
 from variantgen.variants.only_variant import only_variant
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -113,6 +114,18 @@ def test_stroke_times_and_mean_velocity_of_an_offset_slider() -> None:
     assert found["stroke_B"] == pytest.approx(stroke, rel=1e-12)
     assert found["time_ratio_B"] == pytest.approx((np.pi + theta) / (np.pi - theta), rel=1e-12)
     assert found["mean_v_B"] == pytest.approx(2 * stroke / (2 * np.pi / 2), rel=1e-12)
+
+
+def test_the_solution_works_out_limit_positions_and_says_what_is_searched_for() -> None:
+    variant = variant_of(SLIDER.format(omega=2, points=CRANK_FIRST))
+    asked = ["stroke_B", "mean_v_B", "max_v_B"]
+    english, russian = (" ".join(str(explain(variant, language, ask=asked)).split()) for language in ("en", "ru"))
+    # 1.3^2 - 0.1^2 = 1.68, 0.7^2 - 0.1^2 = 0.48; twice the stroke in the time pi of a turn
+    for line in ("OB_1 = AB + OA = 1 + 0.3 = 1.3 m", "OB_2 = AB − OA = 1 − 0.3 = 0.7 m", "= 0.6033 m", "= 0.3841 m/s"):
+        assert line in english
+        assert line.replace(".", ",").replace(" m/s", " м/с").replace(" m", " м") in russian
+    assert "solved for a series of positions" in english
+    assert "для ряда положений" in russian
 
 
 def test_limit_positions_of_a_rocker() -> None:

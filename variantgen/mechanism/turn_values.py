@@ -104,7 +104,7 @@ def _risen(coefficients: Field, place: Field) -> Field:
 
 
 def mean(turn: CrankTurn, quantity: Scalar) -> Field:
-    """The mean over a turn of what is never negative and is smooth but where it is zero: a speed."""
+    """The mean over a turn, shape (N,), of what is never negative and is smooth but where it is zero: a speed."""
     variants = np.repeat(np.arange(turn.size), GRID)
     table = quantity(turn.grid, variants).reshape(turn.size, GRID)
     square = table**2
@@ -138,7 +138,7 @@ def _pieces(turn: CrankTurn, own: NDArray[np.intp], stops: Field) -> tuple[NDArr
 
 
 def straight_way(turn: CrankTurn, point: str) -> tuple[Scalar, NDArray[np.bool_]]:
-    """The coordinate (m) of a point along its straight line, and which variants have it on one."""
+    """The coordinate (m) of a point along its straight line, and which variants have it on one, shape (N,)."""
     z = turn.grid.z[point].reshape(turn.size, GRID)
     start = z[:, 0]
     far = z[np.arange(turn.size), np.argmax(np.abs(z - start[:, None]), axis=1)] - start
@@ -154,7 +154,7 @@ def straight_way(turn: CrankTurn, point: str) -> tuple[Scalar, NDArray[np.bool_]
 
 
 def rotation(turn: CrankTurn, body: str) -> tuple[Scalar, NDArray[np.bool_]]:
-    """The angle (rad) of a body about the middle of its swing, and which variants swing: do not go round."""
+    """The angle (rad) of a body about the middle of its swing, and which variants swing, not round, shape (N,)."""
     members = turn.grid.scene.bodies[body]
     pole = members[0]
     tip = max(members[1:], key=lambda name: float(np.min(np.abs(turn.grid.z[name] - turn.grid.z[pole]))), default=pole)
@@ -172,7 +172,7 @@ def rotation(turn: CrankTurn, body: str) -> tuple[Scalar, NDArray[np.bool_]]:
 
 
 def to_and_fro(turn: CrankTurn, target: str) -> tuple[Extreme, Extreme, NDArray[np.bool_]]:
-    """Both limit positions of a point on a straight line, or of a body that swings; and which variants have them."""
+    """Both limit positions of a point on a line or of a body that swings; which variants have them, shape (N,)."""
     is_body = target in turn.grid.scene.bodies
     with np.errstate(all="ignore"):
         way, has = (rotation if is_body else straight_way)(turn, target)
@@ -181,14 +181,14 @@ def to_and_fro(turn: CrankTurn, target: str) -> tuple[Extreme, Extreme, NDArray[
 
 
 def travel(turn: CrankTurn, target: str) -> Field:
-    """The way between the limit positions: a stroke (m), the angle of a swing (rad)."""
+    """The way between the limit positions: a stroke (m), the angle of a swing (rad), shape (N,)."""
     high, low, has = to_and_fro(turn, target)
     with np.errstate(invalid="ignore"):
         return np.where(has, high.value - low.value, np.inf)
 
 
 def time_ratio(turn: CrankTurn, target: str) -> Field:
-    """The longer of the times there and back over the shorter one."""
+    """The longer of the times there and back over the shorter one, shape (N,)."""
     high, low, has = to_and_fro(turn, target)
     with np.errstate(all="ignore"):
         there = np.mod(high.angle - low.angle, FULL_TURN)

@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from fractions import Fraction
 from functools import cache
 from math import isfinite
 
@@ -33,6 +34,7 @@ _OF_TURN = ("max", "min", "mean")
 _TO_AND_FRO = {"stroke": "s", "swing": "psi", "time_ratio": "k"}
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
+_DECIMALS, _DENOMINATOR = 12, 999  # digits of a quotient that does not come out, largest denominator that is printed
 ANSWER_DIGITS = 4  # significant digits of a printed answer
 
 
@@ -59,8 +61,9 @@ class Language:
         return self.tables[table]
 
     def decimal(self, value: Decimal) -> Number:
-        """An exact printed value: ``0,25``, with a true minus sign."""
-        return self.written(f"{value.normalize():f}")
+        """An exact printed value: ``0,25``, with a true minus sign; a fraction that is no decimal as ``13/6``."""
+        whole = as_fraction(value)
+        return self.written(str(whole) if whole is not None else f"{value.normalize():f}")
 
     def written(self, text: str) -> Number:
         """A number that is written out with a point: with the mark of the language, and with a true minus sign."""
@@ -165,6 +168,14 @@ class Language:
         if quantity.kind.startswith(ANGLE_OF):
             return Symbol("phi", (Index(inner.base.removeprefix(ANGLE)), *inner.index, extreme))
         return inner._replace(index=(*inner.index, extreme))
+
+
+def as_fraction(value: Decimal) -> Fraction | None:
+    """The fraction, ``13/6``, of which a printed value has as many digits as are kept; None for a plain decimal."""
+    if len(value.as_tuple().digits) <= _DECIMALS:
+        return None
+    whole = Fraction(value).limit_denominator(_DENOMINATOR)
+    return whole if abs(whole - Fraction(value)) * 10**_DECIMALS < abs(whole) else None
 
 
 def on_line(component: str) -> str:
