@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import argparse
 import json
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import counted, say, tell
 from variantgen.cli.options import add_families
+from variantgen.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from variantgen.marking.changes import Change, Earlier
     from variantgen.marking.marks import Marked
 
 HELP = "mark the answers that a class has handed in"
@@ -21,6 +26,7 @@ DESCRIPTION = (
     "is listed, and nothing is guessed."
 )
 _SHOWN = 20
+_BOOK = "marks.xlsx"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,6 +36,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder for the marks")
     parser.add_argument("--force", action="store_true", help="replace an earlier marking")
     parser.add_argument("--policy", type=Path, metavar="FILE", help="what answers are worth (TOML)")
+    parser.add_argument(
+        "--against",
+        type=Path,
+        metavar="DIR",
+        help="an earlier marking: say whose mark changed (usual: the one replaced)",
+    )
     parser.add_argument("--anonymous", action="store_true", help="leave out ids, names and groups: codes only")
     parser.add_argument("--json", action="store_true", help="the marks as one JSON document on stdout")
     add_families(parser)
@@ -41,6 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.marking_policy import read_policy_file
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
+    from variantgen.marking import changes, gradebooks
     from variantgen.marking.answer_tables import FormWords, read_answers
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
@@ -49,15 +62,28 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.marking.records import FILES, not_matched, write_marks
     from variantgen.outputs.files.folder import check_free, whole_folder
 
-    known = (*FILES, *PAGES)
+    known = (*FILES, *PAGES, *gradebooks.FILES, changes.CHANGES, _BOOK)
     check_free(arguments.out, arguments.force, lambda: known)
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
+    earlier = _earlier(arguments.against, arguments.out)
+    with_book = find_spec("xlsxwriter") is not None
+    changed: list[changes.Change] = []
     found = mark(finished, read_answers(arguments.answers, FormWords.of(finished.exam)), policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
         write_pages(work, finished, found, arguments.anonymous)
+        if not arguments.anonymous:
+            gradebooks.write_gradebooks(work, finished.exam.title, found)
+        if with_book:
+            from variantgen.marking.marks_book import write_book
+
+            write_book(work / _BOOK, finished.exam, found, policy, arguments.anonymous)
+        if earlier is not None:
+            changed = changes.changes(finished.record, found, earlier)
+            changes.write_changes(work, finished.record, changed, arguments.anonymous)
+        written = sorted(path.name for path in work.iterdir())
     if arguments.json:
         say(_json(found, arguments.anonymous))
     for difference in finished.differences:
@@ -72,8 +98,38 @@ def run(arguments: argparse.Namespace) -> int:
     if len(left) > _SHOWN:
         tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
     tell(_summary(found))
-    tell(f"written: {arguments.out}: {', '.join((*FILES, *PAGES))}")
+    if earlier is not None:
+        _tell_changes(found, changed)
+    if not with_book:
+        tell(f'{_BOOK} is left out: it needs XlsxWriter, pip install "variantgen[xlsx]"')
+    tell(f"written: {arguments.out}: {', '.join(written)}")
     return 0
+
+
+def _earlier(against: Path | None, out: Path) -> Earlier | None:
+    """The marks to compare with: those that are named, or those that are replaced; None where there are none."""
+    from variantgen.marking.changes import read_marking
+    from variantgen.marking.records import MARKS
+
+    if against is not None:
+        return read_marking(against)
+    try:
+        return read_marking(out) if (out / MARKS).is_file() else None
+    except InputError:
+        return None  # whoever replaces a damaged marking has nothing to compare with
+
+
+def _tell_changes(found: Marked, changed: Sequence[Change]) -> None:
+    """Say whose mark is another one."""
+    totals = [change for change in changed if not change.answer]
+    every = counted(len(found.totals), "student")
+    tell(f"marks that are other than before: {len(totals)} of {every}" + (", see changes.csv" if changed else ""))
+    for change in totals[:_SHOWN]:
+        total = found.totals[change.place]
+        grades = f", grade {change.before[0]} -> {change.now[0]}" if change.before[0] != change.now[0] else ""
+        tell(f"    {total.code}: {change.before[1] or 'nothing'} -> {change.now[1]}{grades}")
+    if len(totals) > _SHOWN:
+        tell(f"    and {len(totals) - _SHOWN} more")
 
 
 def _summary(found: Marked) -> str:
