@@ -5,8 +5,8 @@
 For every family problems of 200 students are drawn, in equal parts of its forms. Each answer is got wrong by each
 cause, as a student would write it, with four significant digits, where that is another number than by another cause;
 the whole sheet of the next student is solved in place of the own; each answer is gone on with after a slip of 30 % in
-an earlier one, with the steps of the solution (``granted``); and random numbers from a tenth to ten times the right ones
-are marked (``by chance``). Prints a Markdown table and, run on the whole catalogue, writes it to
+an earlier one, with the steps of the solution (``granted``); and random numbers from a tenth to ten times the right
+ones are marked (``by chance``). Prints a Markdown table and, run on the whole catalogue, writes it to
 ``benchmarks/marking.md``. Nothing here is a time.
 """
 
@@ -214,7 +214,7 @@ def main() -> None:
             "# Marking",
             "",
             f"`python -m benchmarks.marking`: {arguments.students} students of each family; each answer got wrong by"
-            " each cause that gives another number than those before it, and gone on with after a slip in an earlier one"
+            " each cause that gives another number than those before it, gone on with after a slip in an earlier one"
             " (a fifth of them); random numbers in place of all answers (a quarter of them).",
             "",
             *table(arguments.family or family_names(), arguments.students),
