@@ -1,0 +1,33 @@
+"""Which readings stand, and which a person has to look at.
+
+The key of every sheet is known. A doubtful reading that is right confirms itself: nobody fills in the right number by
+a slip of the reader. Every other doubtful one goes to a person, and so does one without a doubt that is wrong but would
+be right if a trace in another bubble counted, or a weak mark did not: what costs a mark is looked at first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from variantgen.marking.scan.numbers import Reading
+
+
+@dataclass(frozen=True)
+class Confirmed:
+    """A reading that stands (``text``, '' for blank), or one for a person to look at: then ``why``, in short words."""
+
+    text: str
+    why: tuple[str, ...] = ()
+
+
+def confirmed(own: Reading, is_right: Callable[[str], bool]) -> Confirmed:
+    """What becomes of a reading; ``is_right`` asks the key about a number like ``-12.5``."""
+    text = own.text or ""
+    if text and own.may_confirm and is_right(text):
+        return Confirmed(text)
+    if own.doubts:
+        return Confirmed(text, own.doubts)
+    if not (text and is_right(text)) and any(map(is_right, own.others)):
+        return Confirmed(text, ("near",))
+    return Confirmed(text)
