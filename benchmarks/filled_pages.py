@@ -67,7 +67,7 @@ class Hand:
     def __init__(self, rng: np.random.Generator, style: str, size: tuple[int, int]) -> None:
         self.rng, (self.kind, low, high) = rng, STYLES[style]
         self.black = rng.uniform(low, high)
-        self.erases = "pen" not in style.split(", ")[-1].split() or style == "faint pencil"
+        self.erases = "pencil" in style
         self.width = rng.uniform(0.35, 0.6) if self.kind in ("cross", "stroke") else rng.uniform(0.4, 0.7)
         self.jitter = rng.uniform(0.08, 0.3)
         self.habit = rng.choice(["boxes", "some boxes", "no boxes"], p=[0.75, 0.1, 0.15])

@@ -34,7 +34,6 @@ from variantgen.marking.scan.pages import ReadPage, read_page
 from variantgen.marking.scan.pictures import pictures
 from variantgen.marking.typed_number import read_number
 
-VERBOSE = True
 HERE = Path(__file__).resolve()
 PAGES = 600
 EXAM = """title = "Plane motion"
@@ -60,6 +59,7 @@ family = "spool"
 ask = ["v_O", "omega_spool", "v_A", "a_O", "epsilon_spool"]
 """
 _BASES = 12
+_ABOUT = (__doc__ or "").split("\n\n", 2)[2].split(" Prints")[0].replace("\n", " ").replace(":mod:", "")
 
 
 @dataclass(frozen=True)
@@ -153,16 +153,6 @@ def count_page(counts: Counts, key: Key, base: Base, filled: Filled, found: Read
 
         result: Confirmed = confirmed(read, right)
         if result.why:
-            if VERBOSE:
-                print(
-                    "   review",
-                    filled.style,
-                    filled.scanner,
-                    repr(text),
-                    repr(read.text),
-                    result.why,
-                    f"{answer.value:.4g}",
-                )
             counts.add("answers to review", filled)
             counts.add("columns to review", filled, max(1, len(result.why)))
             for why in result.why:
@@ -175,9 +165,8 @@ def count_page(counts: Counts, key: Key, base: Base, filled: Filled, found: Read
         takes = bool(text) and right(text) and not (result.text and right(result.text))
         if takes:
             counts.add("marks taken", filled)
-        wrong.append(
-            f"{'MARK ' if takes else ''}{filled.style} {filled.scanner}: {text!r} read {result.text!r} key {answer.value:.4g} {read.doubts}"
-        )
+        what = f"{text!r} read {result.text!r}, key {answer.value:.4g} {read.doubts}"
+        wrong.append(f"{'MARK ' if takes else ''}{filled.style} {filled.scanner}: {what}")
     return wrong
 
 
@@ -209,7 +198,7 @@ def measure(count: int, seed: int, show: Path | None = None) -> tuple[Counts, fl
 
 def table(counts: Counts, spent: float) -> Iterator[str]:
     """The rows of the table."""
-    yield "| pages | read | columns | misread silently | of them with a mark taken | columns for review, % | answers, % |"
+    yield "| pages | read | columns | misread silently | with a mark taken | columns for review, % | answers, % |"
     yield "|---" * 7 + "|"
     for kind in ("all", *STYLES, *SCANNERS):
 
@@ -244,7 +233,7 @@ def main() -> None:
         [
             "# Scanned answers",
             "",
-            f"`python -m benchmarks.scanning --pages {arguments.pages} --seed {arguments.seed}`. {(__doc__ or '').split('    python')[1].split(chr(10), 2)[2].split(' Prints')[0].strip()}",
+            f"`python -m benchmarks.scanning --pages {arguments.pages} --seed {arguments.seed}`. {_ABOUT}",
             "",
             *table(counts, spent),
         ]

@@ -14,7 +14,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import OPEN, NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
@@ -52,7 +52,10 @@ class MarkedAnswer:
 
 @dataclass(frozen=True)
 class StudentTotal:
-    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in."""
+    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in.
+
+    While answers are ``open``, which a person still has to look at, it is not final.
+    """
 
     student: Student
     code: str
@@ -61,6 +64,7 @@ class StudentTotal:
     of: Fraction
     grade: str
     handed_in: int
+    open: int = 0
 
 
 @dataclass(frozen=True)
@@ -82,7 +86,8 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
         if item.verdict is Verdict.UNREADABLE:
             found = typed[item.place, item.problem, item.answer.quantity.name]
             what = f"{item.problem}.{item.answer.quantity.name}: {item.text}"[:80]
-            left.append(NotMatched(found.where, what, "is no number that can be read"))
+            why = "waits for review" if item.text.startswith(OPEN) else "is no number that can be read"
+            left.append(NotMatched(found.where, what, why))
     marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
@@ -248,6 +253,7 @@ def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> l
         every = sum(had.values(), Fraction(0))
         points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
+        waiting = sum(item.text.startswith(OPEN) for item in own[place])
         grade = policy.grade(points, most)
-        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting))
     return found

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from variantgen.exam import answer_page
-from variantgen.marking.answer_tables import HandedIn, NotMatched
+from variantgen.marking.answer_tables import OPEN, HandedIn, NotMatched
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.scan.confirming import Confirmed, confirmed
 from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
@@ -66,7 +66,7 @@ class Scans:
                 (key.record.sheets[place].code,),
                 problem,
                 name,
-                f"? {answer.read.text}".strip() if answer.read.why else answer.read.text,
+                f"{OPEN} {answer.read.text}".strip() if answer.read.why else answer.read.text,
             )
             for (place, problem, name), answer in self.answers.items()
         ]

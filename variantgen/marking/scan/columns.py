@@ -51,7 +51,8 @@ def columns(measured: Darkness) -> list[list[Column]]:
     written = measured.boxes > max(_WRITTEN, _SHARE_WRITTEN * usual)
     found = []
     inked = measured.beside > max(_OUT * usual, _LEAST_OUT)
-    crossed = sum(inked[..., sector].any(axis=-1).astype(int) for sector in _SECTORS) >= _STROKES
+    strokes = np.stack([inked[..., sector].any(axis=-1) for sector in _SECTORS], axis=-1).sum(axis=-1)
+    crossed: NDArray[np.bool_] = strokes >= _STROKES
     marks = measured.bubbles > _MARKED * usual
     if (crossed & marks).sum() > _CROSSES * marks.sum():
         crossed[:] = False  # this is how the student marks
@@ -86,7 +87,7 @@ def _usual(measured: Darkness) -> float:
         chosen = (top > max(_LEAST, 5 * measured.noise)) & (second < 0.4 * top)
         marks += top[chosen].tolist()
     if len(marks) < _FEWEST:
-        return max([_USUAL, *marks])
+        return float(max([_USUAL, *marks]))
     return float(np.median(marks))
 
 

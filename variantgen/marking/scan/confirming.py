@@ -15,10 +15,14 @@ from variantgen.marking.scan.numbers import Reading
 
 @dataclass(frozen=True)
 class Confirmed:
-    """A reading that stands (``text``, '' for blank), or one for a person to look at: then ``why``, in short words."""
+    """A reading that stands (``text``, '' for blank), or one for a person to look at: then ``why``, in short words.
+
+    One that ``may_follow`` stands if it is right given the student's earlier answers.
+    """
 
     text: str
     why: tuple[str, ...] = ()
+    may_follow: bool = False
 
 
 def confirmed(own: Reading, is_right: Callable[[str], bool]) -> Confirmed:
@@ -27,7 +31,7 @@ def confirmed(own: Reading, is_right: Callable[[str], bool]) -> Confirmed:
     if text and own.may_confirm and is_right(text):
         return Confirmed(text)
     if own.doubts:
-        return Confirmed(text, own.doubts)
+        return Confirmed(text, own.doubts, bool(text) and own.may_confirm)
     if not (text and is_right(text)) and any(map(is_right, own.others)):
-        return Confirmed(text, ("near",))
+        return Confirmed(text, ("near",), bool(text))
     return Confirmed(text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import chain, islice, product
 
 from variantgen.exam import answer_page as page
 from variantgen.marking.scan.columns import Column
@@ -59,16 +59,11 @@ def _others(own: Sequence[Column]) -> Iterator[str]:
     """Numbers with one or two columns read in another way."""
     usual = [column.value for column in own]
     ways = [[(k, other) for other in column.others if other != column.value] for k, column in enumerate(own)]
-    count = 0
-    for pick in [(way,) for one in ways for way in one] + [
-        pair for i, one in enumerate(ways) for other in ways[i + 1 :] for pair in product(one, other)
-    ]:
+    single = ((way,) for one in ways for way in one)
+    double = (pair for i, one in enumerate(ways) for other in ways[i + 1 :] for pair in product(one, other))
+    for changes in islice(chain(single, double), _MOST):
         values = list(usual)
-        for k, value in pick:
+        for k, value in changes:
             values[k] = value
-        text = number(values)
-        if text:
+        if text := number(values):
             yield text
-        count += 1
-        if count >= _MOST:
-            return

@@ -7,6 +7,7 @@ looked for; four of them give the perspective, three will do for a flat page.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +51,8 @@ def codes(grey: Grey) -> list[Code]:
     """The QR codes of a picture."""
     import zxingcpp
 
-    found = zxingcpp.read_barcodes(grey, formats=zxingcpp.BarcodeFormat.QRCode, try_invert=False)
+    kind: Any = zxingcpp.BarcodeFormat.QRCode
+    found = zxingcpp.read_barcodes(grey, formats=kind, try_invert=False)
     return [Code(one.text, _corners(one.position)) for one in found if one.valid]
 
 
@@ -104,11 +106,11 @@ def _mark(grey: Grey, guess: Points, scale: float, radius: float) -> Points | No
     left, right = int(max(guess[0] - reach_, 0)), int(min(guess[0] + reach_, width))
     top, bottom = int(max(guess[1] - reach_, 0)), int(min(guess[1] + reach_, height))
     step = max(1, int(scale / _FINE))
-    window = grey[top:bottom, left:right]
-    rows, columns = window.shape[0] // step * step, window.shape[1] // step * step
+    levels = grey[top:bottom, left:right]
+    rows, columns = levels.shape[0] // step * step, levels.shape[1] // step * step
     if min(rows, columns) < 8 * step:
         return None
-    shares = [window[i:rows:step, j:columns:step].astype(np.float32) for i in range(step) for j in range(step)]
+    shares = [levels[i:rows:step, j:columns:step].astype(np.float32) for i in range(step) for j in range(step)]
     window = sum(shares[1:], start=shares[0]) / step**2
     fine = scale / step
     white = ndimage.maximum_filter(ndimage.uniform_filter(window, 3), int(2.5 * page.CORNER_SIDE * fine))
@@ -130,9 +132,8 @@ def _mark(grey: Grey, guess: Points, scale: float, radius: float) -> Points | No
         if areas[label] < _SOLID * 12.0 * np.sqrt(spread[0] * spread[1]):
             continue
         weights = (white[box] - window[box]) * inside
-        middle = np.array(
-            [(weights * np.arange(inside.shape[1])).sum(), (weights.T * np.arange(inside.shape[0])).sum()]
-        )
+        across, down = weights.sum(axis=0), weights.sum(axis=1)
+        middle = np.array([across @ np.arange(across.size), down @ np.arange(down.size)])
         middle = middle / weights.sum() + [box[1].start, box[0].start]
         at = np.array([left, top]) + step * middle + (step - 1) / 2
         distance = float(np.hypot(*(at - guess)))
