@@ -146,8 +146,8 @@ def _tell_open(found: Marked) -> None:
 
     if waiting := [total for total in found.totals if total.open]:
         answers = counted(sum(total.open for total in waiting), "answer")
-        tell(f"not final: {answers} of {counted(len(waiting), 'student')} to look at in {review.PAGE};")
-        tell(f"    type what you see into {review.TABLE} and mark again with it")
+        tell(f"not final: {answers} of {counted(len(waiting), 'student')} to look at in {PAGE};")
+        tell(f"    type what you see into {TABLE} and mark again with it")
 
 
 def _earlier(against: Path | None, out: Path) -> Earlier | None:

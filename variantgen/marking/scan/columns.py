@@ -23,9 +23,8 @@ _RIVAL = 0.5  # of the darkest bubble of a column: what is as dark beside it may
 _LEAST = 0.028  # darkness that the eye sees at all
 _USUAL, _FEWEST = 0.3, 3  # the usual mark where a page has fewer of them than that
 _WEAK = 0.7
-# Strokes that cross a bubble out leave it between its corners: where that is on the way around it, the share of the
-# usual mark and the least darkness that they have there, how many of the four are enough.
-_SECTORS = (slice(3, 7), slice(11, 15), slice(21, 25), slice(29, 33))
+# Strokes that cross a bubble out: the share of the usual mark and the least darkness that they have beyond its
+# corners, at how many of them.
 _OUT, _LEAST_OUT, _STROKES = 0.3, 0.12, 3
 _CROSSES = 0.15  # of the marks: who has more crosses than that marks by them
 _WRITTEN, _SHARE_WRITTEN = 0.007, 0.018  # least darkness of a box that has been written in, and share of the usual mark
@@ -51,8 +50,7 @@ def columns(measured: Darkness) -> list[list[Column]]:
     written = measured.boxes > max(_WRITTEN, _SHARE_WRITTEN * usual)
     found = []
     inked = measured.beside > max(_OUT * usual, _LEAST_OUT)
-    strokes = np.stack([inked[..., sector].any(axis=-1) for sector in _SECTORS], axis=-1).sum(axis=-1)
-    crossed: NDArray[np.bool_] = strokes >= _STROKES
+    crossed: NDArray[np.bool_] = inked.sum(axis=-1) >= _STROKES
     marks = measured.bubbles > _MARKED * usual
     if (crossed & marks).sum() > _CROSSES * marks.sum():
         crossed[:] = False  # this is how the student marks

@@ -21,8 +21,8 @@ Array = NDArray[np.float64]
 _GRID = 0.26  # mm between the points that are looked at
 _INSET = 0.38  # of what counts as inside, from the edge of a bubble: its outline may lie a little beside
 _SHIFTS = np.arange(-0.6, 0.61, 0.2)  # mm, by which a block may lie beside where the corners say
-# The way around a bubble that is looked at for strokes that cross it out: mm beyond its edge, number of points.
-_BESIDE, _STEPS = 0.42, 36
+# Where strokes that cross a bubble out leave it: mm beyond its edge, degrees from the line across.
+_BESIDE, _SLOPES = 0.85, np.arange(30.0, 61.0, 6.0)
 _LABELS = 0.05  # by how much the print in bubbles may differ from digit to digit
 
 
@@ -31,7 +31,7 @@ class Darkness:
     """What was measured of the blocks of a page: arrays of shape (blocks, bubbles) and (blocks, boxes).
 
     ``bubbles`` is the darkness beyond that of empty ones, ``boxes`` that of the boxes to write in; ``beside`` is that
-    of the paper on a way around each bubble, a last axis more; ``noise`` is how much empty bubbles scatter,
+    of the paper beyond the four corners of each bubble, a last axis more; ``noise`` is how much empty bubbles scatter,
     ``outlines`` how much darker than their surroundings outlines are, by block.
     """
 
@@ -50,7 +50,8 @@ def darkness(grey: Grey, where: Placed, blocks: int) -> Darkness:
     at = at + shift[:, None, :]
     white = _white(grey, where, at)
     inside = _ink(grey, where, at, _inside(), white)
-    beside = np.clip(1.0 - _levels(grey, where, at, _rim(_BESIDE, _STEPS)) / white[..., None], 0.0, 1.0)
+    beside = np.clip(1.0 - _levels(grey, where, at, _corners()) / white[..., None], 0.0, 1.0)
+    beside = beside.reshape(*inside.shape, 4, len(_SLOPES)).max(axis=-1)
     boxes = corners[:, None, :] + shift[:, None, :] + _box_centres()[None, :, :]
     levels = _levels(grey, where, boxes, _in_box())
     paper = np.maximum(np.percentile(levels, 80, axis=-1), 20.0)  # shadows may fall between a box and its bubbles
@@ -108,18 +109,24 @@ def _around() -> Array:
     return np.array([(a * x, b * y) for a in (-1.0, -0.85, 0.85, 1.0) for b in (-1.0, 0.0, 1.0) if b or abs(a) == 1.0])
 
 
-@cache
-def _rim(beyond: float, points: int) -> Array:
-    """Points around a bubble, so far beyond its edge, in their order."""
-    turns = (np.arange(points) + 0.5) * 2 * np.pi / points
+def _rim(beyond: float, degrees: Array) -> Array:
+    """Points around a bubble, so far beyond its edge, in some directions."""
+    turns = np.radians(degrees)
     x, y = (page.RADIUS + beyond) * np.cos(turns), (page.RADIUS + beyond) * np.sin(turns)
     return np.column_stack([x + np.sign(x) * page.LENGTH / 2, y])
 
 
 @cache
+def _corners() -> Array:
+    """Points beyond the four corners of a bubble, corner by corner."""
+    return _rim(_BESIDE, np.concatenate([_SLOPES, 180.0 - _SLOPES, 180.0 + _SLOPES, -_SLOPES]))
+
+
+@cache
 def _rims() -> Array:
     """Points along the outline of a bubble, and as many a little outside."""
-    return np.concatenate([_rim(-0.1, 8), _rim(0.36, 8)])
+    around = np.arange(22.5, 360.0, 45.0)
+    return np.concatenate([_rim(-0.1, around), _rim(0.36, around)])
 
 
 def _levels(grey: Grey, where: Placed, at: Array, points: Array) -> NDArray[np.float32]:

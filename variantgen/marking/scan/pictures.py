@@ -64,6 +64,10 @@ def _refused(path: Path, message: str, remedy: str) -> InputError:
     return InputError(Problem(message, file=str(path), remedy=remedy))
 
 
+def _too_large(path: Path) -> InputError:
+    return _refused(path, f"has more than {SCAN_PIXELS // 1_000_000} million pixels", "scan it with 200 to 300 dpi")
+
+
 def _pdf_pages(path: Path) -> Iterator[Picture]:
     import pypdfium2
 
@@ -112,13 +116,13 @@ def _image_pages(path: Path) -> Iterator[Picture]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # sizes are looked at here
             image = Image.open(path, formats=_FORMATS)
-    except (UnidentifiedImageError, OSError, ValueError, Image.DecompressionBombError):
+    except Image.DecompressionBombError:
+        raise _too_large(path) from None
+    except (UnidentifiedImageError, OSError, ValueError):
         raise _refused(path, "is not a readable image", f"expected {', '.join(SUFFIXES)}") from None
     with image:
         if image.width * image.height > SCAN_PIXELS:
-            raise _refused(
-                path, f"has more than {SCAN_PIXELS // 1_000_000} million pixels", "scan it with 200 to 300 dpi"
-            )
+            raise _too_large(path)
         several = getattr(image, "n_frames", 1) > 1
         for number, frame in enumerate(ImageSequence.Iterator(image) if several else [image], start=1):
             where = f"{path.name}, page {number}" if several else path.name
