@@ -216,7 +216,8 @@ def table(counts: Counts, spent: float) -> Iterator[str]:
     whys = {name: n for name, n in counts.items() if name.startswith("all: because of")}
     yield "Why a person looks, columns: " + ", ".join(f"{name[16:]} {n}" for name, n in sorted(whys.items())) + "."
     yield ""
-    yield f"{1000 * spent:.0f} ms of CPU a page, from the JPEG file to the columns ({machine()['processor']}, other work beside it)."
+    processor = machine()["processor"]
+    yield f"{1000 * spent:.0f} ms of CPU a page, from the JPEG file to the columns ({processor}, other work beside it)."
 
 
 def main() -> None:

@@ -14,7 +14,7 @@ from variantgen.marking.answer_tables import OPEN, HandedIn, NotMatched
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.scan.confirming import Confirmed, confirmed
 from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
-from variantgen.marking.scan.pictures import Grey, Picture, check_packages, pictures
+from variantgen.marking.scan.pictures import Grey, ScanImage, check_packages, pictures
 from variantgen.marking.scan.registration import Placed
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.qr import VERSION
@@ -97,7 +97,7 @@ class _Class:
         self._pages: dict[tuple[int, int], str] = {}  # where each page was seen first
         self._left_out: dict[str, int] = {}
 
-    def add(self, picture: Picture) -> None:
+    def add(self, picture: ScanImage) -> None:
         """Read a page."""
         found = read_page(picture, lambda code: len(self._asked(code)))
         if found.code is None:

@@ -1,8 +1,9 @@
 """Which readings stand, and which a person has to look at.
 
 The key of every sheet is known. A doubtful reading that is right confirms itself: nobody fills in the right number by
-a slip of the reader; but where it would be right in two ways, the key cannot tell which. Every other doubtful one goes to a person, and so does one without a doubt that is wrong but would
-be right if a trace in another bubble counted, or a weak mark did not: what costs a mark is looked at first.
+a slip of the reader; but where it would be right in two ways, the key cannot tell which. Every other doubtful one goes
+to a person, and so does one without a doubt that is wrong but would be right if a trace in another bubble counted, or a
+weak mark did not: what costs a mark is looked at first.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ import numpy as np
 from variantgen.marking.scan.columns import columns
 from variantgen.marking.scan.darkness import Darkness, darkness
 from variantgen.marking.scan.numbers import Reading, reading
-from variantgen.marking.scan.pictures import Picture
+from variantgen.marking.scan.pictures import ScanImage
 from variantgen.marking.scan.registration import Placed, codes, placed
 
 _CODE = re.compile(r"VARIANTGEN:(\d+):([0-9A-Z]{1,16}):([0-9A-Z-]{3,40})(?::A(\d{1,3}))?")
@@ -43,7 +43,7 @@ class ReadPage:
     placed: Placed | None = None
 
 
-def read_page(picture: Picture, blocks: Callable[[PageCode], int]) -> ReadPage:
+def read_page(picture: ScanImage, blocks: Callable[[PageCode], int]) -> ReadPage:
     """Read a page; ``blocks`` says how many answers the page of a code has, 0 where it is not to be read."""
     grey = picture.grey
     if grey is None:

@@ -26,7 +26,7 @@ _LEAST_SIDE = 800
 
 
 @dataclass(frozen=True)
-class Picture:
+class ScanImage:
     """A page of a file: where it is from, and its grey levels, an array of rows; None where ``why`` it has none."""
 
     where: str
@@ -48,7 +48,7 @@ def check_packages() -> None:
             raise missing_package("scans are read with", package, "scan")
 
 
-def pictures(path: Path) -> Iterator[Picture]:
+def pictures(path: Path) -> Iterator[ScanImage]:
     """The pages of a file one by one. Raises InputError for a file that cannot be opened or is too large."""
     try:
         with path.open("rb") as file:
@@ -68,7 +68,7 @@ def _too_large(path: Path) -> InputError:
     return _refused(path, f"has more than {SCAN_PIXELS // 1_000_000} million pixels", "scan it with 200 to 300 dpi")
 
 
-def _pdf_pages(path: Path) -> Iterator[Picture]:
+def _pdf_pages(path: Path) -> Iterator[ScanImage]:
     import pypdfium2
 
     try:
@@ -85,10 +85,10 @@ def _pdf_pages(path: Path) -> Iterator[Picture]:
             where = f"{path.name}, page {number + 1}"
             try:
                 page = document[number]
-                yield Picture(where, *_rendered(page))
+                yield ScanImage(where, *_rendered(page))
                 page.close()
             except (pypdfium2.PdfiumError, MemoryError, ValueError):
-                yield Picture(where, None, "the page is damaged")
+                yield ScanImage(where, None, "the page is damaged")
     finally:
         document.close()
 
@@ -109,7 +109,7 @@ def _rendered(page: Any) -> tuple[Grey | None, str]:
     return (grey[..., 0] if grey.ndim == 3 else grey), ""
 
 
-def _image_pages(path: Path) -> Iterator[Picture]:
+def _image_pages(path: Path) -> Iterator[ScanImage]:
     from PIL import Image, ImageSequence, UnidentifiedImageError
 
     try:
@@ -129,14 +129,14 @@ def _image_pages(path: Path) -> Iterator[Picture]:
             if number > SCAN_PAGES:
                 raise _refused(path, f"has more than {SCAN_PAGES} pages", "part it into several files")
             if frame.width * frame.height > SCAN_PIXELS:
-                yield Picture(where, None, f"the page has more than {SCAN_PIXELS // 1_000_000} million pixels")
+                yield ScanImage(where, None, f"the page has more than {SCAN_PIXELS // 1_000_000} million pixels")
                 continue
             try:
-                yield Picture(where, *_levels(frame))
+                yield ScanImage(where, *_levels(frame))
             except (OSError, ValueError, SyntaxError, MemoryError):
                 if not several:
                     raise _refused(path, "the image is damaged", "scan or photograph the page again") from None
-                yield Picture(where, None, "the page is damaged")
+                yield ScanImage(where, None, "the page is damaged")
 
 
 def _levels(image: Image) -> tuple[Grey | None, str]:
