@@ -55,6 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.finished.restore import restore
     from variantgen.marking import changes, gradebooks
     from variantgen.marking.answer_tables import FormWords, read_answers
+    from variantgen.marking.drawn import as_drawn
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
@@ -70,7 +71,8 @@ def run(arguments: argparse.Namespace) -> int:
     earlier = _earlier(arguments.against, arguments.out)
     with_book = find_spec("xlsxwriter") is not None
     changed: list[changes.Change] = []
-    found = mark(finished, read_answers(arguments.answers, FormWords.of(finished.exam)), policy)
+    finished, read = as_drawn(finished, read_answers(arguments.answers, FormWords.of(finished.exam)))
+    found = mark(finished, read, policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
         write_pages(work, finished, found, arguments.anonymous)
