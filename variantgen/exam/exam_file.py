@@ -13,6 +13,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.answer_page import read_answers_options
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.composed import read_composed
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -254,7 +255,9 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     if len(table.problems) > before:
         return None
     names = table.strings("families")
-    if "family" in table.data:
+    if "compose" in table.data and not names and "family" not in table.data:
+        names = read_composed(table.table("compose"), folders)
+    elif "family" in table.data:
         if names:
             table.problem("both family and families are given", "families", ", ".join(names), "keep one of them")
         names = (table.take("family", str, ""),)
@@ -263,7 +266,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("families")
+    table.expect("families", "compose")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
     tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None

@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
     earlier = _earlier(arguments.against, arguments.out)
     with_book = find_spec("xlsxwriter") is not None
     changed: list[changes.Change] = []
-    read, joined = _read(arguments, finished, policy)
+    finished, read, joined = _read(arguments, finished, policy)
     found = mark(finished, read, policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
@@ -111,9 +111,10 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _read(
     arguments: argparse.Namespace, finished: Finished, policy: MarkingPolicy
-) -> tuple[ReadAnswers, Joined | None]:
-    """The answers of tables and scans together, and what the scans hold, if there are any."""
+) -> tuple[Finished, ReadAnswers, Joined | None]:
+    """The exam as it was asked, the answers of tables and scans together, and what the scans hold, if there are any."""
     from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+    from variantgen.marking.drawn import as_drawn
     from variantgen.marking.scan.joining import join
     from variantgen.marking.scan.pictures import is_picture
     from variantgen.marking.scan.review import check_readings_kept
@@ -122,10 +123,11 @@ def _read(
     scans = [path for path in arguments.answers if is_picture(path)]
     check_readings_kept(arguments.out, tables)
     read = read_answers(tables, FormWords.of(finished.exam)) if tables else ReadAnswers((), ())
+    finished, read = as_drawn(finished, read)
     if not scans:
-        return read, None
+        return finished, read, None
     joined = join(finished, read, scans, policy)
-    return joined.answers, joined
+    return finished, joined.answers, joined
 
 
 def _tell_left(left: Sequence[NotMatched]) -> None:

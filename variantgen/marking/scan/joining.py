@@ -35,7 +35,8 @@ def join(finished: Finished, read: ReadAnswers, scans: Sequence[Path], policy: M
     _confirm_what_follows(finished, read, found, typed, policy)
     own = Scans({asked: answer for asked, answer in found.answers.items() if not _is_typed(asked, found, typed)})
     answers = (*read.answers, *own.handed_in(key))
-    return Joined(ReadAnswers(answers, (*read.not_matched, *found.not_matched)), found, typed)
+    not_matched = (*read.not_matched, *found.not_matched)
+    return Joined(replace(read, answers=answers, not_matched=not_matched), found, typed)
 
 
 def _is_typed(asked: Question, scans: Scans, typed: Mapping[Question, str]) -> bool:
@@ -64,7 +65,8 @@ def _confirm_what_follows(
         }
     )
     key = Key(finished.record, policy.tolerance)
-    for item in mark(finished, ReadAnswers((*read.answers, *tried.handed_in(key)), ()), policy).marks:
+    answers = (*read.answers, *tried.handed_in(key))
+    for item in mark(finished, replace(read, answers=answers), policy).marks:
         asked = item.place, item.problem, item.answer.quantity.name
         if asked in may and item.verdict is Verdict.FOLLOW_THROUGH:
             scans.answers[asked] = tried.answers[asked]
