@@ -56,6 +56,7 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
             points=_number(shown(total.points), language),
             of=_number(shown(total.of), language),
             grade=total.grade,
+            open=language.words("review")["not_final"] if total.open else "",
             problems=[
                 {
                     "number": number,
