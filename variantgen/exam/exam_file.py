@@ -12,6 +12,7 @@ from typing import Any, cast
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.fair_width import WIDTH, read_fair
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -59,7 +60,8 @@ class Exam:
     problems stand in another order where that saves a page.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each, ``marking`` says what answers are worth.
+    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``fair`` is how much more work than
+    another the variant of a student may take, relatively; None where that is left to chance.
     """
 
     title: str
@@ -81,6 +83,7 @@ class Exam:
     sort: str = NAME
     notices: Notices = Notices()
     marking: MarkingPolicy = MarkingPolicy()
+    fair: float | None = WIDTH
 
     @property
     def build_id(self) -> str:
@@ -175,6 +178,7 @@ def parse_exam(
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
         tasks=tasks,
+        fair=read_fair(top),
         marking=read_policy(top.table("marking"), {task.number: _asked(task) for task in tasks}),
     )
     page.finish()

@@ -168,6 +168,10 @@ class FormSampler:
             chunk = min(self._at_once, max(_AT_LEAST, round(1.1 * (count - have) * done / max(1, have))))
         return joined(found).take(np.arange(count))
 
+    def variants(self, attempts: Attempts) -> list[Variant]:
+        """The variants of all attempts."""
+        return [self._variant(attempts, place) for place in range(attempts.number.size)]
+
     def _passed(self, attempts: Attempts, by_hand: bool) -> Attempts:
         """Those of the attempts, each of an owner of its own, that pass all screens."""
         left = self.valid(attempts)
@@ -177,7 +181,7 @@ class FormSampler:
         screening = self.screening(self.form, self._si(left), self._frame(left), self.asked, left.motion)
         places = self._keep(screening.of_all(), left.number.size)
         if by_hand and places.size:
-            variants = [self._variant(left, place) for place in places.tolist()]
+            variants = self.variants(left.take(places))
             places = places[self._keep(screening.of_survivors(variants, places.tolist()), places.size)]
         return left.take(places)
 
