@@ -48,7 +48,9 @@ class ProblemSampler:
         self.exam = exam
         self._tolerances = [exam.tolerance_of(task) for task in exam.tasks]
         self._margins = {tolerance: AnswerTolerances(tolerance) for tolerance in self._tolerances}
-        self._fair = {} if exam.fair is None else {t: FairDraws(exam.fair, own) for t, own in self._margins.items()}
+        self._fair: dict[Tolerance, FairDraws] = {}
+        if exam.fair is not None:
+            self._fair = {tolerance: FairDraws(exam.fair, own) for tolerance, own in self._margins.items()}
         self._drawings = [
             [
                 FamilySampler(
@@ -140,8 +142,10 @@ class ProblemSampler:
 
     def forget(self) -> None:
         """Forget what is known of variants that were drawn."""
-        for known in (*self._margins.values(), *self._fair.values()):
-            known.forget()
+        for answer_tolerances in self._margins.values():
+            answer_tolerances.forget()
+        for fair in self._fair.values():
+            fair.forget()
 
     def traits(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> Traits:
         """The traits of drawn variants, by which equal and nearly equal ones are found."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from typing import Any
 
 from variantgen.tables import Table
 
@@ -14,7 +15,7 @@ def read_fair(table: Table) -> float | None:
     """The key ``fair``: true (the usual width), false (None) or a width of its own; mistakes are noted in the table."""
     if isinstance(table.data.get("fair", True), bool):
         return WIDTH if table.take("fair", bool, True) else None
-    given = table.take("fair", (int, Decimal), Decimal(str(WIDTH)), "true, false or a number")
+    given: Any = table.take("fair", (int, Decimal), WIDTH, "true, false or a number")
     if not 0 < given <= _LARGEST:
         remedy = "0.05 lets one variant take 5 % more calculations than another; false leaves it to chance"
         table.problem(f"expected a number above 0, at most {_LARGEST:g}", "fair", given, remedy)

@@ -71,9 +71,9 @@ class Band:
         return {**own, "percent_of_draws": round(100 * self.share), "variants": self.room, "of": self.of}
 
     def __contains__(self, work: Work | None) -> bool:
-        if self.calculations is None:
+        if self.calculations is None or work is None:  # without a solution a variant is judged by its confirmation
             return True
-        return work is not None and all(
+        return all(
             low <= number <= high
             for (low, high), number in zip(
                 (self.calculations, self.negatives, self.obtuse),
@@ -165,7 +165,9 @@ def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Q
 
     try:
         return work_of(natural_answers(task_of(variant, motion, place, asked)).values())
-    except (*NOT_APPLICABLE, VerificationError):  # the latter is said of variants that are handed out
+    except NOT_APPLICABLE:
+        return None
+    except VerificationError:  # that is said of a variant when it is handed out
         return None
 
 
