@@ -16,7 +16,7 @@ def read_fair(table: Table) -> float | None:
     if isinstance(table.data.get("fair", True), bool):
         return WIDTH if table.take("fair", bool, True) else None
     given: Any = table.take("fair", (int, Decimal), WIDTH, "true, false or a number")
-    if not 0 < given <= _LARGEST:
+    if not 0 < float(given) <= _LARGEST:  # nor what is no number
         remedy = "0.05 lets one variant take 5 % more calculations than another; false leaves it to chance"
         table.problem(f"expected a number above 0, at most {_LARGEST:g}", "fair", given, remedy)
         return WIDTH
