@@ -183,7 +183,7 @@ def sample_works(
         attempts = sampler.many(Stream("work", family.name, form.name), count, by_hand=True)
     except InputError:  # the draw of the students' variants says it, with their keys
         return [], 0.0
-    variants = sampler.variants(attempts)
+    variants = [sampler.variant(attempts, place) for place in range(attempts.number.size)]
     motion = solve_variants(variants, sampler.order)
     works = (variant_work(variant, motion, i, asked) for i, variant in enumerate(variants))
     return [work for work in works if work is not None], count / int(attempts.number[-1])

@@ -14,6 +14,7 @@ from variantgen.families.drawn_bodies import with_drawn_bodies
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
+from variantgen.families.length_units import check_length_unit
 from variantgen.families.method_names import check_methods
 from variantgen.families.repeated import reported_once
 from variantgen.families.units import unit
@@ -101,6 +102,12 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     with top.collecting("length_unit"):
         if unit(length, "").measures != "length":
             raise InputError(Problem("expected a unit of length", value=length, remedy="m, cm or mm"))
+    units = top.strings("units")
+    for number, name in enumerate(units, start=1):
+        with top.collecting(f"units[{number}]"):
+            check_length_unit(name, "")
+    if units and length not in units:
+        top.problem("names other units than that of its numbers", "units", ", ".join(units), f'add "{length}"')
     ask, may_ask = top.strings("ask"), top.strings("may_ask")
     source = top.take("source", str, "")
     solution = top.strings("solution")
@@ -139,6 +146,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
         ),
         solution,
+        units,
     )
 
 

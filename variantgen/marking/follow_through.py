@@ -15,6 +15,7 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.marking.consequences import confirms
 from variantgen.marking.key import scale
+from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -38,7 +39,7 @@ class FollowThrough:
         usable = [place for place, value in values.items() if _may_be_used(answers[place], value)]
         if not usable or len(values) < 2:
             return {}
-        motion = solve_variants([variant], motion_order(self._asked))
+        motion: Motion | None = None
         right = [answer.value for answer in answers]
         found: dict[int, list[int]] = {}
         for place in sorted(values):
@@ -47,6 +48,7 @@ class FollowThrough:
                 followed = self._steps.answers(variant, right, {other: values[other] for other in own})[place]
                 if not _within(answers[place], followed, values[place]):
                     continue
+                motion = motion or solve_variants([variant], motion_order(self._asked))
                 wrong = {answers[other].quantity: _si(answers[other], values[other]) for other in own}
                 if confirms(variant, motion, wrong, answers[place].quantity, _si(answers[place], float(followed))):
                     found[place] = own

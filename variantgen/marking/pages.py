@@ -11,12 +11,11 @@ from markupsafe import Markup
 
 from variantgen.exam.exam_file import Exam
 from variantgen.finished.restore import Finished
-from variantgen.marking.causes import Cause
 from variantgen.marking.class_statistics import ProblemFacts, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer
 from variantgen.marking.records import shown
+from variantgen.marking.words import cause_in_words
 from variantgen.outputs.html.pages import write_page
-from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
 
@@ -50,6 +49,7 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
             points=_number(shown(total.points), language),
             of=_number(shown(total.of), language),
             grade=total.grade,
+            open=language.words("review")["not_final"] if total.open else "",
             problems=[
                 {"number": n, "answers": rows, "points": _number(shown(total.problems[n]), language)}
                 for n, rows in problems.items()
@@ -81,18 +81,10 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
         "kind": item.verdict.value,
         "cause": ""
         if item.cause is None or item.cause.name in _HIDDEN
-        else _cause_text(item.cause, words, language, form),
+        else cause_in_words(item.cause, words, language, form),
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
-
-
-def _cause_text(cause: Cause, words: Any, language: Language, symbols: dict[str, str]) -> str:
-    """A cause in words."""
-    if cause.name == "mistake":
-        return f"{words['cause.mistake']}: {mistake_text(cause.detail, language, symbols)}"
-    text = words[f"cause.{cause.name}"]
-    return f"{text}: {cause.detail}" if cause.detail and cause.name in ("from", "other_answer") else text
 
 
 def _number(text: str, language: Language) -> str:
@@ -138,6 +130,6 @@ def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
             for a in item.answers
         ],
         "causes": [
-            (_cause_text(cause, language.words("marking"), language, {}), count) for cause, count in item.causes
+            (cause_in_words(cause, language.words("marking"), language, {}), count) for cause, count in item.causes
         ],
     }

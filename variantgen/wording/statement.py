@@ -81,6 +81,11 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
         "curvature": any(q.kind == "rho" for q in asked),
         "natural": any(q.kind == "a" and q.component in NATURAL for q in asked),
+        "extremes": any("max_" in q.kind or "min_" in q.kind for q in asked),
+        "mean": any(q.kind.startswith("mean_") for q in asked),
+        "crank_angle": any(q.kind.startswith("phi_") for q in asked),
+        **{name: any(q.kind == name for q in asked) for name in ("stroke", "swing", "time_ratio")},
+        "whole_turn": any(q.is_of_turn for q in asked),
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
     pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
