@@ -28,6 +28,7 @@ from variantgen.wording.language import load_language
 
 _ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
 _PROBLEM = re.compile(r"[0-9]{1,3}")
+OPEN = "?"  # so begins an answer that is still being looked at
 _STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 

@@ -15,7 +15,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import OPEN, NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
@@ -55,7 +55,10 @@ class MarkedAnswer:
 
 @dataclass(frozen=True)
 class StudentTotal:
-    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in."""
+    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in.
+
+    While answers are ``open``, which a person still has to look at, it is not final.
+    """
 
     student: Student
     code: str
@@ -64,6 +67,7 @@ class StudentTotal:
     of: Fraction
     grade: str
     handed_in: int
+    open: int = 0
 
 
 @dataclass(frozen=True)
@@ -95,6 +99,8 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
 
 def _unreadable(text: str) -> tuple[str, str]:
     """Why a text is no number, and what to do."""
+    if text.startswith(OPEN):
+        return "waits for review", ""
     if text.startswith("="):
         return "is a formula that was never computed", "open the file in the spreadsheet and save it"
     if _DATE.match(text):
@@ -153,7 +159,7 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     for (place, number), own in wrong.items():
         group = number, own[0].form
         if group not in known:
-            known[group] = Neighbours(key, number, classes[group])
+            known[group] = Neighbours({other: key.answers(other, number) for other in classes[group]})
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
             cause = _cause(key, item, mistakes[place, number])
@@ -264,6 +270,7 @@ def _totals(
         every = sum(had.values(), Fraction(0))
         points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
+        waiting = sum(item.text.startswith(OPEN) for item in own[place])
         grade = policy.grade(points, most)
-        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting))
     return found
