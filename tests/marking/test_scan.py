@@ -209,7 +209,7 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
         f"page 3: {english.code(2)}, page 1: the black squares in the corners are not seen",
         "1 page of problems without answers to read",
         "1 blank page without answers to read",
-        f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: 1 answers differ",
+        f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: other answers, for review: 1",
         "no page for answers of 2 of 3 sheets",
     ):
         assert text in told
