@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import combinations
 
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity, motion_order
@@ -20,7 +19,6 @@ from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.variant import Variant, solve_variants
 
 _LEAST, _LARGEST = 0.1, 10.0
-_MOST = 3  # earlier answers that may be wrong together
 _OUTSIDE = ("angle", "sense")  # what later steps do not start from
 
 
@@ -57,8 +55,9 @@ class FollowThrough:
 
 
 def _subsets(places: Sequence[int]) -> list[list[int]]:
-    """Which earlier answers may have been used: one, or several; the fewest first."""
-    return [list(own) for count in range(1, min(_MOST, len(places)) + 1) for own in combinations(places, count)]
+    """Which earlier answers may have been used: one, or all. More mixtures would find more by chance."""
+    single = [[place] for place in places]
+    return [*single, list(places)] if len(places) > 1 else single
 
 
 def _may_be_used(answer: Answer, value: float) -> bool:

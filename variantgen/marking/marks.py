@@ -159,7 +159,7 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     for (place, number), own in wrong.items():
         group = number, own[0].form
         if group not in known:
-            known[group] = Neighbours(key, number, classes[group])
+            known[group] = Neighbours({other: key.answers(other, number) for other in classes[group]})
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
             cause = _cause(key, item, mistakes[place, number])

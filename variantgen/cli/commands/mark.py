@@ -50,6 +50,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="an earlier marking: say whose mark changed (usual: the one replaced)",
     )
     parser.add_argument("--anonymous", action="store_true", help="leave out ids, names and groups: codes only")
+    parser.add_argument(
+        "--steps", action="store_true", help="feedback has the steps of the worked solution that wrong answers need"
+    )
     parser.add_argument("--json", action="store_true", help="the marks as one JSON document on stdout")
     add_families(parser)
 
@@ -81,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     found = mark(finished, read, policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
-        write_pages(work, finished, found, arguments.anonymous)
+        write_pages(work, finished, found, arguments.anonymous, arguments.steps)
         if not arguments.anonymous:
             gradebooks.write_gradebooks(work, finished.exam.title, found)
         if with_book:
