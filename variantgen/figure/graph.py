@@ -33,7 +33,7 @@ _CLEAR = 1.2  # u between the grid and its numbers
 
 
 @dataclass(frozen=True)
-class Curve:
+class TurnCurve:
     """A quantity over a turn, shape (K,) in its printed unit: what a grid is made for."""
 
     quantity: Quantity
@@ -42,7 +42,7 @@ class Curve:
     unit_name: str
 
 
-def turn_curve(variant: Variant, name: str, language: Language) -> Curve:
+def turn_curve(variant: Variant, name: str, language: Language) -> TurnCurve:
     """The curve of a quantity. Raises InputError where the crank of the variant cannot make the turn."""
     quantity = split_name(name)
     turn = crank_turn(solve_variants([variant], max(1, quantity.order)), quantity.order)
@@ -53,10 +53,10 @@ def turn_curve(variant: Variant, name: str, language: Language) -> Curve:
     found = quantity.value(turn.at(np.zeros(_SAMPLES, dtype=np.intp), angles))
     own = quantity.unit(variant.family.length_unit)
     symbol = language.quantity(quantity, variant.form.symbols)
-    return Curve(quantity, own.from_si(found), symbol, own.name)
+    return TurnCurve(quantity, own.from_si(found), symbol, own.name)
 
 
-def grid(curve: Curve, language: Language, drawn: bool) -> Drawing:
+def grid(curve: TurnCurve, language: Language, drawn: bool) -> Drawing:
     """The grid of a curve with numbers on its axes, empty or with the curve ``drawn``."""
     low, high, step = _range(curve.values)
     up = _HEIGHT / float(high - low)
@@ -89,8 +89,8 @@ def grid(curve: Curve, language: Language, drawn: bool) -> Drawing:
     return _on_paper(lines, labels, language)
 
 
-def below(figure: Drawing, grids: Sequence[Drawing], told: Sequence[str]) -> Drawing:
-    """A figure with grids below it, and ``told`` behind its words."""
+def below(figure: Drawing, grids: Sequence[Drawing], said: Sequence[str]) -> Drawing:
+    """A figure with grids below it, and ``said`` behind its words."""
     for added in grids:
         width = max(figure.width, added.width)
         rise = complex((width - figure.width) / 2, added.height + _GAP)
@@ -108,7 +108,7 @@ def below(figure: Drawing, grids: Sequence[Drawing], told: Sequence[str]) -> Dra
             rotations=turns,
         )
     tell = figure.tell
-    return replace(figure, tell=lambda: " ".join([tell(), *told]))
+    return replace(figure, tell=lambda: " ".join([tell(), *said]))
 
 
 def with_grids(figure: Drawing, variant: Variant, language: Language) -> Drawing:
@@ -117,8 +117,8 @@ def with_grids(figure: Drawing, variant: Variant, language: Language) -> Drawing
     if not curves:
         return figure
     words = language.words("sheet")["grid"]
-    told = [words.format(symbol=to_plain(curve.symbol)) for curve in curves]
-    return below(figure, [grid(curve, language, False) for curve in curves], told)
+    said = [words.format(symbol=to_plain(curve.symbol)) for curve in curves]
+    return below(figure, [grid(curve, language, False) for curve in curves], said)
 
 
 def solved_grid(variant: Variant, name: str, language: Language) -> Drawing:
