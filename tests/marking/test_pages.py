@@ -85,6 +85,25 @@ def test_the_pages(built: Path, mark: Mark, tmp_path: Path) -> None:
     )
 
 
+def test_the_steps_of_the_solution_that_are_needed(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Of two wrong answers the steps in which they are found are shown, with their values; right ones need none."""
+    right = key(built)
+    first, second, _ = order(built)
+    answers = [
+        (first, "1.omega_AB", "77"),
+        (first, "1.a_B", "0.77"),
+        (second, "1.v_B", f"{right[second, '1.v_B']:.5g}"),
+    ]
+    _, marks, _, _ = mark(long(tmp_path, answers), options=["--steps"])
+    code = {row["id"]: row["code"] for row in marks}
+    page = (tmp_path / "marks" / "feedback" / f"{code[first]}.html").read_text("utf-8")
+    steps = page.split("Worked solution, step ")[1:]
+    assert [step.partition(".")[0] for step in steps] == ["2", "3"]
+    for step, name in zip(steps, ("omega_AB", "a_B"), strict=True):
+        assert f"<mn>{abs(right[first, f'1.{name}']):#.4g}</mn>" in step
+    assert "Worked solution" not in (tmp_path / "marks" / "feedback" / f"{code[second]}.html").read_text("utf-8")
+
+
 def test_anonymous_pages(built: Path, mark: Mark, tmp_path: Path) -> None:
     mark(long(tmp_path, [("s1", "1.v_B", "1")]), options=["--anonymous"])
     pages = list((tmp_path / "marks" / "feedback").iterdir())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity, split_name
@@ -79,6 +79,7 @@ class SolutionFigures:
         self._geometry = text.geometry if text else {}
         self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
+        self._subject = FigureSubject(variant, *place, self._shown, language, true_scale=self._true_scale)
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
@@ -105,7 +106,7 @@ class SolutionFigures:
             drawn = solved_grid(self.variant, which, self.language)
         elif which:
             marked = self._geometry.get(name, NOTHING_MARKED)
-            subject = FigureSubject(self.variant, *self._place, self._shown, self.language, marked, self._true_scale)
+            subject = replace(self._subject, geometry=marked, unmarked=self._subject)
             drawn = view(kind).draw(subject, self._vectors, which)
         else:
             scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}

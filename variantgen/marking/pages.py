@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,12 @@ from markupsafe import Markup
 from variantgen.exam.exam_file import Exam
 from variantgen.finished.restore import Finished
 from variantgen.marking.class_statistics import ProblemFacts, class_facts
-from variantgen.marking.marks import Marked, MarkedAnswer
+from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.marking.records import shown
+from variantgen.marking.solution_steps import sections_of
 from variantgen.marking.words import cause_in_words
+from variantgen.outputs.documents.solution_blocks import blocks_data
+from variantgen.outputs.html.articles import page_writing
 from variantgen.outputs.html.pages import write_page
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
@@ -25,8 +29,11 @@ _HIDDEN = ("neighbour", "other")  # the first is a suspicion for the instructor 
 _BANDS = 10  # of the shares of points of a class
 
 
-def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool) -> None:
-    """Write a page for each student who handed in, and the statistics of the class."""
+def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool, steps: bool = False) -> None:
+    """Write a page for each student who handed in, and the statistics of the class.
+
+    ``steps``: with the steps of the worked solution that lead to wrong answers, at some 50 ms a problem.
+    """
     exam = finished.exam
     language = exam.spoken
     (folder / FEEDBACK).mkdir()
@@ -36,9 +43,9 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
     for place, total in enumerate(marked.totals):
         if not total.handed_in:
             continue
-        problems: dict[int, list[dict[str, Any]]] = defaultdict(list)
+        problems: dict[int, list[MarkedAnswer]] = defaultdict(list)
         for item in own[place]:
-            problems[item.problem].append(_answer(finished, item, language))
+            problems[item.problem].append(item)
         write_page(
             folder / FEEDBACK / f"{total.code}.html",
             "feedback.html.j2",
@@ -49,9 +56,15 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
             points=_number(shown(total.points), language),
             of=_number(shown(total.of), language),
             grade=total.grade,
+            open=language.words("review")["not_final"] if total.open else "",
             problems=[
-                {"number": n, "answers": rows, "points": _number(shown(total.problems[n]), language)}
-                for n, rows in problems.items()
+                {
+                    "number": number,
+                    "answers": [_answer(finished, item, language) for item in items],
+                    "points": _number(shown(total.problems[number]), language),
+                    "steps": _steps(finished, items) if steps else [],
+                }
+                for number, items in problems.items()
             ],
         )
     _write_statistics(folder / STATISTICS, finished, marked, language)
@@ -84,6 +97,22 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
+
+
+def _steps(finished: Finished, items: Sequence[MarkedAnswer]) -> list[dict[str, Any]]:
+    """The steps of the worked solution that lead to the wrong answers of a problem."""
+    wrong = [place for place, item in enumerate(items) if item.verdict is Verdict.WRONG]
+    if not wrong:
+        return []
+    place, number = items[0].place, items[0].problem
+    task = next(task for task in finished.exam.tasks if task.number == number)
+    answers = [item.answer for item in items]
+    found = sections_of(finished.exam, task, finished.variant(place, number), answers, wrong)
+    writing = page_writing()
+    return [
+        {"number": step, "heading": writing.text(section.heading), "blocks": blocks_data(section.blocks, writing)}
+        for step, section in found.items()
+    ]
 
 
 def _number(text: str, language: Language) -> str:
