@@ -11,6 +11,7 @@ from variantgen.cli.app import main
 from variantgen.families.cases import load_cases
 from variantgen.families.load import load_family
 from variantgen.synthesis.levels import level
+from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import parse_code
 
 
@@ -78,3 +79,19 @@ def test_an_exam_of_composed_problems_is_verified(tmp_path: Path, capsys: pytest
     exam.write_text(exam.read_text().replace('"easy"', '"hard"'))
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "no")]) == 2
     assert "no structure is like that" in capsys.readouterr().err
+
+
+def test_it_has_the_structure_that_it_was_made_for(made: Path) -> None:
+    form = next(iter(load_family(made).forms.values()))
+    assert parse_code("RRP10-RRR23") in structures_of(form.sample)
+
+
+def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "--structures"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 6 + 68
+    assert next(line for line in lines if line.startswith("RRR01 ")).split()[1:4] == ["easy", "four_bar", "crank,"]
+    page = tmp_path / "structures.html"
+    assert main(["list", "--structures", "--links", "3", "--figure", str(page)]) == 0
+    assert page.read_text("utf-8").count("<svg") == 6
+    assert main(["list", "--structures", "--figure", str(tmp_path / "page.png")]) == 2

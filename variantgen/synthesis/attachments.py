@@ -49,17 +49,17 @@ def _beyond(draft: Draft, link: Link) -> Attachment:
 def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     """The pin of a block, or where that would make rigid triangles, the end of an arm that is fixed to the block."""
     if other not in link.mates and not link.arm_only:
-        return Attachment(link.start, "slider", {"point": link.start})
+        return Attachment(link.start, "slider", {"point": link.start, "block": link.noun})
     if link.extra:
         raise LayoutError("a second arm")
     link.extra = True
     point = draft.letter()
-    distance = draft.length(link.start, point, draft.rng.choice((24, 28, 32, 36)))
+    distance = draft.length(link.start, point, draft.rng.choice((24, 28, 32, 36)), 0.2)
     body = link.start + point
     draft.bodies[body] = [link.start, point]
     draft.bars.append((link.start, point))
     link.body = body
-    facts = {"point": point, "link": body, "slider": link.start}
+    facts = {"point": point, "link": body, "slider": link.start, "block": link.noun}
     if link.guide is not None:
         along = link.guide + draft.rng.choice((0, 180))
         draft.polar(point, link.start, distance, along, {"angle": f"{along}*deg"})

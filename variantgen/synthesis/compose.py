@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.family import Family
+from variantgen.families.files import FAMILY
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.mechanism.motion import Motion
@@ -71,31 +73,56 @@ def compose(
     )
 
 
+def sketched(structure: Structure, seed: object, scratch: Path) -> Family:
+    """A family of a structure for a picture: it has not been examined whether its answers are any good.
+
+    Raises InputError where the tries are used up. ``scratch`` is a folder to write it to.
+    """
+    chance = Chance("sketch", code(structure), seed)
+    for _ in range(_TRIES):
+        with suppress(LayoutError, VariantgenError):
+            return _varied(lay_out(structure, chance), structure, scratch)[0]
+    raise InputError(Problem("no layout was found", key="structure", value=code(structure)))
+
+
+def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, _Draws, float]:
+    """The family of a draft that asks for nothing in particular, draws of it, and how far its values vary.
+
+    Raises LayoutError where few draws are valid, or links cross on some.
+    """
+    for name, text in _statements(draft).items():
+        (scratch / name).write_text(text, "utf-8")
+    for width in _WIDTHS:
+        family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
+        draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
+        if not np.any(crossed(draft, draws.motion.z)):
+            return family, draws, width
+    raise LayoutError("links cross in other variants")
+
+
+def _statements(draft: Draft) -> dict[str, str]:
+    return {f"statement.{language}.j2": statement_text(draft, language) for language in languages()}
+
+
+def _titles(structure: Structure) -> dict[str, str]:
+    return {language: title(language, code(structure)) for language in languages()}
+
+
 def _accepted(
     draft: Draft, structure: Structure, screening: MakeScreening, scratch: Path
 ) -> tuple[dict[str, str], Family]:
-    """The files of a draft that passes. Raises LayoutError, InputError."""
-    titles = {language: title(language, code(structure)) for language in languages()}
-    files = {f"statement.{language}.j2": statement_text(draft, language) for language in languages()}
-    for width in _WIDTHS:
-        files["family.toml"] = family_text(draft, titles, code(structure), ["a_A"], width)
-        family = _family(files, scratch)
-        draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
-        if not np.any(crossed(draft, draws.motion.z)):
-            break
-    else:
-        raise LayoutError("links cross in other variants")
+    """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
+    _, draws, width = _varied(draft, structure, scratch)
     asked = _asked(draft, draws)
-    files["family.toml"] = family_text(draft, titles, code(structure), asked, width)
-    family = _family(files, scratch)
+    text = family_text(draft, _titles(structure), code(structure), asked, width)
+    family = _family(text, scratch)
     if _Draws(family, _quantities(family, asked), _VALID_ASKED).fit(screening) < _FIT:
         raise LayoutError("rounding by hand leads too far")
-    return files, family
+    return {FAMILY: text, **_statements(draft)}, family
 
 
-def _family(files: dict[str, str], scratch: Path) -> Family:
-    for name, text in files.items():
-        (scratch / name).write_text(text, "utf-8")
+def _family(text: str, scratch: Path) -> Family:
+    (scratch / FAMILY).write_text(text, "utf-8")
     return load_family(scratch)
 
 

@@ -44,9 +44,9 @@ class Attachment:
 class Link:
     """A moving link: a bar between two points, or a block on a pin (``end`` is empty).
 
-    ``free`` are hinges at its ends that no dyad uses yet; ``sliding``: the direction in which a block slides, if it is
-    the same for ever, as an angle in degrees; ``line``: the ends of the bar on
-    which it slides.
+    ``noun``: what it is called; ``free``: hinges at its ends that no dyad uses yet; ``extra``: it has its third joint.
+    Of a block: ``guide``, the direction of its fixed guide (degrees); ``line``, the ends of the bar on which it slides;
+    ``mates``, the links on the same pin; ``arm_only``: nothing else is hinged to this pin.
     """
 
     start: str
@@ -80,8 +80,7 @@ class Draft:
     position: list[tuple[str, Facts]] = field(default_factory=list)
     asked: list[list[str]] = field(default_factory=list)
     pivots: list[str] = field(default_factory=list)
-    slides: list[str] = field(default_factory=list)
-    require: list[str] = field(default_factory=list)
+    relative: list[tuple[str, Facts]] = field(default_factory=list)
     symbols: dict[str, str] = field(default_factory=dict)
     nouns: dict[str, str] = field(default_factory=dict)
 

@@ -26,11 +26,23 @@ def title(language: str, structure: str) -> str:
 
 
 def statement_text(draft: Draft, language: str) -> str:
-    """``statement.<language>.j2``: driver, dyads in the order of growth, position, given motion."""
+    """``statement.<language>.j2``: the given motion, dyads in the order of growth, position, relative motion."""
     words = sentences(language)
-    told = [words["sentences"]["driver"].format()]
-    told += [words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences]
-    return " ".join([*told, _position(draft, words)]) + "\n"
+    phrases = words["position"]
+    opening = phrases["opening"].format() + phrases["changing" if changes_speed(draft) else "constant"] + "."
+    told = [opening, *(words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences)]
+    told += [phrases["rest"] + rest + "."] if (rest := _position(draft, words)) else []
+    relative = [words["relative"][key].format(**_of_block(facts, words)) for key, facts in draft.relative]
+    text = " ".join(told) + "".join(relative) + "\n"
+    return text.replace(",,", ",").replace(",.", ".")  # a phrase that ends with a comma, at the end of a clause
+
+
+def _of_block(facts: Facts, words: Mapping[str, Any]) -> Facts:
+    """The facts with what a block is called, in the forms that the language has."""
+    forms = {
+        name.replace("blocks", "block"): words[name][facts["block"]] for name in words if name.startswith("blocks")
+    }
+    return {**facts, "slider_of": facts.get("bar", "").removeprefix("slider"), **forms}
 
 
 def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
@@ -40,6 +52,7 @@ def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
         if f"at{index}" in facts:
             place = {key.removeprefix(f"at{index}_"): value for key, value in facts.items()}
             place["noun"] = words["nouns"].get(place.get("noun", ""), "")
+            place |= _of_block(place, words) if "block" in place else {}
             found[field] = words["places"][facts[f"at{index}"]].format(**place)
     if "bar" in facts:
         key = "groove" if facts["noun"] == "groove" else "bar"
@@ -51,10 +64,9 @@ def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
 
 
 def _position(draft: Draft, words: Mapping[str, Any]) -> str:
-    """What the position is given by; links that lie alike are told together."""
+    """What the position is given by besides the driving link; links that lie alike are told together."""
     phrases = words["position"]
-    told = [phrases["opening"].format() + phrases["changing" if changes_speed(draft) else "constant"]]
-    told += [phrases[key].format(**facts) for key, facts in draft.position if key in _ONE_BY_ONE]
+    told = [phrases[key].format(**facts) for key, facts in draft.position if key in _ONE_BY_ONE]
     for key in ("level", "upright"):
         alike = [
             f["link"] if k == key else f["one"] + f["other"] for k, f in draft.position if k in (key, f"pivots_{key}")
@@ -63,4 +75,4 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
         if names:
             joined = words["and"].join(filter(None, (", ".join(names[:-1]), names[-1])))
             told.append(phrases[f"{key}_{'one' if len(names) == 1 else 'many'}"].format(names=joined))
-    return str(phrases["more"]).join(told) + "."
+    return str(phrases["more"]).join(told)
