@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+from datetime import datetime
 from pathlib import Path
 
 import openpyxl
@@ -109,3 +110,35 @@ def test_nothing_names_a_student_in_anonymous_marks(
     assert len(texts) == 8, sorted(texts)
     for name, text in texts.items():
         assert not re.search(r"Ann|Bob|Cy|Zed|Quux|(?<!\w)s[123](?!\w)", text), name
+
+
+def test_what_spreadsheets_do_to_a_form(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """A formula without a value and a number taken for a date are told; a correction adds to its problem."""
+    right = key(built)
+    book = openpyxl.load_workbook(built / "grading.xlsx")
+    sheet = book.worksheets[0]
+    head = next(row for row in sheet.iter_rows() if row[0].value == "Variant")
+    columns = {cell.value: cell.column for cell in reversed(head) if cell.value}
+    row = head[0].row + 1
+    who = sheet.cell(row, 2).value
+    sheet.cell(row, columns["v_B, cm/s"], right[who, "1.v_B"])
+    sheet.cell(row, columns["a_B, cm/s²"], "=2*3")
+    sheet.cell(row, columns["a_B, cm/s²"] + 1, datetime(1995, 2, 1, tzinfo=None))
+    sheet.cell(row, columns["±"], 1.5)
+    book.save(tmp_path / "filled.xlsx")
+    code, marks, totals, left = mark(tmp_path / "filled.xlsx")
+    assert code == 0
+    assert [item["why"].split(":")[0] for item in left] == ["is a formula that was never computed", "is a date"]
+    own = {item["quantity"]: item["verdict"] for item in marks if item["id"] == who and item["problem"] == "1"}
+    assert own == {"v_B": "right", "omega_AB": "blank", "a_B": "unreadable", "epsilon_AB": "unreadable"}
+    assert next(item["1"] for item in totals if item["id"] == who) == "3.5"
+
+
+def test_columns_far_to_the_right(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right, first = key(built), order(built)[0]
+    book = openpyxl.Workbook()
+    book.active.append(["id", *(f"remark {i}" for i in range(300)), "1.v_B"])
+    book.active.append([first, *[""] * 300, right[first, "1.v_B"]])
+    book.save(tmp_path / "wide.xlsx")
+    _, marks, _, _ = mark(tmp_path / "wide.xlsx")
+    assert [row["quantity"] for row in marks if row["verdict"] == "right"] == ["v_B"]

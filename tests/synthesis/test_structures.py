@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
+from variantgen.families.load import load_family
+from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import code, is_textbook, parse_code, structures, textbook_structures
 
 R, P = 1, 2
@@ -100,3 +102,25 @@ def test_a_code_is_that_of_all_orders_of_growth() -> None:
 def test_what_is_no_code_is_told(text: str) -> None:
     with pytest.raises(InputError, match="list --structures"):
         parse_code(text)
+
+
+def test_families_of_the_catalogue_have_the_structures_that_their_names_say() -> None:
+    """A four-bar linkage, slider-crank, shaper, ... ; wheels and ropes have none."""
+    known = {
+        "four_bar": {"RRR01"},
+        "slider_crank": {"RRP10"},
+        "slotted_rocker": {"RPR01"},
+        "scotch_yoke": {"RPP10"},
+        "quick_return_shaper": {"RPR01-RRP20"},
+        "two_loop_mechanism": {"RRP10-RRR02"},
+        "rolling_wheel": set(),
+        "movable_pulley": set(),
+    }
+    for name, codes in known.items():
+        form = next(iter(load_family(name).forms.values()))
+        assert {code(structure) for structure in structures_of(form.sample)} == codes
+
+
+def test_a_pin_of_three_links_is_read_both_ways() -> None:
+    (form,) = load_family("sleeve_on_crank").forms.values()
+    assert {code(structure) for structure in structures_of(form.sample)} == {"RRP10-RPR12", "RRP10-RPR13"}

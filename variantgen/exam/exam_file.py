@@ -13,6 +13,8 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.answer_page import read_answers_options
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.composed import read_composed
+from variantgen.exam.fair_width import WIDTH, read_fair
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -25,6 +27,7 @@ from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
+from variantgen.families.sketches import with_sketch
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
@@ -61,7 +64,8 @@ class Exam:
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
     ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
-    that are read from a scan.
+    that are read from a scan. ``fair`` is how much more work than another the variant of a student may take,
+    relatively; None where that is left to chance.
     """
 
     title: str
@@ -83,6 +87,7 @@ class Exam:
     sort: str = NAME
     notices: Notices = Notices()
     marking: MarkingPolicy = MarkingPolicy()
+    fair: float | None = WIDTH
     scan: bool = False
 
     @property
@@ -178,6 +183,7 @@ def parse_exam(
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
         tasks=tasks,
+        fair=read_fair(top),
         scan=read_answers_options(top.table("answers")),
         marking=read_policy(top.table("marking"), {task.number: _asked(task) for task in tasks}),
     )
@@ -254,7 +260,9 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     if len(table.problems) > before:
         return None
     names = table.strings("families")
-    if "family" in table.data:
+    if "compose" in table.data and not names and "family" not in table.data:
+        names = read_composed(table.table("compose"), folders)
+    elif "family" in table.data:
         if names:
             table.problem("both family and families are given", "families", ", ".join(names), "keep one of them")
         names = (table.take("family", str, ""),)
@@ -263,7 +271,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("families")
+    table.expect("families", "compose")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
     tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None
@@ -277,12 +285,14 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
             (table.take("method", str, ""),) if isinstance(table.data.get("method"), str) else table.strings("method")
         )
     units = _units(table) or units
+    sketch = table.strings("sketch")
     table.finish()
     families = []
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
+            family = with_sketch(family, sketch)
             families.append(family)
     check_forms(table, ask, families)
     if len(table.problems) > before:
