@@ -27,6 +27,7 @@ from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
+from variantgen.families.sketches import with_sketch
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
@@ -64,8 +65,7 @@ class Exam:
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
     ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
-    that are read from a scan. ``fair`` is how much more work than another the variant of a student may take,
-    relatively; None where that is left to chance.
+    that are read from a scan; ``fair`` is the relative width of the band of work, None where there is none.
     """
 
     title: str
@@ -286,12 +286,14 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         )
     units = _units(table) or units
     work = read_work(table)
+    sketch = table.strings("sketch")
     table.finish()
     families = []
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
+            family = with_sketch(family, sketch)
             families.append(family)
     check_forms(table, ask, families)
     if len(table.problems) > before:
