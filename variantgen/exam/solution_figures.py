@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
+from variantgen.figure.graph import solved_grid
 from variantgen.figure.lettering import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
@@ -26,6 +27,7 @@ from variantgen.wording.text import Text
 from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
+CURVE = "curve"  # of a quantity that is to be sketched
 LEAST_INDEX = 7.0  # size of the indices of figures, pt
 _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
@@ -97,10 +99,12 @@ class SolutionFigures:
     def figure(self, name: str) -> Drawing:
         """One figure by its name. Raises InputError where there is nothing to draw."""
         if name == STATEMENT:
-            return statement_figure(self.variant, *self._place, self.asked, self.language)
+            return statement_figure(self.variant, *self._place, self.asked, self.language, grids=False)
         kind, _, which = name.partition(":")
         drawn: Drawing
-        if which:
+        if kind == CURVE:
+            drawn = solved_grid(self.variant, which, self.language)
+        elif which:
             marked = self._geometry.get(name, NOTHING_MARKED)
             subject = replace(self._subject, geometry=marked, unmarked=self._subject)
             drawn = view(kind).draw(subject, self._vectors, which)
@@ -140,9 +144,11 @@ class SolutionFigures:
         return tuple(found)
 
     def _fact(self, part: Letter | SentenceField, kind: str, which: str) -> Sequence[str | Formula]:
-        """The point that the equation of a figure is about, or its body."""
+        """The point that the equation of a figure is about, its body, or the quantity of a curve."""
         if isinstance(part, Letter):
             return (Symbol(part.name),)
+        if kind == CURVE:
+            return (self.language.quantity(split_name(which), self.variant.form.symbols),)
         if part.name == "point":
             return (Symbol(self._vectors[view(kind).ORDER - 1].equations[int(which) - 1].point),)
         symbols = Symbols(self.variant.form, self.language, load_phrases(self.language.name), {})

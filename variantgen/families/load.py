@@ -17,6 +17,7 @@ from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.length_units import check_length_unit
 from variantgen.families.method_names import check_methods
 from variantgen.families.repeated import reported_once
+from variantgen.families.sketches import check_sketch
 from variantgen.families.units import unit
 from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
@@ -128,6 +129,9 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         if form is not None:
             forms[name] = form
     _check_symbols(forms, problems)
+    for form in forms.values() if not problems else ():
+        with top.collecting(""):
+            check_sketch(form, form.figure.sketch, "figure.sketch")
     if problems:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY

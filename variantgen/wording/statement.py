@@ -17,7 +17,7 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
@@ -45,7 +45,7 @@ class Statement:
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
     case = _case(variant, asked, language)
-    return Statement(_text(case), tuple(_given(case, variant)), _asked(case))
+    return Statement((*_text(case), *_sketches(case)), tuple(_given(case, variant)), _asked(case))
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -168,6 +168,15 @@ def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _C
 def _asked(case: _Case) -> tuple[Formula, ...]:
     """The symbols of what is asked."""
     return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
+
+
+def _sketches(case: _Case) -> Text:
+    """The wish to sketch curves in the grids of the figure, a sentence each."""
+    found: list[str | Formula] = []
+    for name in case.form.figure.sketch:
+        before, after = case.language.words("sheet")["sketch"].split("{symbol}")
+        found += [" " + before, case.language.quantity(split_name(name), case.form.symbols), after]
+    return tuple(found)
 
 
 def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:

@@ -18,7 +18,6 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.quantities.kinds import ANGLE_OF, MEAN
 from variantgen.mechanism.crank_turn import FULL_TURN, CrankTurn, crank_of, crank_turn
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.rows import Placement
 from variantgen.methods.geometry.angles import corner_name
 from variantgen.methods.linkage.problem import CLOSE
 from variantgen.methods.solution.book import Book
@@ -97,7 +96,7 @@ def _limits(book: Book, target: str) -> _Limits | None:
     scene, linkage = task.scene, Linkage(task.scene)
     crank = crank_of(scene)
     assert crank is not None, "there is a turn"
-    guided = linkage.guides(Placement({name: np.array(z) for name, z in task.now.z.items()}))
+    guided = linkage.guides(task.at)
     for rod, members in scene.bodies.items():
         pins = [name for name in members if name in scene.bodies[crank.body] and name != crank.pivot]
         if rod == crank.body or len(pins) != 1 or linkage.pivot(rod) is not None:
@@ -133,7 +132,7 @@ def _offset(book: Book, found: _Limits) -> Value | None:
     """The distance of the pivot from the guide of a slider, a datum where it is one; None where it is on it."""
     task = book.task
     now = task.now
-    ray = Linkage(task.scene).guides(Placement({name: np.array(z) for name, z in now.z.items()}))[found.end]
+    ray = Linkage(task.scene).guides(task.at)[found.end]
     size = abs(((now.z[found.pivot] - now.z[found.end]) * ray.conjugate()).imag)
     if size <= CLOSE * task.size:
         return None

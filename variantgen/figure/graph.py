@@ -1,0 +1,179 @@
+"""Graphs on a grid: an empty one to draw in, and the same with its curve; put below the figure of a statement.
+
+The curve is that of a quantity over a turn of the crank, by the angle that the crank has turned from the position
+shown, with the angular velocity of the instant.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+import numpy as np
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.units import unit
+from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Drawing, Label, Layer, Line, Path
+from variantgen.figure.lettering import typeset
+from variantgen.figure.sketch import moved
+from variantgen.mechanism.crank_turn import FULL_TURN, crank_turn
+from variantgen.mechanism.motion import Field
+from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.formula import Formula, FormulaList, Measured, Symbol, to_plain
+from variantgen.wording.language import Language
+
+_WIDTH, _HEIGHT, _GAP = 84.0, 46.0, 4.0  # u: of the grid, and the gap to what is above it
+_TURN, _LINES, _NUMBERS = 360, 30, 60  # degrees: the whole way, between lines, between numbers
+_MOST = 5  # lines of the grid above zero
+_SAMPLES = 181
+_CLEAR = 1.2  # u between the grid and its numbers
+
+
+@dataclass(frozen=True)
+class TurnCurve:
+    """A quantity over a turn, shape (K,) in its printed unit: what a grid is made for."""
+
+    quantity: Quantity
+    values: Field
+    symbol: Formula
+    unit_name: str
+
+
+def turn_curve(variant: Variant, name: str, language: Language) -> TurnCurve:
+    """The curve of a quantity. Raises InputError where the crank of the variant cannot make the turn."""
+    quantity = split_name(name)
+    turn = crank_turn(solve_variants([variant], max(1, quantity.order)), quantity.order)
+    if not turn.complete[0]:
+        remedy = "change the data, or sketch nothing"
+        raise InputError(Problem("the crank cannot make a full turn", key="sketch", value=name, remedy=remedy))
+    angles = np.linspace(0.0, FULL_TURN, _SAMPLES)
+    found = quantity.value(turn.at(np.zeros(_SAMPLES, dtype=np.intp), angles))
+    own = quantity.unit(variant.family.length_unit)
+    symbol = language.quantity(quantity, variant.form.symbols)
+    return TurnCurve(quantity, own.from_si(found), symbol, own.name)
+
+
+def grid(curve: TurnCurve, language: Language, drawn: bool) -> Drawing:
+    """The grid of a curve with numbers on its axes, empty or with the curve ``drawn``."""
+    low, high, step = _range(curve.values)
+    up = _HEIGHT / float(high - low)
+
+    def place(angle: float, value: float) -> complex:
+        return complex(angle * _WIDTH / _TURN, (value - float(low)) * up)
+
+    low_value, high_value = float(low), float(high)
+    lines: list[Line] = []
+    labels: list[Label] = []
+    for angle in range(0, _TURN + 1, _LINES):
+        lines.append(_line(place(angle, low_value), place(angle, high_value), THIN))
+        if angle % _NUMBERS == 0:
+            number = Measured(language.decimal(Decimal(angle)), language.unit(unit("deg")))
+            labels.append(_label(number, place(angle, low_value) - 1.5j * _CLEAR, -0.5 - 1j))
+    for k in range(round((high - low) / step) + 1):
+        value = low + k * step
+        lines.append(_line(place(0, float(value)), place(_TURN, float(value)), THIN))
+        labels.append(_label(language.decimal(value), place(0, float(value)) - _CLEAR, -1 - 0.5j))
+    lines += [_line(place(0, 0.0), place(_TURN, 0.0), MEDIUM), _line(place(0, low_value), place(0, high_value), MEDIUM)]
+    title: Formula = curve.symbol
+    if curve.unit_name != "1":
+        title = FormulaList((curve.symbol, language.unit(unit(curve.unit_name))))
+    labels.append(_label(title, place(0, high_value) + 3.5j, -0.5 + 0j))
+    labels.append(_label(Symbol("theta"), place(_TURN, low_value) + 2 + 1.0j, 0j))
+    if drawn:
+        angles = np.linspace(0.0, _TURN, len(curve.values)).tolist()
+        way = tuple(place(a, v) for a, v in zip(angles, curve.values.tolist(), strict=True))
+        lines.append(Path(way, Layer.VECTOR, BOLD))
+    return _on_paper(lines, labels, language)
+
+
+def below(figure: Drawing, grids: Sequence[Drawing], said: Sequence[str]) -> Drawing:
+    """A figure with grids below it, and ``said`` behind its words."""
+    for added in grids:
+        width = max(figure.width, added.width)
+        rise = complex((width - figure.width) / 2, added.height + _GAP)
+        aside = complex((width - added.width) / 2, 0.0)
+        lines = (*(moved(line, rise) for line in figure.lines), *(moved(line, aside) for line in added.lines))
+        labels = [*_shifted(figure.labels, rise), *_shifted(added.labels, aside)]
+        turns = tuple(turn._replace(arc=turn.arc._replace(centre=turn.arc.centre + rise)) for turn in figure.rotations)
+        figure = replace(
+            figure,
+            width=width,
+            height=figure.height + _GAP + added.height,
+            lines=lines,
+            labels=tuple(labels),
+            origin=figure.origin + rise,
+            rotations=turns,
+        )
+    tell = figure.tell
+    return replace(figure, tell=lambda: " ".join([tell(), *said]))
+
+
+def with_grids(figure: Drawing, variant: Variant, language: Language) -> Drawing:
+    """The figure of a statement with the empty grids that its form has. Raises InputError as ``turn_curve`` does."""
+    curves = [turn_curve(variant, name, language) for name in variant.form.figure.sketch]
+    if not curves:
+        return figure
+    words = language.words("sheet")["grid"]
+    said = [words.format(symbol=to_plain(curve.symbol)) for curve in curves]
+    return below(figure, [grid(curve, language, False) for curve in curves], said)
+
+
+def solved_grid(variant: Variant, name: str, language: Language) -> Drawing:
+    """The grid with its curve, as the solution shows it."""
+    curve = turn_curve(variant, name, language)
+    said = language.words("sheet")["curve"].format(symbol=to_plain(curve.symbol))
+    return replace(grid(curve, language, True), tell=lambda: said, language=language.name)
+
+
+def _range(values: Field) -> tuple[Decimal, Decimal, Decimal]:
+    """Round limits of an axis with zero inside, and the step of its lines."""
+    low, high = min(0.0, float(np.min(values))), max(0.0, float(np.max(values)))
+    largest = max(high, -low)
+    noise = 1e-9 * largest
+    power = math.floor(math.log10(largest / _MOST)) if largest else 0
+    steps = [Decimal(s).scaleb(power + k) for k in (0, 1) for s in (1, 2, 5)]
+    step = next(s for s in steps if largest <= float(s) * _MOST)
+    below_zero, above = math.ceil((-low - noise) / float(step)), math.ceil((high - noise) / float(step))
+    return -below_zero * step, max(above, 1 - below_zero) * step, step
+
+
+def _line(start: complex, end: complex, weight: float) -> Path:
+    return Path((start, end), Layer.GROUND if weight == THIN else Layer.LINK, weight)
+
+
+def _label(formula: Formula, at: complex, corner: complex) -> Label:
+    """A label whose lower left corner lies by so many of its sizes from a place."""
+    size = _size(formula)
+    half = complex(*size) / 2
+    return Label(formula, at + complex(corner.real * size[0], corner.imag * size[1]) + half, size)
+
+
+def _size(formula: Formula) -> tuple[float, float]:
+    lettering = typeset(formula)
+    return lettering.width * LETTER, (lettering.top - lettering.bottom) * LETTER
+
+
+def _on_paper(lines: Sequence[Line], labels: Sequence[Label], language: Language) -> Drawing:
+    """A drawing cut to size."""
+    corners = [point for line in lines if isinstance(line, Path) for point in line.points]
+    for label in labels:
+        half = complex(*label.size) / 2
+        corners += [label.at - half, label.at + half]
+    low = complex(min(c.real for c in corners) - 1, min(c.imag for c in corners) - 1)
+    high = complex(max(c.real for c in corners) + 1, max(c.imag for c in corners) + 1)
+    ordered = sorted(lines, key=lambda line: line.layer)
+    return Drawing(
+        high.real - low.real,
+        high.imag - low.imag,
+        tuple(moved(line, -low) for line in ordered),
+        tuple(_shifted(labels, -low)),
+        language=language.name,
+    )
+
+
+def _shifted(labels: Sequence[Label], by: complex) -> list[Label]:
+    arrows = [None if x.arrow is None else (x.arrow[0] + by, x.arrow[1] + by) for x in labels]
+    return [x._replace(at=x.at + by, arrow=arrow) for x, arrow in zip(labels, arrows, strict=True)]
