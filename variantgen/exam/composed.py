@@ -19,10 +19,10 @@ from variantgen.families.files import CASES, FAMILY
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.verify import recompute
-from variantgen.resources import languages
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.compose import compose
 from variantgen.synthesis.levels import chosen_structures
+from variantgen.synthesis.statement_text import composed_languages
 from variantgen.synthesis.structures import Structure, code
 from variantgen.tables import Table
 from variantgen.variants.draw import draw
@@ -47,7 +47,7 @@ def _faults(family: Family) -> str:
     variants = _drawn(family)
     asked = read_ask(variants[0].form)
     motion = solve_variants(variants, 2)
-    for name in languages():
+    for name in composed_languages():
         language = load_language(name)
         for place, variant in enumerate(variants):
             for fault in figure_faults(statement_figure(variant, motion, place, asked, language)):

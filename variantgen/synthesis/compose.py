@@ -16,13 +16,12 @@ from variantgen.families.files import FAMILY
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.resources import languages
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crossed
 from variantgen.synthesis.draft import Draft, LayoutError
 from variantgen.synthesis.family_text import changes_speed, family_text
 from variantgen.synthesis.layout import lay_out
-from variantgen.synthesis.statement_text import statement_text, title
+from variantgen.synthesis.statement_text import composed_languages, statement_text, title
 from variantgen.synthesis.structures import Structure, code
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import MakeScreening, RejectionCounts
@@ -101,11 +100,11 @@ def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, 
 
 
 def _statements(draft: Draft) -> dict[str, str]:
-    return {f"statement.{language}.j2": statement_text(draft, language) for language in languages()}
+    return {f"statement.{language}.j2": statement_text(draft, language) for language in composed_languages()}
 
 
 def _titles(structure: Structure) -> dict[str, str]:
-    return {language: title(language, code(structure)) for language in languages()}
+    return {language: title(language, code(structure)) for language in composed_languages()}
 
 
 def _accepted(

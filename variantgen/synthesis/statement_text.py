@@ -7,11 +7,16 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from variantgen.resources import templates_dir
+from variantgen.resources import languages, templates_dir
 from variantgen.synthesis.draft import Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
 _ONE_BY_ONE = ("angle", "square", "halfway")
+
+
+def composed_languages() -> list[str]:
+    """The languages in which statements can be composed: those that have the sentences."""
+    return [name for name in languages() if (templates_dir() / "synthesis" / f"{name}.toml").is_file()]
 
 
 @cache
