@@ -130,4 +130,4 @@ def test_data_that_no_grid_shows_are_refused() -> None:
     with pytest.raises(InputError, match="cannot be read from one grid"):
         with_graph(restrict(load_family("slider_crank"), {"omega_OA": 1, "epsilon_OA": 12}, {}, ("central",)))
     with pytest.raises(InputError, match="has not a velocity and an acceleration"):
-        with_graph(load_family("winch_with_pulley"))
+        with_graph(load_family("falling_rod"))
