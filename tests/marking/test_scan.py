@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import struct
+import sys
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ import pytest
 from PIL import Image, ImageDraw
 
 from benchmarks.filled_pages import scanned
+from tests.marking.test_marks import acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
@@ -209,7 +211,7 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
         f"page 3: {english.code(2)}, page 1: the black squares in the corners are not seen",
         "1 page of problems without answers to read",
         "1 blank page without answers to read",
-        f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: 1 answers differ",
+        f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: other answers, for",
         "no page for answers of 2 of 3 sheets",
     ):
         assert text in told
@@ -239,6 +241,36 @@ def test_two_marks_in_a_column_never_confirm_themselves(english: Built, tmp_path
     _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png")
     names = [name for name, _ in english.key[0]]
     assert [marks[english.code(0), name]["verdict"] for name in names] == ["unreadable"] + ["right"] * 4
+
+
+def test_a_doubtful_reading_that_follows_confirms_itself(english: Built, tmp_path: Path) -> None:
+    """What a rubber left beside a digit costs nothing where the number is right given the student's own omega_AB."""
+    values = dict(english.key[0])
+    follows = written(acceleration(parameters(english.folder, 0), rod=1.3))
+    texts = ["", written(1.3 * values["1.omega_AB"]), follows, "", ""]
+    digit = page.columns_of(follows)[1]
+    assert digit is not None
+    filled(english.pages[0], texts, [(2, 1, (digit + 2) % 10, 205)]).save(tmp_path / "page.png")
+    _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png")
+    assert marks[english.code(0), "1.omega_AB"]["verdict"] == "wrong"
+    assert marks[english.code(0), "1.a_B"]["verdict"] == "follow_through"
+    assert not rows(tmp_path / "marks" / "review.csv")
+    other = written(1.11 * acceleration(parameters(english.folder, 0), rod=1.3))
+    digit = page.columns_of(other)[1]
+    assert digit is not None
+    filled(english.pages[0], [*texts[:2], other], [(2, 1, (digit + 2) % 10, 205)]).save(tmp_path / "page.png")
+    _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png", force=True)
+    assert marks[english.code(0), "1.a_B"]["verdict"] == "unreadable"
+    assert [row["why"] for row in rows(tmp_path / "marks" / "review.csv")] == ["several"]
+
+
+def test_a_missing_package_is_named(
+    english: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "zxingcpp", None)
+    (tmp_path / "page.png").write_bytes(b"")
+    assert mark(english, tmp_path / "marks", tmp_path / "page.png")[0] == 3
+    assert "zxing-cpp; install it in the folder of variantgen" in capsys.readouterr().err
 
 
 def png_header(width: int, height: int) -> bytes:

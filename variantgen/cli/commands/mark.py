@@ -206,6 +206,7 @@ def _json(found: Marked, anonymous: bool) -> str:
             "of": float(total.of),
             "grade": total.grade,
             "answers": total.handed_in,
+            "open": total.open,
         }
         for total in found.totals
     ]

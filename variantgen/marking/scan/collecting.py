@@ -171,15 +171,17 @@ class _Class:
             result = confirmed(read, right)
             known = self.scans.answers.get(asked)
             if known is not None:
-                if known.read == result:
-                    continue
-                differing += 1
-                result = replace(result, why=(*dict.fromkeys((*result.why, "pages differ")),))
+                if known.read.text == result.text or bool(known.read.why) != bool(result.why):
+                    if not known.read.why or result.why:
+                        continue  # as before; else this scan shows what the other one left open
+                else:
+                    differing += 1
+                    result = replace(result, why=(*dict.fromkeys((*result.why, "pages differ")),))
             picture = _block(grey, found.placed, block) if result.why else b""
-            where = found.where if known is None else f"{known.where} and {found.where}"
+            where = found.where if known is None or not result.why else f"{known.where} and {found.where}"
             self.scans.answers[asked] = ScannedAnswer(where, result, picture)
         if again:
-            says = f"{differing} answers differ and are for review" if differing else "with the same answers"
+            says = f"other answers, for review: {differing}" if differing else "the answers agree"
             why = f"the page has been scanned before, {first}: {says}"
             self.scans.not_matched.append(NotMatched(found.where, f"{code.sheet}, page {code.number}", why))
 

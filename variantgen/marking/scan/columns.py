@@ -19,6 +19,7 @@ from variantgen.marking.scan.darkness import Darkness
 Array = NDArray[np.float64]
 
 _MARKED, _EMPTY, _TRACE = 0.5, 0.2, 0.09  # shares of the darkness of the usual mark
+_ERASED = 0.35  # what is fainter may be what a rubber has left: the key cannot make a mark of it
 _RIVAL = 0.5  # of the darkest bubble of a column: what is as dark beside it may be meant as well
 _LEAST = 0.028  # darkness that the eye sees at all
 _USUAL, _FEWEST = 0.3, 3  # the usual mark where a page has fewer of them than that
@@ -108,7 +109,7 @@ def _column(dark: Array, out: NDArray[np.bool_], usual: float, noise: float) -> 
     if top < empty:
         return Column(None, others=traces)
     if top < _MARKED * usual:
-        return Column(best, "faint", (None, *traces[1:]))
+        return Column(best, "faint", (None, *traces[1:]), open=top < _ERASED * usual)
     if second >= max(_RIVAL * top, empty):
         return Column(best, "several", tuple(values[k] for k in order if dark[k] > empty), open=True)
     if second >= empty:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -41,11 +42,11 @@ def is_picture(path: Path) -> bool:
 
 def check_packages() -> None:
     """Raise ToolMissingError where a package is missing that scans are read with."""
-    import importlib.util
-
     for module, package in (("pypdfium2", "pypdfium2"), ("zxingcpp", "zxing-cpp"), ("PIL", "pillow")):
-        if importlib.util.find_spec(module) is None:
-            raise missing_package("scans are read with", package, "scan")
+        try:
+            importlib.import_module(module)
+        except ImportError:
+            raise missing_package("scans are read with", package, "scan") from None
 
 
 def pictures(path: Path) -> Iterator[ScanImage]:
