@@ -59,6 +59,12 @@ class Derived:
         self._factors = [1.0]  # of velocities
         self._stretched = [1.0]  # of accelerations
         self.given = [quantity.target for quantity in wrong if quantity.kind == "v"]  # points with a wrong velocity
+        self._driven = {
+            shape.bodies[0]
+            for driver in motion.scene.drivers
+            for shape in driver.shapes()
+            if not shape.points and len(shape.bodies) == 1
+        }
         self._begin(wrong)
         for _ in range(_ROUNDS):
             self._round()
@@ -69,14 +75,17 @@ class Derived:
             own = self.v_rel[asked.target]
             body = next(slide.body for slide in self._slides if slide.point == asked.target)
             return np.abs(own) if asked.kind == "v_rel" else np.abs(2.0 * _each(np.multiply, own, self.omega[body]))
-        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon}
-        table = tables.get(asked.kind)
-        if table is None or asked.target not in table:
+        own = self._table(asked.kind).get(asked.target)
+        if own is None:
             return np.empty(0)
-        own = table[asked.target]
         own = own if asked.kind in "va" else own.real
         full: dict[str, Any] = {asked.kind: {**getattr(self._motion, asked.kind), asked.target: own}}
         return np.ravel(asked.value(replace(self._motion, **full)))
+
+    def _table(self, kind: str) -> dict[str, Candidates]:
+        """The candidates of a kind of quantity, by point or body."""
+        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon, "v_rel": self.v_rel}
+        return tables.get(kind, {})
 
     def _add_contacts(self) -> None:
         """Where two bodies touch is a point of both, and moves as one; its acceleration differs and is left out."""
@@ -95,11 +104,10 @@ class Derived:
                 self._bodies.setdefault(own, []).append(name)
 
     def _begin(self, wrong: Mapping[Quantity, float]) -> None:
-        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon, "v_rel": self.v_rel}
         for quantity, value in wrong.items():
             right = float(quantity.value(self._motion)[0])
-            table = tables.get(quantity.kind)
-            if not right or table is None or quantity.target not in table:
+            table = self._table(quantity.kind)
+            if not right or quantity.target not in table:
                 continue
             factor = value / right
             table[quantity.target] = np.append(table[quantity.target], factor * table[quantity.target][0])
@@ -110,7 +118,8 @@ class Derived:
 
     def _round(self) -> None:
         """One more theorem on all that is known."""
-        v, a, omega, epsilon = ({name: [own] for name, own in t.items()} for t in self._tables())
+        known = self.v, self.a, self.omega, self.epsilon
+        v, a, omega, epsilon = ({name: [own] for name, own in table.items()} for table in known)
         for body, points in self._bodies.items():
             for start in points:
                 for end in points:
@@ -127,12 +136,12 @@ class Derived:
             v[name] += self._dyads(name)
         for slide in self._slides:
             self._sliding(slide, v, omega)
+        for body in self._driven:  # nobody works out what is given
+            omega[body] = [self.omega[body]]
+            epsilon |= {body: [self.epsilon[body]]} if body in epsilon else {}
         self.v, self.a, self.omega, self.epsilon = (
             {name: _few(own) for name, own in table.items()} for table in (v, a, omega, epsilon)
         )
-
-    def _tables(self) -> tuple[dict[str, Candidates], ...]:
-        return self.v, self.a, self.omega, self.epsilon
 
     def _velocities(
         self,
