@@ -31,6 +31,7 @@ from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.verify import recompute
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.resources import languages
 from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import code, moving_links, textbook_structures
@@ -70,7 +71,7 @@ def examine(family: Family, seeds: int) -> dict[str, float]:
             found["faults"] += len(figure_faults(drawing))
     task = task_of(variants[0], motion, 0, asked)
     for method in METHODS:
-        with suppress(VariantgenError):
+        with suppress(VariantgenError, *NOT_APPLICABLE):
             solution(task, [method])
             found["methods"] += 1
     return found

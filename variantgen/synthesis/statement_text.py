@@ -25,9 +25,9 @@ def sentences(language: str) -> Mapping[str, Any]:
     return tomllib.loads((templates_dir() / "synthesis" / f"{language}.toml").read_text("utf-8"))
 
 
-def title(language: str, structure: str) -> str:
-    """The title of a composed family."""
-    return str(sentences(language)["title"]).format(code=structure)
+def title(language: str, links: int) -> str:
+    """The title of a composed family with so many moving links."""
+    return str(sentences(language)["titles"][str(links)])
 
 
 def statement_text(draft: Draft, language: str) -> str:
