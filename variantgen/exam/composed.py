@@ -26,7 +26,7 @@ from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.work import work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.synthesis.compose import MOST_TRIES, compose
-from variantgen.synthesis.levels import chosen_structures
+from variantgen.synthesis.levels import chosen_structures, level
 from variantgen.synthesis.statement_text import composed_languages
 from variantgen.synthesis.structures import Structure, code
 from variantgen.tables import Table
@@ -38,6 +38,7 @@ from variantgen.wording.solution.explain import explain
 
 _LOOKED_AT, _COUNTED = 3, 15  # variants whose figures are drawn, and whose work is counted where it matters
 _POOL, _MOST = 10, 60  # structures of a problem of an exam
+_ROUGHLY = 1.15  # a few variants tell the work so well
 _WIDTH = 1.12  # by which the calculations of a pool differ from those of its first family
 _EACH, _TRIES = 6, 3  # structures tried for each that is wanted, layouts of each
 _KEY = ("compose", 0)  # in the place of student and problem
@@ -57,14 +58,28 @@ class _Examination:
 
     def __call__(self, family: Family) -> str:
         """The work, figures of the statement, figures of the solution; nothing where all is well."""
-        variants = _drawn(family, _LOOKED_AT if self._span is None else _COUNTED)
+        variants = _drawn(family, _LOOKED_AT)
         asked = read_ask(variants[0].form)
         motion = solve_variants(variants, 2)
-        works = [work_of(natural_answers(task_of(v, motion, i, asked)).values()) for i, v in enumerate(variants)]
-        self.calculations = sorted(work.calculations for work in works)[len(works) // 2]
-        if self._span is not None and not self._span[0] <= self.calculations <= self._span[1]:
+        self.calculations = _calculations(variants, motion, asked)
+        if self._is_outside(_ROUGHLY):
+            return f"it takes about {self.calculations} calculations"
+        if self._span is not None:
+            more = draw(replace(family, name="composed"), None, [(str(i), "work", 0) for i in range(_COUNTED)])
+            self.calculations = _calculations(more, solve_variants(more, 2), asked)
+        if self._is_outside(1.0):
             return f"it takes {self.calculations} calculations"
-        return next(_faults(variants[:_LOOKED_AT], motion, asked), "")
+        return next(_faults(variants, motion, asked), "")
+
+    def _is_outside(self, factor: float) -> bool:
+        span = self._span
+        return span is not None and not span[0] / factor <= self.calculations <= span[1] * factor
+
+
+def _calculations(variants: Sequence[Variant], motion: Motion, asked: Sequence[Quantity]) -> int:
+    """What the middle one of some variants takes."""
+    works = [work_of(natural_answers(task_of(v, motion, i, asked)).values()) for i, v in enumerate(variants)]
+    return sorted(work.calculations for work in works)[len(works) // 2]
 
 
 def _faults(variants: Sequence[Variant], motion: Motion, asked: Sequence[Quantity]) -> Iterator[str]:
@@ -117,7 +132,8 @@ def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
     long as the process. With a level they are comparable in work. Mistakes are noted in the table.
     """
     groups = tuple(table.strings("groups"))
-    span = LEVELS[table.choice("level", tuple(LEVELS))] if "level" in table.data else None
+    wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
+    span = LEVELS.get(wanted)
     table.expect("level")
     links = table.take("links", int, 0) or None
     count = table.take("structures", int, _POOL)
@@ -128,7 +144,7 @@ def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
         return ()
     structures: list[Structure] = []
     with table.collecting(""):
-        structures = shuffled(chosen_structures(groups, links), seed)
+        structures = shuffled(chosen_structures(groups, links), seed, wanted)
     found: list[str] = []
     for structure in structures[: _EACH * count]:
         if len(found) == count:
@@ -148,9 +164,13 @@ def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
     return tuple(found)
 
 
-def shuffled(structures: Sequence[Structure], seed: object) -> list[Structure]:
-    """The structures in an order that depends on the seed."""
-    return sorted(structures, key=lambda structure: digest("order", code(structure), seed))
+def shuffled(structures: Sequence[Structure], seed: object, wanted: str) -> list[Structure]:
+    """The structures in an order that depends on the seed; those that usually are of the wanted level come first."""
+
+    def place(structure: Structure) -> tuple[bool, bytes]:
+        return bool(wanted) and level(structure) != wanted, digest("order", code(structure), seed)
+
+    return sorted(structures, key=place)
 
 
 def _name(structure: Structure, seed: str, span: Span | None) -> str:

@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
         structures = [parse_code(arguments.structure)]
     else:
         groups = tuple(filter(None, arguments.groups.split(",")))
-        structures = shuffled(chosen_structures(groups, arguments.links), arguments.seed)
+        structures = shuffled(chosen_structures(groups, arguments.links), arguments.seed, arguments.level)
     span = LEVELS[arguments.level] if arguments.level else None
     for number, structure in enumerate(structures[:_MOST], start=1):
         try:
