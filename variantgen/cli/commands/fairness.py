@@ -36,7 +36,9 @@ def run(arguments: argparse.Namespace) -> int:
     if not report.forms:
         remedy = "build it without  fair = false,  or with  level  or  work  in its problems"
         raise InputError(Problem("no work is recorded in it", file=str(record.path), remedy=remedy))
-    rows = [("problem", "form", "students", "calculations", "most/fewest", "negatives", "obtuse")]
+    rows: list[tuple[str, ...]] = [
+        ("problem", "form", "students", "calculations", "most/fewest", "negatives", "obtuse")
+    ]
     for (number, form), own in report.forms.items():
         size = own["calculations"]
         spreads = spread(size), f"{ratio(size):.2f}", spread(own["negatives"]), spread(own["obtuse"])
