@@ -15,7 +15,7 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
 from variantgen.marking.causes import Cause
-from variantgen.marking.class_statistics import class_facts
+from variantgen.marking.class_statistics import Advice, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 
 __all__ = ["built", "mark"]
@@ -53,8 +53,20 @@ def test_forms_that_are_not_equally_hard() -> None:
     """Six of six right against none of six: of the 924 ways to choose six of twelve two give as much."""
     facts = class_facts(marked([(1, 0, "a")] * 6 + [(0, 0, "b")] * 6))
     assert facts.equal_forms[1] == pytest.approx(2 / 924, abs=0.002)
+    (uneven,) = facts.uneven
+    assert (uneven.number, uneven.forms, uneven.right) == (1, ("a", "b"), ((6, 0), (0, 6)))
+    assert uneven.probability == pytest.approx(2 / 924)
+    sign = Cause("sign")
+    assert facts.advice == (
+        Advice("teach", 1, "v_B", sign),
+        Advice("strike", 2, "v_B"),
+        Advice("teach", 2, "v_B", sign),
+    )
     same = class_facts(marked([(1, 0, "a"), (0, 0, "a"), (1, 0, "b"), (0, 0, "b")] * 3))
     assert same.equal_forms[1] == 1.0
+    assert same.uneven == ()
+    mirrored = class_facts(marked([(1, 0, "a")] * 6 + [(0, 0, "a")] * 6), {(place, 1) for place in range(6)})
+    assert mirrored.mirrored[1] == pytest.approx(2 / 924, abs=0.002)
 
 
 def test_who_handed_in_nothing_does_not_count() -> None:

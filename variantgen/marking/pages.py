@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from variantgen.exam.exam_file import Exam
 from variantgen.finished.restore import Finished
-from variantgen.marking.class_statistics import ProblemFacts, class_facts
+from variantgen.marking.class_statistics import Advice, ProblemFacts, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.marking.records import shown
 from variantgen.marking.solution_steps import sections_of
@@ -25,6 +25,7 @@ from variantgen.wording.mathml import to_mathml
 
 FEEDBACK, STATISTICS = "feedback", "statistics.html"
 FILES = (f"{FEEDBACK}/*.html", STATISTICS)
+_VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 _HIDDEN = ("neighbour", "other")  # the first is a suspicion for the instructor alone
 _BANDS = 10  # of the shares of points of a class
 
@@ -120,7 +121,14 @@ def _number(text: str, language: Language) -> str:
 
 
 def _write_statistics(path: Path, finished: Finished, marked: Marked, language: Language) -> None:
-    facts = class_facts(marked)
+    mirrored = {
+        (place, problem.number)
+        for place, sheet in enumerate(finished.record.sheets)
+        for problem in sheet.problems
+        if problem.mirrored
+    }
+    facts = class_facts(marked, mirrored)
+    words = language.words("marking")
     bands = [0] * _BANDS
     for share in facts.shares:
         bands[min(int(share * _BANDS), _BANDS - 1)] += 1
@@ -130,17 +138,52 @@ def _write_statistics(path: Path, finished: Finished, marked: Marked, language: 
         **_common(finished.exam, language),
         students=facts.students,
         handed_in=facts.handed_in,
-        bands=[{"from": 10 * i, "to": 10 * (i + 1), "count": count} for i, count in enumerate(bands)],
-        most=max([*bands, 1]),
+        bands=[
+            {"from": 10 * i, "to": 10 * (i + 1), "count": count, "height": round(100 * count / max([*bands, 1]))}
+            for i, count in enumerate(bands)
+        ],
+        verdicts=[(name, words[name]) for name in _VERDICTS],
+        advice=[_advised(item, words, language) for item in facts.advice],
+        uneven=[
+            {
+                "number": item.number,
+                "quantity": item.quantity,
+                "forms": [
+                    (form, round(100 * right / (right + others)))
+                    for form, (right, others) in zip(item.forms, item.right, strict=True)
+                ],
+                "p": _number(f"{item.probability:.2g}", language),
+            }
+            for item in facts.uneven
+        ],
+        mirrored=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.mirrored.items()],
         problems=[_problem(item, language) for item in facts.problems],
         forms=[_problem(item, language) for item in facts.forms],
         equal=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.equal_forms.items()],
     )
 
 
+def _bars(counts: Sequence[int]) -> list[dict[str, Any]]:
+    """Where the parts of a bar of the length 100 begin, and how long they are."""
+    whole, found, start = max(sum(counts), 1), [], 0.0
+    for name, count in zip(_VERDICTS, counts, strict=True):
+        length = 100.0 * count / whole
+        found.append({"name": name, "start": round(start, 2), "length": round(length, 2), "count": count})
+        start += length
+    return found
+
+
+def _advised(item: Advice, words: Mapping[str, str], language: Language) -> dict[str, str]:
+    """A piece of advice in words."""
+    what = f"{item.number}.{item.quantity}" if item.quantity else f"{item.number}"
+    reason = words["advice.correlation" if not item.quantity else "advice.hardly"]
+    if item.kind == "teach":
+        reason = cause_in_words(item.cause, words, language, {})
+    return {"kind": words[f"advice.{item.kind}"], "what": what, "reason": reason}
+
+
 def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
     """One row of the statistics with those of its answers."""
-    known = ("right", "follow_through", "wrong", "blank", "unreadable")
     return {
         "number": item.number,
         "form": item.form,
@@ -152,7 +195,8 @@ def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
         "answers": [
             {
                 "quantity": a.quantity,
-                "counts": [a.verdicts.get(name, 0) for name in known],
+                "counts": [a.verdicts.get(name, 0) for name in _VERDICTS],
+                "bars": _bars([a.verdicts.get(name, 0) for name in _VERDICTS]),
                 "share": round(100 * a.share),
             }
             for a in item.answers

@@ -15,6 +15,7 @@ from starlette.types import ASGIApp
 
 from variantgen.errors import InputError, VariantgenError
 from variantgen.studio.documents.document import ConflictError, RefusedError
+from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import error_page, wants_page
 from variantgen.studio.pages import PAGES
 from variantgen.studio.security import BodyError, Guard
@@ -61,7 +62,7 @@ def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # 
 async def _refusal(request: Request, error: VariantgenError) -> Response:
     """What a mistake is answered: a page for who looks at one, else its problems."""
     if isinstance(error, ConflictError):
-        return JSONResponse({"conflict": error.path, "mine": _plain(error.mine), "theirs": _plain(error.theirs)}, 409)
+        return JSONResponse({"conflict": error.path, "mine": plain(error.mine), "theirs": plain(error.theirs)}, 409)
     if isinstance(error, RefusedError):
         return JSONResponse({"problems": [vars(problem) for problem in error.problems]}, 422)
     status = 404 if isinstance(error, UnknownKeyError) else 400
@@ -70,15 +71,6 @@ async def _refusal(request: Request, error: VariantgenError) -> Response:
     problems = error.problems if isinstance(error, InputError) else ()
     found = [{"key": p.key, "message": p.message, "remedy": p.remedy, "line": 0} for p in problems]
     return JSONResponse({"problems": found or [{"key": "", "message": str(error), "remedy": "", "line": 0}]}, status)
-
-
-def _plain(value: object) -> object:
-    """A value of a file as JSON can hold it."""
-    if isinstance(value, list):
-        return [_plain(item) for item in value]
-    if isinstance(value, dict):
-        return {name: _plain(item) for name, item in value.items()}
-    return value if isinstance(value, str | int | bool) or value is None else float(str(value))
 
 
 async def _given_up(_: Request, __: BodyError) -> Response:

@@ -33,6 +33,8 @@ _ABOUT = {
     "Circling": "compound",
 }
 
+_FORMAT = 2  # of the cards in the cache
+
 Card = dict[str, Any]
 
 
@@ -62,7 +64,7 @@ def cards(workspace: Workspace) -> list[Card]:
     """All cards, from the cache where nothing has changed."""
     files = family_files(workspace)
     marks = [f"{name} {family_version(path)}" for name, path in files.items()]
-    marks += [hashlib.sha256((ASSETS / "catalogue.toml").read_bytes()).hexdigest()]
+    marks += [str(_FORMAT), hashlib.sha256((ASSETS / "catalogue.toml").read_bytes()).hexdigest()]
     name = hashlib.sha256("\n".join(marks).encode()).hexdigest()[:16]
     kept = workspace.state("cache", f"cards-{name}.json")
     try:
@@ -111,6 +113,11 @@ def _cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
             }
         )
     return found
+
+
+def form_titles(family: str, language: str) -> dict[str, str]:
+    """The titles of the forms of a family of the catalogue, as far as they have any."""
+    return {name: own[language] for name, own in _described().get(family, {}).items() if own.get(language)}
 
 
 def _topics(form: Any) -> list[str]:

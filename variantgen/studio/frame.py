@@ -13,7 +13,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from variantgen.studio.documents.document import Document
-from variantgen.studio.documents.journal import Change
+from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
@@ -111,7 +111,7 @@ def command(*words: str) -> str:
     return shlex.join(words)
 
 
-def step_words(words: PageWords, step: Change | None) -> str:
+def step_words(words: PageWords, step: FileChange | None) -> str:
     """What undo or redo takes back or does again; '' if there is nothing."""
     if step is None:
         return ""

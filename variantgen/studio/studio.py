@@ -31,13 +31,14 @@ class Studio:
     """A running studio.
 
     Figures are drawn by one thread and sheets by another, so that a slider does not wait for a page; both take their
-    turns with the server, which only reads and writes.
+    turns with the server, which only reads and writes. What pages have to end stands in ``at_end``.
     """
 
     workspace: Workspace
     events: Events = field(default_factory=Events)
     figures: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "figures"))
     sheets: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "sheets"))
+    at_end: list[Callable[[], None]] = field(default_factory=list)
     _documents: dict[Path, Document] = field(default_factory=dict)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
@@ -86,4 +87,6 @@ class Studio:
         """Let windows and threads go."""
         self.events.end()
         for pool in (self.figures, self.sheets):
-            pool.shutdown(wait=False, cancel_futures=True)
+            pool.shutdown(wait=True, cancel_futures=True)
+        for end in self.at_end:
+            end()

@@ -23,7 +23,9 @@ STATE = ".studio"
 ROSTER = "roster.csv"
 BUILDS = "builds"
 # Words that begin the addresses of other things than exams.
-_TAKEN = frozenset({"static", "figure", "events", "author", "play", "exams", "language", "stars", "example"})
+_TAKEN = frozenset(
+    {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families"}
+)
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,39}")
 _NAME = re.compile(r"[^\W_][\w .()-]{0,59}", re.UNICODE)
 _PROBLEM = re.compile(r"^\s*\[\[\s*problem\s*\]\]", re.MULTILINE)

@@ -118,6 +118,15 @@ def written(value: Any) -> str:
     raise InputError(Problem("has no value that a file can hold", value=str(value)[:60]))
 
 
+def plain(value: object) -> object:
+    """A value of a file as JSON can hold it."""
+    if isinstance(value, list):
+        return [plain(item) for item in value]
+    if isinstance(value, dict):
+        return {name: plain(item) for name, item in value.items()}
+    return value if isinstance(value, str | int | bool) or value is None else float(str(value))
+
+
 def _written_key(name: str) -> str:
     return name if _BARE.fullmatch(name) else written(name)
 

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import dataclass
+import time
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from variantgen.studio.workspace import write_whole
 
 _STEPS = 500
+_CONTINUED = ("changed", "changed_in_problem", "text")
+_PAUSE = 1.5  # seconds between changes that are one step
 
 
 @dataclass(frozen=True)
-class Change:
+class FileChange:
     """A change: the versions before and after it, the key of the words for it with what they name, whose it was."""
 
     before: str
@@ -22,6 +25,12 @@ class Change:
     words: str
     about: dict[str, str]
     window: str
+    time: float = 0.0
+
+    def continues(self, other: FileChange) -> bool:
+        """Whether it goes on with another one."""
+        same = (self.words, self.about, self.window) == (other.words, other.about, other.window)
+        return same and self.words in _CONTINUED and self.time - other.time < _PAUSE
 
 
 class Journal:
@@ -32,11 +41,11 @@ class Journal:
         self._file = folder / "journal.json"
         self.steps, self.done = self._read()
 
-    def _read(self) -> tuple[list[Change], int]:
+    def _read(self) -> tuple[list[FileChange], int]:
         """What is on disk; a file that cannot be read counts as none."""
         try:
             data = json.loads(self._file.read_text("utf-8"))
-            steps = [Change(**step) for step in data["steps"]]
+            steps = [FileChange(**step) for step in data["steps"]]
             done = int(data["done"])
         except (OSError, ValueError, KeyError, TypeError):
             return [], 0
@@ -67,8 +76,15 @@ class Journal:
         return text if version_of(text) == version else None
 
     def add(self, before: str, after: str, words: str, about: dict[str, str], window: str) -> None:
-        """A new step; those that could be done again are forgotten."""
-        self.steps = [*self.steps[: self.done], Change(self.keep(before), self.keep(after), words, about, window)]
+        """A new step; those that could be done again are forgotten.
+
+        What a window goes on doing to the same key, as steps of a slider, is one step.
+        """
+        new = FileChange(self.keep(before), self.keep(after), words, about, window, time.time())
+        steps, last = self.steps[: self.done], self.undoable
+        if last is not None and new.continues(last):
+            new, steps = replace(new, before=last.before), steps[:-1]
+        self.steps = [*steps, new]
         for step in self.steps[:-_STEPS]:
             self._forget(step.before)
         self.steps = self.steps[-_STEPS:]
@@ -80,12 +96,12 @@ class Journal:
             (self._folder / f"{version}.toml").unlink(missing_ok=True)
 
     @property
-    def undoable(self) -> Change | None:
+    def undoable(self) -> FileChange | None:
         """The step that undo takes back."""
         return self.steps[self.done - 1] if self.done else None
 
     @property
-    def redoable(self) -> Change | None:
+    def redoable(self) -> FileChange | None:
         """The step that is done again."""
         return self.steps[self.done] if self.done < len(self.steps) else None
 

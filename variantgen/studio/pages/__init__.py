@@ -9,6 +9,6 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from variantgen.studio.pages import choose, exams
+from variantgen.studio.pages import choose, compose, exams, previews
 
-PAGES: tuple[ModuleType, ...] = (exams, choose)
+PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews)

@@ -26,7 +26,8 @@ def routes(studio: Studio) -> list[Route]:
         found = studio.workspace.exams()
         if len(found) == 1 and "all" not in request.query_params:
             key = next(iter(found))
-            return RedirectResponse(f"/{key}/choose", 303)
+            page = "compose" if problems_of(studio.document(key)) else "choose"
+            return RedirectResponse(f"/{key}/{page}", 303)
         words = page_words(language_of(request))
         listed = [_row(studio.document(key), words.counted) for key in found]
         return render(request, "exams", studio, command=command("variantgen", "new", "exam", "exam"), listed=listed)
@@ -102,5 +103,5 @@ def _row(document: Document, counted: Any) -> dict[str, str]:
         "file": document.path.name,
         "title": title if isinstance(title, str) and title else document.path.stem,
         "under": state.broken or counted(len(problems_of(document)), "problem"),
-        "page": "choose",
+        "page": "compose" if problems_of(document) else "choose",
     }
