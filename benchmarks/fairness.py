@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.fair_width import WIDTH
 from variantgen.exam.fairness import Band, FairDraws
+from variantgen.exam.wanted_work import WIDTH
 from variantgen.families.family import Family
 from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
@@ -25,8 +25,6 @@ from variantgen.methods.hand.work import Work, work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.variant import Variant, solve_variants
-
-_SHEETS = 2000  # of five problems of different forms
 
 
 @dataclass(frozen=True)

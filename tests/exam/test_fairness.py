@@ -13,7 +13,7 @@ from variantgen.algebra.name import Name
 from variantgen.errors import InputError
 from variantgen.exam.allocation import ProblemSampler
 from variantgen.exam.exam_file import Exam, parse_exam
-from variantgen.exam.fairness import band_of, shortages
+from variantgen.exam.fairness import band_of, shortages, uneven_pools
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
@@ -23,7 +23,7 @@ from variantgen.methods.hand.work import Work, work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.variants.variant import solve_variants
 
-CLASS = [Student(f"s{i}", f"N{i}", "M-1") for i in range(24)]
+CLASS = [Student(f"s{i}", f"N{i}", "M-1") for i in range(16)]
 CAM = '[[problem]]\nfamily = "cam_disc"\nform = "flat"\n'
 
 
@@ -124,6 +124,50 @@ def test_a_problem_with_few_variants_is_drawn_without_a_band() -> None:
     assert band.calculations is None
     assert band.of < 1000
     assert len({str(sheet.items[0].variant.printed) for sheet in drawn_sheets(few, CLASS[:6])}) == 6
+
+
+POOL = '[[problem]]\nfamilies = ["spool", "rolling_wheel"]\n'  # 18 and 30 calculations, both counted on paper
+
+
+@pytest.mark.parametrize("wish", ["work = [15, 20]", "work = [25, 32]", 'level = "easy"'])
+def test_work_chooses_the_members_of_a_pool(wish: str) -> None:
+    sheets = drawn_sheets(exam(problems=POOL + wish), CLASS[:8])
+    drawn = {sheet.items[0].variant.family.name for sheet in sheets}
+    assert drawn == {"[15, 20]": {"spool"}, "[25, 32]": {"rolling_wheel"}}.get(wish[7:], {"spool", "rolling_wheel"})
+
+
+def test_a_pool_without_such_a_form_is_told() -> None:
+    with pytest.raises(InputError) as caught:
+        drawn_sheets(exam(problems=POOL + 'level = "hard"'), CLASS[:2])
+    (problem,) = caught.value.problems
+    assert problem.key == "problem[1].work"
+    assert "spool" in problem.remedy
+    assert "rolling_wheel" in problem.remedy
+
+
+def test_members_that_are_not_comparable_are_named() -> None:
+    bands = {(2, name, ""): band_of(works((9, size, 0)), 0.05, 5000) for name, size in (("a", 40), ("b", 20))}
+    assert uneven_pools({(1, "c", ""): next(iter(bands.values())), **bands}) == [
+        "problem[2]: its variants are not comparable in work (calculations): b 20.5, a 41;"
+        " form, level or work chooses comparable ones"
+    ]
+    assert uneven_pools({key: band_of(works((9, 30, 0)), 0.05, 5000) for key in bands}) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "key"),
+    [
+        ("work = 20", "problem[1].work"),
+        ("work = [30, 20]", "problem[1].work"),
+        ("work = [1.5, 20]", "problem[1].work"),
+        ('level = "simple"', "problem[1].level"),
+        ('level = "easy"\nwork = [1, 2]', "problem[1].level"),
+    ],
+)
+def test_wrong_work_is_told(line: str, key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        exam(problems=CAM + line)
+    assert [problem.key for problem in caught.value.problems] == [key]
 
 
 @pytest.mark.parametrize("value", ["0", "-0.1", "1.5", '"yes"', "nan"])

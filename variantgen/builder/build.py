@@ -19,7 +19,7 @@ from variantgen.builder.workers import PoolWorkers, Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.allocation import HandedOutSheet, ProblemSampler
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.fairness import shortages
+from variantgen.exam.fairness import shortages, uneven_pools
 from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
@@ -189,6 +189,6 @@ def _put_together(
     redrawn, alike, cut = parts.drawn_marks()
     bands = ProblemSampler(exam).bands()
     recorded = [{"problem": n, "family": family, "form": form, **b.record()} for (n, family, form), b in bands.items()]
-    notes += shortages(bands)
+    notes += [*shortages(bands), *uneven_pools(bands)]
     write_records(folder, exam, spec.made_with, redrawn, pages, pieces[RECORDS], recorded)
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

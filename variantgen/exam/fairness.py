@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.errors import InputError
+from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
+from variantgen.exam.wanted_work import MOST, Span
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
@@ -31,6 +32,7 @@ from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import RejectionCounts
+from variantgen.variants.draw import FamilySampler
 from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.screening import Values
 from variantgen.variants.seeding import Stream
@@ -40,9 +42,10 @@ ROOM = 1000  # distinct variants that a band leaves at least
 _SHARE = 0.2  # of the draws that a band leaves at least: the others are in vain
 _SAMPLE = 48  # variants of a form from which its band is found
 _SPREAD = 2  # by which negative numbers, and obtuse angles, may differ in a band
+ANY_WIDTH = 1000.0  # where the work of a problem is bounded, but need not be equal
+_LISTED = 8  # members of a pool that are named
+_UNEVEN = 1.25  # members of a pool are comparable as long as one takes at most so many times the work of another
 _WIDTHS = (1.0, 2.0, 4.0, 8.0)  # times the wanted width, which are tried one after the other
-
-Span = tuple[int, int]  # least and most, both included
 
 
 @dataclass(frozen=True)
@@ -88,11 +91,13 @@ class FairDraws:
     """The screens of draws by the tolerance of an exam, and with them the band of each form; see
     :class:`variantgen.variants.batch.MakeScreening`.
 
-    The work of variants that passed is kept until :meth:`forget`.
+    ``wanted`` bounds the calculations of all forms alike. The work of variants that passed is kept until
+    :meth:`forget`.
     """
 
     width: float
     answer_tolerances: AnswerTolerances
+    wanted: Span | None = None
     _works: dict[tuple[object, ...], Work | None] = field(default_factory=dict)
 
     def __call__(
@@ -103,10 +108,15 @@ class FairDraws:
 
     def band(self, family: Family, form: Form, asked: Sequence[Quantity]) -> Band:
         """The band of a form for what its draws are examined on; the form remembers it."""
-        key = ("band", family.name, tuple(asked), self.width, self.answer_tolerances.tolerance.mistakes)
+        key = ("sample", family.name, tuple(asked), self.answer_tolerances.tolerance.mistakes)
         if key not in form.remembered:
-            form.remembered[key] = _band(family, form, asked, self.width, self.answer_tolerances)
-        found: Band = form.remembered[key]
+            form.remembered[key] = sample_works(family, form, asked, self.answer_tolerances)
+        works, valid = form.remembered[key]
+        own = ("band", *key, self.width, self.wanted)
+        if own not in form.remembered:
+            of = round(valid * max_distinct_problems(form, asked))
+            form.remembered[own] = band_of(works, self.width, of, self.wanted)
+        found: Band = form.remembered[own]
         return found
 
     def keep(self, variant: Variant, work: Work | None) -> None:
@@ -189,33 +199,32 @@ def sample_works(
     return [work for work in works if work is not None], count / int(attempts.number[-1])
 
 
-def _band(family: Family, form: Form, asked: Sequence[Quantity], width: float, screening: AnswerTolerances) -> Band:
-    works, valid = sample_works(family, form, asked, screening)
-    of = round(valid * max_distinct_problems(form, asked))
-    return band_of(works, width, of)
+def band_of(works: Sequence[Work], width: float, of: int, wanted: Span | None = None) -> Band:
+    """The narrowest band, of the wanted width or of a multiple, that leaves enough room of ``of`` variants.
 
-
-def band_of(works: Sequence[Work], width: float, of: int, room: int = ROOM) -> Band:
-    """The narrowest band, of the wanted width or of a multiple, that leaves enough ``room`` of ``of`` variants."""
+    Where calculations are ``wanted`` to lie between two numbers, so does the band.
+    """
     table = np.array([(work.calculations, work.negatives, work.obtuse) for work in works]).reshape(len(works), 3)
     median = float(np.median(table[:, 0])) if works else 0.0
     for times in _WIDTHS:
-        found = _fullest(table, times * width, median)
+        found = _fullest(table, times * width, median, wanted or (0, MOST))
         if found is None:
             break
         inside, spans = found
         share = inside / len(works)
-        if share * of >= room and share >= _SHARE:
+        if share * of >= ROOM and share >= _SHARE:
             return Band(*spans, median, share, round(share * of), of, widened=times > 1.0)
     return Band(None, (0, 0), (0, 0), median, 1.0, of, of, widened=True)
 
 
-def _fullest(table: NDArray[np.int64], width: float, median: float) -> tuple[int, tuple[Span, Span, Span]] | None:
+def _fullest(
+    table: NDArray[np.int64], width: float, median: float, wanted: Span
+) -> tuple[int, tuple[Span, Span, Span]] | None:
     """The number of rows in the band with the most of them, and its spans; of several bands that nearest the median."""
     best: tuple[tuple[float, ...], tuple[Span, Span, Span]] | None = None
     for low, negatives, obtuse in product(*map(_distinct, table.T)):
-        starts = np.array([low, negatives, obtuse])
-        ends = np.array([int(low * (1.0 + width) + 1e-9), negatives + _SPREAD, obtuse + _SPREAD])
+        starts = np.array([max(low, wanted[0]), negatives, obtuse])
+        ends = np.array([min(int(low * (1.0 + width) + 1e-9), wanted[1]), negatives + _SPREAD, obtuse + _SPREAD])
         inside = table[np.all((table >= starts) & (table <= ends), axis=1)]
         if not len(inside):
             continue
@@ -223,8 +232,54 @@ def _fullest(table: NDArray[np.int64], width: float, median: float) -> tuple[int
         rank = (len(inside), -abs(0.5 * (least[0] + most[0]) - median), -float(negatives), -float(obtuse))
         if best is None or rank > best[0]:
             # What the sample happens not to have of a span is as good; its least calculations are those of a variant.
-            best = rank, ((low, int(ends[0])), (negatives, int(ends[1])), (obtuse, int(ends[2])))
+            best = rank, ((int(starts[0]), int(ends[0])), (negatives, int(ends[1])), (obtuse, int(ends[2])))
     return None if best is None else (int(best[0][0]), best[1])
+
+
+def with_work(drawings: Sequence[FamilySampler], fair: FairDraws, where: str, wanted: Span) -> list[FamilySampler]:
+    """The drawings of a problem with those of their forms that have enough variants of the wanted work.
+
+    Raises InputError where none has.
+    """
+    found, known = [], []
+    for drawing in drawings:
+        kept = []
+        for form in drawing.forms:
+            band = fair.band(drawing.family, form, drawing.examined[form.name])
+            known.append(f"{drawing.family.name} {form.name}".strip() + f" {band.median:g}")
+            if band.calculations is not None:
+                kept.append(form)
+        if kept:
+            drawing.forms = kept
+            found.append(drawing)
+    if found:
+        return found
+    raise InputError(
+        Problem(
+            f"no form has enough variants of {wanted[0]} to {wanted[1]} calculations",
+            key=f"{where}.work",
+            remedy="the usual ones of each form take: " + ", ".join(known),
+        )
+    )
+
+
+def uneven_pools(bands: Mapping[tuple[int, str, str], Band]) -> list[str]:
+    """What an instructor should know of problems whose families and forms are not comparable in work."""
+    members: dict[int, list[tuple[float, str]]] = {}
+    for (number, family, form), band in bands.items():
+        middle = band.median if band.calculations is None else 0.5 * sum(band.calculations)
+        members.setdefault(number, []).append((middle, f"{family} {form}".strip()))
+    found = []
+    for number, own in members.items():
+        least, most = min(own), max(own)
+        if most[0] > _UNEVEN * least[0]:
+            listed = ", ".join(f"{name} {middle:g}" for middle, name in sorted(own)[:_LISTED])
+            more = f" and {len(own) - _LISTED} more, up to {most[0]:g}" if len(own) > _LISTED else ""
+            found.append(
+                f"problem[{number}]: its variants are not comparable in work (calculations): {listed}{more};"
+                " form, level or work chooses comparable ones"
+            )
+    return found
 
 
 def shortages(bands: Mapping[tuple[int, str, str], Band]) -> list[str]:
