@@ -134,6 +134,26 @@ def test_what_spreadsheets_do_to_a_form(built: Path, mark: Mark, tmp_path: Path)
     assert next(item["1"] for item in totals if item["id"] == who) == "3.5"
 
 
+def test_the_heads_of_a_form_service(
+    built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    right, first = key(built), order(built)[0]
+    name = {"s1": "Ann Lee", "s2": "Bob Ray", "s3": "Cy Young"}[first]
+    table = tmp_path / "form.csv"
+    table.write_text(f'Time;Your  name;Speed of B?\n12:00;{name};"{right[first, "1.v_B"]:.5g}"\n', "utf-8")
+    columns = tmp_path / "columns.toml"
+    columns.write_text('"Your name" = "name"\n"Speed of B?" = "1.v_B"\n', "utf-8")
+    code, marks, _, _ = mark(table, options=["--columns", str(columns)])
+    assert (code, [row["id"] for row in marks if row["verdict"] == "right"]) == (0, [first])
+    for text, said in (
+        ('"Your name" = "nam"', "expected a column"),
+        ('"Name?" = "name"', "no table has such a column"),
+    ):
+        columns.write_text(text + "\n", "utf-8")
+        assert mark(table, options=["--columns", str(columns)])[0] == 2
+        assert said in capsys.readouterr().err
+
+
 def test_columns_far_to_the_right(built: Path, mark: Mark, tmp_path: Path) -> None:
     right, first = key(built), order(built)[0]
     book = openpyxl.Workbook()

@@ -8,17 +8,22 @@ import pytest
 
 from variantgen.check.family import check_family
 from variantgen.cli.app import main
+from variantgen.families.asking import read_ask
 from variantgen.families.cases import load_cases
 from variantgen.families.load import load_family
+from variantgen.methods.compose import solution
+from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.steps.step import Sentence
 from variantgen.synthesis.levels import level
 from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import parse_code
+from variantgen.variants.draw import draw
 
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("composed") / "one"
-    assert main(["compose", "--structure", "RRP10-RRR23", "--seed", "7", "--out", str(folder)]) == 0
+    assert main(["compose", "--structure", "RPR01-RRR23", "--seed", "7", "--out", str(folder)]) == 0
     return folder
 
 
@@ -30,7 +35,7 @@ def test_check_accepts_it_with_its_worked_case(made: Path) -> None:
 
 def test_the_same_seed_gives_the_same_files(made: Path, tmp_path: Path) -> None:
     again = tmp_path / "again"
-    assert main(["compose", "--structure", "RRP10-RRR23", "--seed", "7", "--out", str(again)]) == 0
+    assert main(["compose", "--structure", "RPR01-RRR23", "--seed", "7", "--out", str(again)]) == 0
     for path in made.iterdir():
         assert path.read_bytes() == (again / path.name).read_bytes()
 
@@ -83,7 +88,7 @@ def test_an_exam_of_composed_problems_is_verified(tmp_path: Path, capsys: pytest
 
 def test_it_has_the_structure_that_it_was_made_for(made: Path) -> None:
     form = next(iter(load_family(made).forms.values()))
-    assert parse_code("RRP10-RRR23") in structures_of(form.sample)
+    assert parse_code("RPR01-RRR23") in structures_of(form.sample)
 
 
 def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,3 +100,14 @@ def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureF
     assert main(["list", "--structures", "--links", "3", "--figure", str(page)]) == 0
     assert page.read_text("utf-8").count("<svg") == 6
     assert main(["list", "--structures", "--figure", str(tmp_path / "page.png")]) == 2
+
+
+def test_its_solution_is_written_by_three_methods(made: Path) -> None:
+    """Its second group hangs on an arm that is fixed to the block of a slotted arm and turns with that."""
+    variant = draw(load_family(made), None, [("methods", 1)])[0]
+    asked = read_ask(variant.form)
+    task = task_of(variant, variant.motion(), 0, asked)
+    written = [solution(task, [method]) for method in ("velocity_centre", "graphical", "coordinates")]
+    assert all(len(found.answers) == len(asked) for found in written)
+    said = [item.key for step in written[0].steps for item in step.items if isinstance(item, Sentence)]
+    assert "turning.same_omega" in said

@@ -27,7 +27,7 @@ from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
-from variantgen.families.sketches import with_sketch
+from variantgen.families.sketches import with_curves
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
@@ -286,15 +286,14 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         )
     units = _units(table) or units
     work = read_work(table)
-    sketch = table.strings("sketch")
+    sketch, graph = table.strings("sketch"), table.take("graph", bool, False)
     table.finish()
     families = []
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
-            family = with_sketch(family, sketch)
-            families.append(family)
+            families.append(with_curves(family, sketch, graph))
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None

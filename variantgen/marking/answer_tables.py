@@ -23,10 +23,8 @@ from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
 from variantgen.marking.attempts import NO_TEXTS, Report, lacks_texts, report_of
-from variantgen.resources import languages
-from variantgen.wording.language import load_language
+from variantgen.marking.heads import asked_by, kind_of, renamed
 
-_ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
 _PROBLEM = re.compile(r"[0-9]{1,3}")
 OPEN = "?"  # so begins an answer that is still being looked at
 _STUDENT = ("code", "id", "name", "student", "surname", "first")
@@ -116,14 +114,25 @@ class FormWords:
         return dict(zip(ends, self.problems, strict=True))
 
 
-def read_answers(paths: Sequence[Path], form: FormWords) -> ReadAnswers:
-    """All answers of some files. Raises InputError for a file that is no table, or one without answers."""
+def read_answers(paths: Sequence[Path], form: FormWords, columns: Mapping[str, str] | None = None) -> ReadAnswers:
+    """All answers of some files; ``columns`` say what heads stand for that are other words.
+
+    Raises InputError for a file that is no table, one without answers, and for a head that no table has.
+    """
     answers: list[HandedIn] = []
     left: list[NotMatched] = []
     corrections: list[HandedIn] = []
+    sheets: list[tuple[Path, Worksheet]] = []
     for path in paths:
         try:
-            found = _Tables(path.name, read_worksheets(path, ANSWER_COLUMNS, formulas=True), form)
+            sheets += [(path, sheet) for sheet in read_worksheets(path, ANSWER_COLUMNS, formulas=True)]
+        except InputError as error:
+            raise error.located(str(path)) from None
+    named = renamed([sheet for _, sheet in sheets], columns) if columns else [sheet for _, sheet in sheets]
+    for path in dict.fromkeys(paths):
+        own = [sheet for (other, _), sheet in zip(sheets, named, strict=True) if other == path]
+        try:
+            found = _Tables(path.name, own, form)
             found.read()
         except InputError as error:
             raise error.located(str(path)) from None
@@ -171,14 +180,14 @@ class _Tables:
             if columns := self.form.columns(cells):
                 self._filled(sheet, place, columns)
                 return True
-            if report := report_of(cells, _kind):
+            if report := report_of(cells, kind_of):
                 self._attempts(sheet, place, report)
                 return True
-            if lacks_texts(cells, _kind):
+            if lacks_texts(cells, kind_of):
                 message, remedy = NO_TEXTS
                 raise InputError(Problem(message, remedy=remedy))
-            kinds = [_kind(cell) for cell in cells]
-            heads = {column: found for column, cell in enumerate(cells) if (found := _asked(cell))}
+            kinds = [kind_of(cell) for cell in cells]
+            heads = {column: found for column, cell in enumerate(cells) if (found := asked_by(cell))}
             if not set(kinds) & set(_STUDENT):
                 continue
             if {"problem", "quantity", "answer"} <= set(kinds):
@@ -260,19 +269,3 @@ def _who(row: Mapping[str, str]) -> tuple[str, ...]:
     words = [row[kind] for kind in _STUDENT[:4] if row.get(kind)]
     name = " ".join(row[kind] for kind in _STUDENT[4:] if row.get(kind))
     return (*words, name) if name else tuple(words)
-
-
-def _asked(head: str) -> tuple[int, str] | None:
-    """The problem and the quantity of a column, ``1.v_B`` or ``1.v_B, cm/s``."""
-    found = _ANSWER_HEAD.fullmatch(head)
-    return (int(found[1]), found[2]) if found else None
-
-
-def _kind(head: str) -> str:
-    """What a column holds, by the words of any language (table ``[answer_columns]``); '' for others."""
-    word = " ".join(head.casefold().replace("_", " ").split())
-    for language in languages():
-        for kind, words in load_language(language).words("answer_columns").items():
-            if word in (other.strip() for other in words.split(",")):
-                return kind
-    return ""

@@ -163,12 +163,13 @@ def _shown(asked: Quantity, rate: float) -> float:
 def _by_solver(variant: Variant, motion: Motion, derived: Derived, asked: Quantity, number: float) -> bool:
     """Whether the solver finds the number where rates are wrong as they follow from wrong answers, in every mixture."""
     carriers: list[tuple[str, str]] = [("omega", body) for body in derived.omega if derived.omega[body].size > 1]
-    points = {*sliding_points(motion.scene), *derived.given}
-    carriers += [("v", point) for point in sorted(points) if derived.v[point].size > 1]
+    slid = {point: motion.v[point] - own[0] + own for point, own in derived.v_rel.items()}  # beside the right carrier
+    velocities = {**{point: derived.v[point] for point in derived.given}, **slid}
+    carriers += [("v", point) for point in sorted(velocities) if velocities[point].size > 1]
     if not carriers:
         return False
     each = max(int(_MOST ** (1 / len(carriers))), 2)  # candidates of each
-    tables = {"omega": derived.omega, "v": derived.v}
+    tables = {"omega": derived.omega, "v": velocities}
     rows = list(product(*(tables[kind][name][:each] for kind, name in carriers)))[:_MOST]
     chosen = np.array(rows)[..., None]  # by combination, by carrier, over a batch of one
     omega = {body: np.broadcast_to(x, (len(rows), 1)) for body, x in motion.omega.items()}

@@ -22,17 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
+from variantgen.marking.candidates import SMALL, Candidates, each, few, projecting, without_noise
+from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rows import Placement
 
 _ROUNDS = 2
-_MOST = 80  # candidates of one quantity
-_SMALL = 1e-9
-_LARGEST = 1e3  # times the right one, more than anybody is granted
-_ALIKE = 10  # digits by which candidates are told apart
-
-Candidates = NDArray[np.complex128]
 
 
 class Derived:
@@ -42,8 +38,8 @@ class Derived:
         self._motion = motion
         self._z = {name: complex(z[0]) for name, z in motion.z.items()}
         self._bodies = {body: list(points) for body, points in motion.scene.bodies.items()}
-        self._right_v = _without_noise(motion.v)
-        self._right_a = _without_noise(motion.a)
+        self._right_v = without_noise(motion.v)
+        self._right_a = without_noise(motion.a)
         self._add_contacts()
         self._slides = [
             _Slide(point, body, complex(own.velocity[0]))
@@ -59,6 +55,12 @@ class Derived:
         self._factors = [1.0]  # of velocities
         self._stretched = [1.0]  # of accelerations
         self.given = [quantity.target for quantity in wrong if quantity.kind == "v"]  # points with a wrong velocity
+        self._driven = {
+            shape.bodies[0]
+            for driver in motion.scene.drivers
+            for shape in driver.shapes()
+            if not shape.points and len(shape.bodies) == 1
+        }
         self._begin(wrong)
         for _ in range(_ROUNDS):
             self._round()
@@ -68,15 +70,19 @@ class Derived:
         if asked.kind in ("v_rel", "a_cor") and asked.target in self.v_rel and not asked.component:
             own = self.v_rel[asked.target]
             body = next(slide.body for slide in self._slides if slide.point == asked.target)
-            return np.abs(own) if asked.kind == "v_rel" else np.abs(2.0 * _each(np.multiply, own, self.omega[body]))
-        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon}
-        table = tables.get(asked.kind)
-        if table is None or asked.target not in table:
+            return np.abs(own) if asked.kind == "v_rel" else np.abs(2.0 * each(np.multiply, own, self.omega[body]))
+        table = self._table(asked.kind)
+        if asked.target not in table:
             return np.empty(0)
         own = table[asked.target]
         own = own if asked.kind in "va" else own.real
         full: dict[str, Any] = {asked.kind: {**getattr(self._motion, asked.kind), asked.target: own}}
         return np.ravel(asked.value(replace(self._motion, **full)))
+
+    def _table(self, kind: str) -> dict[str, Candidates]:
+        """The candidates of a kind of quantity, by point or body."""
+        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon, "v_rel": self.v_rel}
+        return tables.get(kind, {})
 
     def _add_contacts(self) -> None:
         """Where two bodies touch is a point of both, and moves as one; its acceleration differs and is left out."""
@@ -95,11 +101,10 @@ class Derived:
                 self._bodies.setdefault(own, []).append(name)
 
     def _begin(self, wrong: Mapping[Quantity, float]) -> None:
-        tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon, "v_rel": self.v_rel}
         for quantity, value in wrong.items():
             right = float(quantity.value(self._motion)[0])
-            table = tables.get(quantity.kind)
-            if not right or table is None or quantity.target not in table:
+            table = self._table(quantity.kind)
+            if not right or quantity.target not in table:
                 continue
             factor = value / right
             table[quantity.target] = np.append(table[quantity.target], factor * table[quantity.target][0])
@@ -110,7 +115,8 @@ class Derived:
 
     def _round(self) -> None:
         """One more theorem on all that is known."""
-        v, a, omega, epsilon = ({name: [own] for name, own in t.items()} for t in self._tables())
+        known = self.v, self.a, self.omega, self.epsilon
+        v, a, omega, epsilon = ({name: [own] for name, own in table.items()} for table in known)
         for body, points in self._bodies.items():
             for start in points:
                 for end in points:
@@ -127,12 +133,12 @@ class Derived:
             v[name] += self._dyads(name)
         for slide in self._slides:
             self._sliding(slide, v, omega)
+        for body in self._driven:  # nobody works out what is given
+            omega[body] = [self.omega[body]]
+            epsilon |= {body: [self.epsilon[body]]} if body in epsilon else {}
         self.v, self.a, self.omega, self.epsilon = (
-            {name: _few(own) for name, own in table.items()} for table in (v, a, omega, epsilon)
+            {name: few(own) for name, own in table.items()} for table in (v, a, omega, epsilon)
         )
-
-    def _tables(self) -> tuple[dict[str, Candidates], ...]:
-        return self.v, self.a, self.omega, self.epsilon
 
     def _velocities(
         self,
@@ -144,12 +150,12 @@ class Derived:
         omega: dict[str, list[Candidates]],
         points: Sequence[str],
     ) -> None:
-        led = _along(self._right_v[end], r, self.v[start])
+        led = projecting(self._right_v[end], r, self.v[start])
         sign = np.sign(self._motion.omega[body][0])
-        for gap in (_each(np.subtract, self.v[end], self.v[start]), *([led - self.v[start]] if led.size else [])):
+        for gap in (each(np.subtract, self.v[end], self.v[start]), *([led - self.v[start]] if led.size else [])):
             turning = np.imag(np.conj(r) * gap) / abs(r) ** 2
             omega[body] += [turning + 0j, sign * np.abs(gap) / abs(r) + 0j]
-        v[end] += [_each(np.add, self.v[start], 1j * r * self.omega[body]), led]
+        v[end] += [each(np.add, self.v[start], 1j * r * self.omega[body]), led]
         self._between(v, self.v, start, end, points)
 
     def _accelerations(
@@ -161,12 +167,12 @@ class Derived:
         a: dict[str, list[Candidates]],
         epsilon: dict[str, list[Candidates]],
     ) -> None:
-        gap = _each(np.subtract, self.a[end], self.a[start])
+        gap = each(np.subtract, self.a[end], self.a[start])
         epsilon[body].append(np.imag(np.conj(r) * gap) / abs(r) ** 2 + 0j)
-        normal = _each(np.subtract, self.a[start], self.omega[body] ** 2 * r)
-        a[end].append(_each(np.add, normal, 1j * r * self.epsilon[body]))
+        normal = each(np.subtract, self.a[start], self.omega[body] ** 2 * r)
+        a[end].append(each(np.add, normal, 1j * r * self.epsilon[body]))
         for way, known in self._paths(end):
-            led = known + _along(way, r, normal - known)
+            led = known + projecting(way, r, normal - known)
             a[end].append(led)
             if led.size:
                 epsilon[body].append(np.imag(np.conj(r) * (led - normal)) / abs(r) ** 2 + 0j)
@@ -183,11 +189,11 @@ class Derived:
         arms = list(self._arms(point, ""))
         for k, (_, first, one) in enumerate(arms):
             for _, second, two in arms[k + 1 :]:
-                across = _cross(one, two)
-                if abs(across) > _SMALL * abs(one) * abs(two):
+                across = cross(one, two)
+                if abs(across) > SMALL * abs(one) * abs(two):
                     left = (self.v[first] * np.conj(one)).real
                     right = (self.v[second] * np.conj(two)).real
-                    yield _each(np.subtract, -1j * two * left / across, -1j * one * right / across)
+                    yield each(np.subtract, -1j * two * left / across, -1j * one * right / across)
 
     def _between(
         self,
@@ -201,7 +207,7 @@ class Derived:
         for other in points:
             if other not in (start, end):
                 part = (self._z[other] - self._z[start]) / (self._z[end] - self._z[start])
-                found[other].append(_each(np.add, (1 - part) * known[start], part * known[end]))
+                found[other].append(each(np.add, (1 - part) * known[start], part * known[end]))
 
     def _paths(self, point: str) -> Iterator[tuple[complex, complex]]:
         """The direction that an unknown part of an acceleration has, and the part that is known: a_n by each factor."""
@@ -222,8 +228,8 @@ class Derived:
         tangential = (own * np.conj(along)).real * along
         normal = own - tangential
         lengths = np.abs(self.v[point]) / abs(speed)
-        parts = _each(np.multiply, (self.a[point] * np.conj(along)).real * along, np.array(self._stretched) + 0j)
-        return [_each(np.add, parts, lengths**2 * normal)]
+        parts = each(np.multiply, (self.a[point] * np.conj(along)).real * along, np.array(self._stretched) + 0j)
+        return [each(np.add, parts, lengths**2 * normal)]
 
     def _sliding(self, slide: _Slide, v: dict[str, list[Candidates]], omega: dict[str, list[Candidates]]) -> None:
         """A point P that slides on a body along u: ``v_P = v_A + i omega r + v_rel`` for each point A of the body."""
@@ -233,26 +239,26 @@ class Derived:
             r = self._z[point] - self._z[start]
             if start == point or not r:
                 continue
-            across = _cross(1j * r, u)
-            gap = _each(np.subtract, self.v[point], self.v[start])
-            if abs(across) > _SMALL * abs(r):
-                omega[body].append(_cross(gap, u) / across + 0j)
-                found.append(_cross(1j * r, gap) / across * u)
-            led = _each(np.add, self.v[start], 1j * r * self.omega[body])
-            v[point].append(_each(np.add, led, self.v_rel[point]))
+            across = cross(1j * r, u)
+            gap = each(np.subtract, self.v[point], self.v[start])
+            if abs(across) > SMALL * abs(r):
+                omega[body].append(cross(gap, u) / across + 0j)
+                found.append(cross(1j * r, gap) / across * u)
+            led = each(np.add, self.v[start], 1j * r * self.omega[body])
+            v[point].append(each(np.add, led, self.v_rel[point]))
             way = self._right_v[point]
-            if abs(_cross(way, u)) > _SMALL * abs(way):
-                whole = _cross(led, u) / _cross(way, u) * way
+            if abs(cross(way, u)) > SMALL * abs(way):
+                whole = cross(led, u) / cross(way, u) * way
                 v[point].append(whole)
                 found.append(whole - led)
             for second, other, arm in self._arms(point, body):  # this body leads it too: equal projections on its arm
-                if abs(along := (u * np.conj(arm)).real) > _SMALL * abs(arm):
+                if abs(along := (u * np.conj(arm)).real) > SMALL * abs(arm):
                     slid = (np.subtract.outer(self.v[other], led) * np.conj(arm)).real / along * u
-                    turned = _cross(arm, led + slid - self.v[other][:, None]) / abs(arm) ** 2
+                    turned = cross(arm, led + slid - self.v[other][:, None]) / abs(arm) ** 2
                     found.append(np.ravel(slid))
                     v[point].append(np.ravel(led + slid))
                     omega[second].append(np.ravel(turned) + 0j)
-        self.v_rel[point] = _few(found)
+        self.v_rel[point] = few(found)
 
 
 @dataclass(frozen=True)
@@ -262,39 +268,3 @@ class _Slide:
     point: str
     body: str
     velocity: complex
-
-
-def _without_noise(vectors: Mapping[str, NDArray[np.complex128]]) -> dict[str, complex]:
-    """Vectors of points, those that are nothing but rounding as zero."""
-    found = {name: complex(vector[0]) for name, vector in vectors.items()}
-    least = _SMALL * max(map(abs, found.values()), default=0.0)
-    return {name: vector if abs(vector) > least else 0j for name, vector in found.items()}
-
-
-def _cross(first: Any, second: Any) -> Any:
-    """The product ``x1 y2 - y1 x2``."""
-    return np.imag(np.conj(first) * second)
-
-
-def _each(function: np.ufunc, first: Candidates, second: Candidates) -> Candidates:
-    """A function of each candidate of one with each of another, shape (K,)."""
-    found: Candidates = np.ravel(function.outer(first, second))
-    return found
-
-
-def _along(direction: complex, r: complex, other: Candidates) -> Candidates:
-    """The vectors of a direction whose projection on r is that of others; none where the direction is across r."""
-    cosine = (direction * np.conj(r)).real
-    if abs(cosine) <= _SMALL * abs(direction) * abs(r):
-        return np.empty(0, dtype=np.complex128)
-    found: Candidates = direction * (other * np.conj(r)).real / cosine
-    return found
-
-
-def _few(found: Sequence[Candidates]) -> Candidates:
-    """The first of all that are different."""
-    every = np.concatenate(found)
-    size = abs(every[0]) or float(np.max(np.abs(every), initial=0.0, where=np.isfinite(every))) or 1.0
-    every = every[np.isfinite(every) & (np.abs(every) < _LARGEST * size)]  # the first one is right
-    _, first = np.unique(np.round(every / size, _ALIKE), return_index=True)
-    return every[np.sort(first)[:_MOST]]

@@ -15,7 +15,7 @@ from variantgen.synthesis.draft import Draft
 Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
 _APART, _CLEAR, _BASE = 0.085, 0.06, 1.6  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
-_FOLDED = 18  # degrees between two links at a common hinge
+_FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
 _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
@@ -140,9 +140,10 @@ def _cross(z: Mapping[str, Any], one: Bar, other: Bar) -> Any:
 
 
 def _folded(draft: Draft, one: Bar, other: Bar) -> bool:
-    """Whether two links with a common hinge lie nearly on each other."""
+    """Whether two links with a common hinge lie nearly on each other, or one goes on where the other ends."""
     for hinge in set(_members(draft, one)) & set(_members(draft, other)):
         ways = [[draft.z[end] - draft.z[hinge] for end in bar if end != hinge] for bar in (one, other)]
-        if any(abs(math.degrees(np.angle(p / q))) < _FOLDED for p in ways[0] for q in ways[1]):
+        angles = [abs(math.degrees(np.angle(p / q))) for p in ways[0] for q in ways[1]]
+        if any(angle < _FOLDED or angle > 180 - _STRAIGHT for angle in angles):
             return True
     return False

@@ -20,15 +20,15 @@ from variantgen.synthesis.dyad_parts import (
     slide,
 )
 from variantgen.synthesis.sliding_dyads import collar, two_guides, yoke
-from variantgen.synthesis.structures import FRAME, Dyad
+from variantgen.synthesis.structures import FRAME, AssurGroup
 
 
-def place_dyad(draft: Draft, place: int, dyad: Dyad, uses: dict[int, str]) -> None:
+def place_dyad(draft: Draft, place: int, dyad: AssurGroup, uses: dict[int, str]) -> None:
     """Lay out a dyad. ``uses`` has the joints that later dyads make on each link. Raises LayoutError."""
     _PLACING[dyad.kind](draft, (2 * place + 2, 2 * place + 3), dyad, uses)
 
 
-def _two_rods(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, str]) -> None:
+def _two_rods(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
     """RRR: two rods, the second one turning about a fixed pin, or both on moving links."""
     first, second = links if dyad.on != FRAME else links[::-1]
     on, to = (dyad.on, dyad.to) if dyad.on != FRAME else (dyad.to, dyad.on)
@@ -42,13 +42,13 @@ def _two_rods(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, str
     draft.polar(joint, at.point, rod, angle, fields)
     pivot = draft.pivot()
     rocker = draft.length(pivot, joint, draft.rng.choice(ROCKERS))
-    turned, back, told = way(draft, joint, pivot, at.point)
+    turned, back, said_back = way(draft, joint, pivot, at.point)
     draft.polar(pivot, joint, rocker, turned, back)
     new_pivot(draft)
     check_angle(between(turned, angle))
     draft.bar(first, "rod", at.point, joint)
     draft.bar(second, "link", pivot, joint)
-    draft.position += said + _turned_round(told, pivot + joint)
+    draft.position += said + _turned_round(said_back, pivot + joint)
     draft.sentences.append(
         ("rod_and_rocker", {"rod": at.point + joint, "rocker": pivot + joint, "pivot": pivot} | facts_of(at))
     )
@@ -90,7 +90,7 @@ def _bridge(draft: Draft, links: tuple[int, int], ends: tuple[int, int]) -> None
     draft.asked.append([f"v_{joint}", f"omega_{one.point}{joint}", f"omega_{other.point}{joint}"])
 
 
-def _rod_and_slider(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, str]) -> None:
+def _rod_and_slider(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
     """RRP: a rod and the slider at its end, in a fixed guide or on a moving link."""
     if dyad.on == FRAME:
         _rocker_with_block(draft, links, dyad)
@@ -100,7 +100,7 @@ def _rod_and_slider(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[in
         _moving_guide(draft, links, dyad)
 
 
-def _fixed_guide(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None:
+def _fixed_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None:
     at = hinge_on(draft, dyad.on, dyad.to)
     slider = draft.letter()
     rod = draft.length(at.point, slider, draft.rng.choice(RODS))
@@ -136,7 +136,7 @@ def _through_pivot(draft: Draft, at: Attachment, slider: str, rod: str, guide: i
     draft.points[slider] = "line_circle", fields | ({"angle": f"{guide}*deg"} if guide else {})
 
 
-def _moving_guide(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None:
+def _moving_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None:
     """A rod from one moving link to a block that slides on another one."""
     bar, at = line_on(draft, dyad.to), hinge_on(draft, dyad.on, dyad.to)
     block, start, end = draft.letter(), draft.z[bar.start], draft.z[bar.end]
@@ -146,11 +146,11 @@ def _moving_guide(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None:
     u = (end - start) / abs(end - start)
     foot = ((draft.z[at.point] - start) / u).real
     off = ((draft.z[at.point] - start) / u).imag
-    reach = draft.value(rod) ** 2 - off * off
-    if draft.value(rod) < 20 or reach <= 0:
+    square = draft.value(rod) ** 2 - off * off
+    if draft.value(rod) < 20 or square <= 0:
         raise LayoutError("does not assemble")
     branch = 1 if part * abs(end - start) > foot else -1
-    draft.z[block] = start + u * (foot + branch * math.sqrt(reach))
+    draft.z[block] = start + u * (foot + branch * math.sqrt(square))
     draft.points[block] = "line_circle", {
         "through": bar.start, "towards": bar.end, "centre": at.point, "distance": rod,
         "branch": "ahead" if branch > 0 else "behind",
@@ -165,7 +165,7 @@ def _moving_guide(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None:
     draft.asked.append([f"v_rel_{block}", f"omega_{at.point}{block}", f"v_{block}"])
 
 
-def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None:
+def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None:
     """A link turning about a fixed pin, with a block at its end that slides on a moving link."""
     bar, block = line_on(draft, dyad.to), draft.letter()
     draft.position += on_bar(draft, bar, block)
@@ -185,7 +185,7 @@ def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: Dyad) -> None
     draft.asked.append([f"omega_{pivot}{block}", f"v_rel_{block}", f"v_{block}"])
 
 
-_PLACING: dict[str, Callable[[Draft, tuple[int, int], Dyad, dict[int, str]], None]] = {
+_PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]], None]] = {
     "RRR": _two_rods,
     "RRP": _rod_and_slider,
     "RPR": collar,

@@ -66,8 +66,8 @@ def _spacing(draft: Draft) -> float:
 
 def _grid(datum: Datum, width: float) -> str:
     """The values of a datum: those of its grid that are as near as its spread says."""
-    reach = datum.step * (width * datum.spread // datum.step)
-    low, high = datum.value - reach, datum.value + reach
+    half = datum.step * (width * datum.spread // datum.step)
+    low, high = datum.value - half, datum.value + half
     return f'{{ unit = "{datum.unit}", from = {low:g}, to = {high:g}, step = {datum.step:g} }}'
 
 

@@ -11,7 +11,7 @@ from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.joints.translation import Translation
 from variantgen.mechanism.scene import Scene
-from variantgen.synthesis.structures import CRANK, FRAME, KINDS, Dyad, Structure, normal
+from variantgen.synthesis.structures import CRANK, FRAME, KINDS, AssurGroup, Structure, normal
 
 _Pair = tuple[str, str, str]  # letter of the joint, two links
 _FRAME = "(frame)"
@@ -88,7 +88,7 @@ def _grown(joints: Sequence[_Pair], crank: str) -> Structure | None:
     known = {_FRAME: FRAME, crank: CRANK}
     if not any(letter == "R" and {one, other} == {_FRAME, crank} for letter, one, other in joints):
         return None
-    found: list[Dyad] = []
+    found: list[AssurGroup] = []
     while links - known.keys():
         step = next(_dyads(joints, known), None)
         if step is None:
@@ -99,7 +99,7 @@ def _grown(joints: Sequence[_Pair], crank: str) -> Structure | None:
     return tuple(found) if len(joints) == 1 + 3 * len(found) else None
 
 
-def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[Dyad, str, str]]:
+def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[AssurGroup, str, str]]:
     """Dyads on what is known: two new links, joined with each other, each with one joint to a known link."""
     to_known: dict[str, list[tuple[str, int]]] = {}
     for letter, one, other in joints:
@@ -113,4 +113,4 @@ def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[Dya
                 continue
             kind = ends[0][0][0] + letter + ends[1][0][0]
             if kind in KINDS:
-                yield Dyad(kind, ends[0][0][1], ends[1][0][1]), first, second
+                yield AssurGroup(kind, ends[0][0][1], ends[1][0][1]), first, second

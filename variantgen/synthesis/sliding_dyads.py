@@ -6,10 +6,10 @@ from variantgen.synthesis.attachments import hinge_on, line_on
 from variantgen.synthesis.directions import between, way
 from variantgen.synthesis.draft import Draft, LayoutError, Link
 from variantgen.synthesis.dyad_parts import FIXED, ROCKERS, RODS, check_angle, facts_of, new_pivot, on_bar, slide
-from variantgen.synthesis.structures import FRAME, Dyad
+from variantgen.synthesis.structures import FRAME, AssurGroup
 
 
-def collar(draft: Draft, links: tuple[int, int], dyad: Dyad, uses: dict[int, str]) -> None:
+def collar(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[int, str]) -> None:
     """RPR: a bar hinged to one link passes through a collar on the other, or carries a block in its slot."""
     ends = {links[0]: dyad.on, links[1]: dyad.to}
     bars = [link for link in links if uses[link]] or [draft.rng.choice(links)]
@@ -93,7 +93,7 @@ def _slotted_arm(draft: Draft, arm: int, block: int, on: int) -> None:
     draft.asked.append([f"omega_{made.body}", f"v_rel_{at.point}"])
 
 
-def two_guides(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, str]) -> None:
+def two_guides(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
     """PRP: a pin in a fixed guide and on a moving link."""
     moving = dyad.to if dyad.on == FRAME else dyad.on
     if FRAME not in (dyad.on, dyad.to):
@@ -111,7 +111,7 @@ def two_guides(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, st
     draft.asked.append([f"v_{block}", f"v_rel_{block}"])
 
 
-def yoke(draft: Draft, links: tuple[int, int], dyad: Dyad, _: dict[int, str]) -> None:
+def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
     """RPP: a block on a moving link in the slot of a yoke that moves along a fixed guide."""
     if dyad.to != FRAME or dyad.on == FRAME:
         raise LayoutError("the yoke slides on a moving link")

@@ -30,10 +30,10 @@ def statement_text(draft: Draft, language: str) -> str:
     words = sentences(language)
     phrases = words["position"]
     opening = phrases["opening"].format() + phrases["changing" if changes_speed(draft) else "constant"] + "."
-    told = [opening, *(words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences)]
-    told += [phrases["rest"] + rest + "."] if (rest := _position(draft, words)) else []
+    parts = [opening, *(words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences)]
+    parts += [phrases["rest"] + rest + "."] if (rest := _position(draft, words)) else []
     relative = [words["relative"][key].format(**_of_block(facts, words)) for key, facts in draft.relative]
-    text = " ".join(told) + "".join(relative) + "\n"
+    text = " ".join(parts) + "".join(relative) + "\n"
     return text.replace(",,", ",").replace(",.", ".")  # a phrase that ends with a comma, at the end of a clause
 
 
@@ -64,9 +64,9 @@ def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
 
 
 def _position(draft: Draft, words: Mapping[str, Any]) -> str:
-    """What the position is given by besides the driving link; links that lie alike are told together."""
+    """What the position is given by besides the driving link; links that lie alike stand together."""
     phrases = words["position"]
-    told = [phrases[key].format(**facts) for key, facts in draft.position if key in _ONE_BY_ONE]
+    parts = [phrases[key].format(**facts) for key, facts in draft.position if key in _ONE_BY_ONE]
     for key in ("level", "upright"):
         alike = [
             f["link"] if k == key else f["one"] + f["other"] for k, f in draft.position if k in (key, f"pivots_{key}")
@@ -74,5 +74,5 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
         names = [f"{{{{ {name} }}}}" for name in dict.fromkeys(alike)]
         if names:
             joined = words["and"].join(filter(None, (", ".join(names[:-1]), names[-1])))
-            told.append(phrases[f"{key}_{'one' if len(names) == 1 else 'many'}"].format(names=joined))
-    return str(phrases["more"]).join(told)
+            parts.append(phrases[f"{key}_{'one' if len(names) == 1 else 'many'}"].format(names=joined))
+    return str(phrases["more"]).join(parts)

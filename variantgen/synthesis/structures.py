@@ -25,7 +25,7 @@ MOST_DYADS = 3
 _CODE = re.compile(r"([RP]{3})(\d)(\d)")
 
 
-class Dyad(NamedTuple):
+class AssurGroup(NamedTuple):
     """Two links: the first hangs on the link ``on``, the second on the link ``to``, with the joints of its kind."""
 
     kind: str
@@ -33,14 +33,7 @@ class Dyad(NamedTuple):
     to: int
 
 
-Structure: TypeAlias = tuple[Dyad, ...]
-
-
-class SlidingPair(NamedTuple):
-    """A sliding pair between two links, the earlier one first."""
-
-    one: int
-    other: int
+Structure: TypeAlias = tuple[AssurGroup, ...]
 
 
 def code(structure: Structure) -> str:
@@ -50,10 +43,10 @@ def code(structure: Structure) -> str:
 
 def parse_code(text: str) -> Structure:
     """The structure of a code, in its normal order. Raises InputError for what is no code."""
-    found: list[Dyad] = []
+    found: list[AssurGroup] = []
     for part in text.split("-"):
         match = _CODE.fullmatch(part)
-        dyad = Dyad(match[1], int(match[2]), int(match[3])) if match else None
+        dyad = AssurGroup(match[1], int(match[2]), int(match[3])) if match else None
         if dyad is None or dyad.kind not in KINDS or not _fits(tuple(found), dyad):
             remedy = "dyads with the links that they hang on, as list --structures writes them: RRP10-RRR23"
             raise InputError(Problem("expected the code of a structure", key="structure", value=text, remedy=remedy))
@@ -82,23 +75,21 @@ def _orders(structure: Structure, done: frozenset[int], grown: Structure, names:
         links, ends = (2 * place + 2, 2 * place + 3), (names[dyad.on], names[dyad.to])
         for way in (1, -1) if dyad.kind in SYMMETRIC else (1,):
             new = dict(zip(links[::way], (len(names), len(names) + 1), strict=True))
-            step = Dyad(dyad.kind, *ends[::way])
+            step = AssurGroup(dyad.kind, *ends[::way])
             yield from _orders(structure, done | {place}, (*grown, step), names | new)
 
 
-def sliding_pairs(structure: Structure) -> list[SlidingPair]:
-    """The sliding pairs of a structure, in the order of its dyads."""
+def sliding_pairs(structure: Structure) -> list[tuple[int, int]]:
+    """The sliding pairs of a structure, each by its two links, the earlier one first."""
     found = []
     for place, (kind, on, to) in enumerate(structure):
         first, second = 2 * place + 2, 2 * place + 3
         pairs = ((on, first), (first, second), (to, second))
-        found += [
-            SlidingPair(*pair) for letter, pair in zip((kind[0], kind[1], kind[2]), pairs, strict=True) if letter == "P"
-        ]
+        found += [pair for letter, pair in zip((kind[0], kind[1], kind[2]), pairs, strict=True) if letter == "P"]
     return found
 
 
-def _fits(structure: Structure, dyad: Dyad) -> bool:
+def _fits(structure: Structure, dyad: AssurGroup) -> bool:
     """Whether a dyad can be grown: on two links that are there; two sliding pairs in a row need links that turn."""
     count = 2 + 2 * len(structure)
     if dyad.on == dyad.to or not (0 <= dyad.on < count and 0 <= dyad.to < count):
@@ -127,7 +118,7 @@ def structures(dyads: int, kinds: Sequence[str] = KINDS) -> tuple[Structure, ...
         for kind in kinds
         for on in links
         for to in links
-        if _fits(structure, dyad := Dyad(kind, on, to)) and (kind not in SYMMETRIC or on < to)
+        if _fits(structure, dyad := AssurGroup(kind, on, to)) and (kind not in SYMMETRIC or on < to)
     }
     return tuple(sorted(found))
 

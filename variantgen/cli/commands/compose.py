@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Choose a structure, make the family, say what to do next."""
+    """Choose a structure, make the family, say what to do next. Raises InputError."""
     from variantgen.errors import InputError, Problem
     from variantgen.exam.composed import write
     from variantgen.synthesis.levels import any_of, level

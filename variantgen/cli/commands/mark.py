@@ -44,6 +44,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--force", action="store_true", help="replace an earlier marking")
     parser.add_argument("--policy", type=Path, metavar="FILE", help="what answers are worth (TOML)")
     parser.add_argument(
+        "--columns", type=Path, metavar="FILE", help='what heads of tables stand for (TOML): "Speed of B" = "1.v_B"'
+    )
+    parser.add_argument(
         "--against",
         type=Path,
         metavar="DIR",
@@ -118,6 +121,7 @@ def _read(
     """The exam as it was asked, the answers of tables and scans together, and what the scans hold, if there are any."""
     from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
     from variantgen.marking.drawn import as_drawn
+    from variantgen.marking.heads import read_columns
     from variantgen.marking.scan.joining import join
     from variantgen.marking.scan.pictures import is_picture
     from variantgen.marking.scan.review import check_readings_kept
@@ -125,7 +129,8 @@ def _read(
     tables = [path for path in arguments.answers if not is_picture(path)]
     scans = [path for path in arguments.answers if is_picture(path)]
     check_readings_kept(arguments.out, tables)
-    read = read_answers(tables, FormWords.of(finished.exam)) if tables else ReadAnswers((), ())
+    columns = read_columns(arguments.columns) if arguments.columns else None
+    read = read_answers(tables, FormWords.of(finished.exam), columns) if tables else ReadAnswers((), ())
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
