@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from math import pi, radians, sin, sqrt
 from pathlib import Path
 
@@ -14,10 +15,12 @@ from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.solution_figures import CURVE
 from variantgen.families.load import load_family
+from variantgen.families.rate_graphs import grid_of, with_graph
+from variantgen.families.restrict import restrict
 from variantgen.families.sketches import with_sketch
 from variantgen.figure.drawing import BOLD
 from variantgen.figure.drawing import Path as DrawnPath
-from variantgen.figure.graph import grid, turn_curve
+from variantgen.figure.graph import grid, rate_graph, turn_curve
 from variantgen.outputs.formats import read_exam
 from variantgen.single import one_variant
 from variantgen.wording.formula import to_plain
@@ -89,3 +92,42 @@ def test_the_sheet_has_empty_grids_and_the_solution_their_curves(tmp_path: Path)
 def test_what_has_no_curve_says_so(family: str, name: str, said: str) -> None:
     with pytest.raises(InputError, match=said):
         with_sketch(load_family(family), [name])
+
+
+@pytest.mark.parametrize(
+    ("rate", "acceleration", "found"),
+    [
+        ("4.5", "3", ("1", "1.5")),  # 1.5 at 0 s, 4.5 at 1 s, 7.5 at 2 s
+        ("5.5", "16", ("0.25", "0.5")),  # it changes by 4 in 0.25 s
+        ("120", "25", ("4", "20")),
+        ("1", "30", None),  # in 0.1 s it changes by three times itself
+    ],
+)
+def test_the_grid_on_which_a_rate_is_read(rate: str, acceleration: str, found: tuple[str, str] | None) -> None:
+    wanted = None if found is None else tuple(map(Decimal, found))
+    assert grid_of(Decimal(rate), Decimal(acceleration)) == wanted
+
+
+def test_a_rate_told_by_its_graph(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    text = EXAM.replace('form = "central"', 'form = "central"\ngraph = true\nset = { omega_OA = 4.5, epsilon_OA = -3 }')
+    path.write_text(text.replace('"v_B"]\nsk', '"v_B", "a_B"]\nsk'), "utf-8")
+    exam = read_exam(path)
+    content = Content(exam, drawn_sheets(exam, numbered(1)))
+    ((posed,),), ((solved,),) = content.posed, content.solved
+    given = [to_plain(equation) for equation in posed.statement.given]
+    assert given[-1].replace("\N{NO-BREAK SPACE}", " ") == "t = 1 s"
+    assert not any("ω" in equation or "ε" in equation or "α" in equation for equation in given)
+    assert "the graph of ω_OA over time" in posed.figure.alt
+    # Both rates have the senses of the figure: it slows down or speeds up between 7.5 and 1.5 rad/s.
+    drawn = rate_graph(posed.item.variant, load_language("en"))
+    assert {to_plain(label.formula) for label in drawn.labels} >= {"1.5", "3", "4.5", "6", "7.5", "0.5", "2"}
+    read = solved.text.sections[0]
+    assert "ordinate" in str(read.blocks)
+
+
+def test_data_that_no_grid_shows_are_refused() -> None:
+    with pytest.raises(InputError, match="cannot be read from one grid"):
+        with_graph(restrict(load_family("slider_crank"), {"omega_OA": 1, "epsilon_OA": 12}, {}, ("central",)))
+    with pytest.raises(InputError, match="has not a velocity and an acceleration"):
+        with_graph(load_family("falling_rod"))

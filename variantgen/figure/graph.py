@@ -10,18 +10,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from typing import TypeAlias
 
 import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.rate_graphs import grid_of
 from variantgen.families.units import unit
 from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Drawing, Label, Layer, Line, Path
 from variantgen.figure.lettering import typeset
 from variantgen.figure.sketch import moved
 from variantgen.mechanism.crank_turn import FULL_TURN, crank_turn
 from variantgen.mechanism.motion import Field
-from variantgen.variants.variant import Variant, solve_variants
+from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Formula, FormulaList, Measured, Symbol, to_plain
 from variantgen.wording.language import Language
 
@@ -30,6 +32,9 @@ _TURN, _LINES, _NUMBERS = 360, 30, 60  # degrees: the whole way, between lines, 
 _MOST = 5  # lines of the grid above zero
 _SAMPLES = 181
 _CLEAR = 1.2  # u between the grid and its numbers
+
+
+_Parts: TypeAlias = tuple[list[Line], list[Label]]
 
 
 @dataclass(frozen=True)
@@ -56,36 +61,89 @@ def turn_curve(variant: Variant, name: str, language: Language) -> TurnCurve:
     return TurnCurve(quantity, own.from_si(found), symbol, own.name)
 
 
-def grid(curve: TurnCurve, language: Language, drawn: bool) -> Drawing:
-    """The grid of a curve with numbers on its axes, empty or with the curve ``drawn``."""
-    low, high, step = _range(curve.values)
-    up = _HEIGHT / float(high - low)
+@dataclass(frozen=True)
+class _Axis:
+    """From ``low`` to ``high`` on so much paper (u), with a line each ``step``, each ``every``-th with its number."""
 
-    def place(angle: float, value: float) -> complex:
-        return complex(angle * _WIDTH / _TURN, (value - float(low)) * up)
+    low: Decimal
+    high: Decimal
+    step: Decimal
+    every: int
+    length: float
 
-    low_value, high_value = float(low), float(high)
+    def at(self, value: float) -> float:
+        return (value - float(self.low)) / float(self.high - self.low) * self.length
+
+    @property
+    def lines(self) -> list[tuple[Decimal, bool]]:
+        """The values with lines, and whether the number stands there: counted from zero."""
+        first, last = int(self.low / self.step), int(self.high / self.step)
+        return [(k * self.step, k % self.every == 0) for k in range(first, last + 1)]
+
+
+def _grid(across: _Axis, up: _Axis, titles: tuple[Formula, Formula], degrees: bool, language: Language) -> _Parts:
+    """Lines and labels of a grid; ``titles`` are those of the axes, the one upwards first."""
     lines: list[Line] = []
     labels: list[Label] = []
-    for angle in range(0, _TURN + 1, _LINES):
-        lines.append(_line(place(angle, low_value), place(angle, high_value), THIN))
-        if angle % _NUMBERS == 0:
-            number = Measured(language.decimal(Decimal(angle)), language.unit(unit("deg")))
-            labels.append(_label(number, place(angle, low_value) - 1.5j * _CLEAR, -0.5 - 1j))
-    for k in range(round((high - low) / step) + 1):
-        value = low + k * step
-        lines.append(_line(place(0, float(value)), place(_TURN, float(value)), THIN))
-        labels.append(_label(language.decimal(value), place(0, float(value)) - _CLEAR, -1 - 0.5j))
-    lines += [_line(place(0, 0.0), place(_TURN, 0.0), MEDIUM), _line(place(0, low_value), place(0, high_value), MEDIUM)]
-    title: Formula = curve.symbol
-    if curve.unit_name != "1":
-        title = FormulaList((curve.symbol, language.unit(unit(curve.unit_name))))
-    labels.append(_label(title, place(0, high_value) + 3.5j, -0.5 + 0j))
-    labels.append(_label(Symbol("theta"), place(_TURN, low_value) + 2 + 1.0j, 0j))
+    top, right = complex(0, up.length), complex(across.length, 0)
+    for value, numbered in across.lines:
+        foot = complex(across.at(float(value)), 0)
+        lines.append(_line(foot, foot + top, THIN))
+        if numbered:
+            plain = language.decimal(value)
+            number = Measured(plain, language.unit(unit("deg"))) if degrees else plain
+            labels.append(_label(number, foot - 1.5j * _CLEAR, -0.5 - 1j))
+    for value, numbered in up.lines:
+        foot = complex(0, up.at(float(value)))
+        lines.append(_line(foot, foot + right, THIN))
+        if numbered:
+            labels.append(_label(language.decimal(value), foot - _CLEAR, -1 - 0.5j))
+    zero = complex(0, up.at(0.0))
+    lines += [_line(zero, zero + right, MEDIUM), _line(0j, top, MEDIUM)]
+    labels.append(_label(titles[0], top + 3.5j, -0.5 + 0j))
+    labels.append(_label(titles[1], right + 2 + 1.0j, 0j))
+    return lines, labels
+
+
+def grid(curve: TurnCurve, language: Language, drawn: bool) -> Drawing:
+    """The grid of a curve with numbers on its axes, empty or with the curve ``drawn``."""
+    across = _Axis(Decimal(0), Decimal(_TURN), Decimal(_LINES), _NUMBERS // _LINES, _WIDTH)
+    up = _Axis(*_range(curve.values), 1, _HEIGHT)
+    lines, labels = _grid(
+        across, up, (_titled(curve.symbol, curve.unit_name, language), Symbol("theta")), True, language
+    )
     if drawn:
         angles = np.linspace(0.0, _TURN, len(curve.values)).tolist()
-        way = tuple(place(a, v) for a, v in zip(angles, curve.values.tolist(), strict=True))
-        lines.append(Path(way, Layer.VECTOR, BOLD))
+        places = zip(map(across.at, angles), map(up.at, curve.values.tolist()), strict=True)
+        lines.append(Path(tuple(complex(*place) for place in places), Layer.VECTOR, BOLD))
+    return _on_paper(lines, labels, language)
+
+
+def _titled(symbol: Formula, unit_name: str, language: Language) -> Formula:
+    return symbol if unit_name == "1" else FormulaList((symbol, language.unit(unit(unit_name))))
+
+
+def rate_graph(variant: Variant, language: Language) -> Drawing:
+    """The graph of a given rate over time, from which it and its acceleration are read."""
+    form = variant.form
+    rate, acceleration = (abs(variant.printed[name]) for name in form.figure.graph)
+    found = grid_of(rate, acceleration)
+    assert found is not None, "families with such data are refused"
+    time, step = found
+    sign = 1 if is_speeding_up(form, form.values({name: variant.si(name) for name in form.parameters}))[0] else -1
+    change = sign * acceleration * time
+    high = rate + abs(change)
+    every = next(many for many in (1, 2, 5, 10) if high / step <= 7 * many)
+    up = _Axis(Decimal(0), high, step, every, _HEIGHT)
+    across = _Axis(Decimal(0), 2 * time, time / 2, 1, _WIDTH)
+    parameter = form.parameters[form.figure.graph[0]]
+    assert parameter.unit is not None, "a rate has a unit"
+    symbol = language.symbol(parameter.symbol, form.symbols)
+    seconds = FormulaList((Symbol("t"), language.unit(unit("s"))))
+    titles = _titled(symbol, parameter.unit.name, language), seconds
+    lines, labels = _grid(across, up, titles, False, language)
+    ends = [complex(across.at(0.0), up.at(float(rate - change))), complex(_WIDTH, up.at(float(rate + change)))]
+    lines.append(Path(tuple(ends), Layer.VECTOR, BOLD))
     return _on_paper(lines, labels, language)
 
 
@@ -111,14 +169,22 @@ def below(figure: Drawing, grids: Sequence[Drawing], said: Sequence[str]) -> Dra
     return replace(figure, tell=lambda: " ".join([tell(), *said]))
 
 
-def with_grids(figure: Drawing, variant: Variant, language: Language) -> Drawing:
-    """The figure of a statement with the empty grids that its form has. Raises InputError as ``turn_curve`` does."""
-    curves = [turn_curve(variant, name, language) for name in variant.form.figure.sketch]
-    if not curves:
-        return figure
-    words = language.words("sheet")["grid"]
-    said = [words.format(symbol=to_plain(curve.symbol)) for curve in curves]
-    return below(figure, [grid(curve, language, False) for curve in curves], said)
+def with_graphs(figure: Drawing, variant: Variant, language: Language, empty: bool) -> Drawing:
+    """The figure of a statement with the graph that gives a rate, and with the ``empty`` grids for curves.
+
+    Raises InputError as ``turn_curve`` does.
+    """
+    words, hints = language.words("sheet"), variant.form.figure
+    added, said = [], []
+    if hints.graph:
+        added.append(rate_graph(variant, language))
+        symbol = language.symbol(variant.form.parameters[hints.graph[0]].symbol, variant.form.symbols)
+        said.append(words["rate_graph"].format(symbol=to_plain(symbol)))
+    for name in hints.sketch if empty else ():
+        curve = turn_curve(variant, name, language)
+        added.append(grid(curve, language, False))
+        said.append(words["grid"].format(symbol=to_plain(curve.symbol)))
+    return below(figure, added, said) if added else figure
 
 
 def solved_grid(variant: Variant, name: str, language: Language) -> Drawing:

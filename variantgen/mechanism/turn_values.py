@@ -105,6 +105,18 @@ def _risen(coefficients: Field, place: Field) -> Field:
 
 def mean(turn: CrankTurn, quantity: Scalar) -> Field:
     """The mean over a turn, shape (N,), of what is never negative and is smooth but where it is zero: a speed."""
+    own, stops = _stops(turn, quantity)
+    rows, starts, ends = _pieces(turn, own, stops)
+    angles = 0.5 * (starts + ends)[:, None] + 0.5 * (ends - starts)[:, None] * _GAUSS
+    every = np.repeat(rows, len(_GAUSS))
+    values = quantity(turn.at(every, angles.ravel()), every).reshape(angles.shape)
+    total = np.zeros(turn.size)
+    np.add.at(total, rows, 0.5 * (ends - starts) * (values @ _WEIGHTS))
+    return np.where(turn.complete, total / FULL_TURN, np.inf)
+
+
+def _stops(turn: CrankTurn, quantity: Scalar) -> tuple[NDArray[np.intp], Field]:
+    """Where a speed is zero: variant and angle of each such place."""
     variants = np.repeat(np.arange(turn.size), GRID)
     table = quantity(turn.grid, variants).reshape(turn.size, GRID)
     square = table**2
@@ -115,13 +127,7 @@ def mean(turn: CrankTurn, quantity: Scalar) -> Field:
         stops, height = _refined(turn, lambda motion, rows: -(quantity(motion, rows) ** 2), own, place)
         still = -height <= (_STOP * np.max(table, axis=1)[own]) ** 2
         own, stops = own[still], stops[still]
-    rows, starts, ends = _pieces(turn, own, stops)
-    angles = 0.5 * (starts + ends)[:, None] + 0.5 * (ends - starts)[:, None] * _GAUSS
-    every = np.repeat(rows, len(_GAUSS))
-    values = quantity(turn.at(every, angles.ravel()), every).reshape(angles.shape)
-    total = np.zeros(turn.size)
-    np.add.at(total, rows, 0.5 * (ends - starts) * (values @ _WEIGHTS))
-    return np.where(turn.complete, total / FULL_TURN, np.inf)
+    return own, stops
 
 
 def _pieces(turn: CrankTurn, own: NDArray[np.intp], stops: Field) -> tuple[NDArray[np.intp], Field, Field]:
@@ -184,7 +190,22 @@ def travel(turn: CrankTurn, target: str) -> Field:
     """The way between the limit positions: a stroke (m), the angle of a swing (rad), shape (N,)."""
     high, low, has = to_and_fro(turn, target)
     with np.errstate(invalid="ignore"):
-        return np.where(has, high.value - low.value, np.inf)
+        found = np.where(has, high.value - low.value, np.inf)
+    if target in turn.grid.z and not np.all(has):
+        found[~has] = _chord(turn, target)[~has]
+    return found
+
+
+def _chord(turn: CrankTurn, point: str) -> Field:
+    """The distance of the two places at which a point is at rest: the ends of an arc on which it goes to and fro."""
+    own, stops = _stops(turn, lambda motion, _: np.abs(motion.v[point]))
+    found = np.full(turn.size, np.inf)
+    for variant in range(turn.size):
+        angles = np.unique(np.round(stops[own == variant], 9))
+        if turn.complete[variant] and len(angles) == 2:
+            ends = turn.at(np.array([variant, variant]), angles).z[point]
+            found[variant] = abs(ends[1] - ends[0])
+    return found
 
 
 def time_ratio(turn: CrankTurn, target: str) -> Field:

@@ -18,6 +18,7 @@ import numpy as np
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.rate_graphs import grid_of
 from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
@@ -114,12 +115,23 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
     rates: list[Equation] = []
     for name, symbol, unit_text, is_rate in _data(case):
         value = variant.printed[name]
+        if name in case.form.figure.graph:
+            continue
         number = case.language.decimal(abs(value) if is_rate else value)
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
     if variant.family.folder is None:
         own = scene_data(variant, case.asked, case.language)
         places, rates = places + own[0], rates + own[1]
-    return places + _found(case, variant) + rates
+    return places + _found(case, variant) + _instant(variant, case.language) + rates
+
+
+def _instant(variant: Variant, language: Language) -> list[Equation]:
+    """The time on the graph of a given rate at which the mechanism has its position."""
+    if not variant.form.figure.graph:
+        return []
+    found = grid_of(*(abs(variant.printed[name]) for name in variant.form.figure.graph))
+    assert found is not None, "families with such data are refused"
+    return [Equation(Symbol("t"), Measured(language.decimal(found[0]), language.unit(unit("s"))))]
 
 
 def _found(case: _Case, variant: Variant) -> list[Equation]:
@@ -171,8 +183,11 @@ def _asked(case: _Case) -> tuple[Formula, ...]:
 
 
 def _sketches(case: _Case) -> Text:
-    """The wish to sketch curves in the grids of the figure, a sentence each."""
+    """What is said of the graph that gives a rate, and of the curves to be sketched, a sentence each."""
     found: list[str | Formula] = []
+    if graph := case.form.figure.graph:
+        before, after = case.language.words("sheet")["by_graph"].split("{symbol}")
+        found += [" " + before, case.language.symbol(case.form.parameters[graph[0]].symbol, case.form.symbols), after]
     for name in case.form.figure.sketch:
         before, after = case.language.words("sheet")["sketch"].split("{symbol}")
         found += [" " + before, case.language.quantity(split_name(name), case.form.symbols), after]

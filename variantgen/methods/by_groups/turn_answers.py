@@ -63,6 +63,8 @@ class _Limits:
 
 def _by_limits(book: Book, kind: str, target: str) -> Expression | None:
     """A stroke, a swing or a ratio of times by the triangles of the limit positions; None where there is no rod."""
+    if kind == "stroke" and (arm := _arm(book, target)) is not None:
+        return _chord(book, target, *arm)
     lever = _lever(book, target)
     if lever is not None:
         return _of_lever(book, kind, *lever)
@@ -88,6 +90,30 @@ def _by_limits(book: Book, kind: str, target: str) -> Expression | None:
             book.derive(name, "length", length)
     ends = book.values[names[0]], book.values[names[1]]
     return (_of_rocker if found.centre else _of_slider)(book, kind, found, ends)
+
+
+def _arm(book: Book, point: str) -> tuple[str, str] | None:
+    """The body that swings about a fixed centre with a point, and that centre."""
+    linkage = Linkage(book.task.scene)
+    crank = crank_of(book.task.scene)
+    for body in linkage.owners(point):
+        centre = linkage.pivot(body)
+        if centre is not None and crank is not None and body != crank.body:
+            return body, centre
+    return None
+
+
+def _chord(book: Book, point: str, body: str, centre: str) -> Expression | None:
+    """The chord of the arc between the limit positions, ``2 CP sin(psi / 2)``."""
+    swing = Quantity("swing", body)
+    whole = book.values.get(_name(swing))
+    if whole is None:
+        expression = _by_limits(book, "swing", body)
+        if expression is None:
+            return None
+        whole = book.derive(_name(swing), "angle", expression)
+    book.say("turn.chord", False, point=Point(point), centre=Point(centre), angle=whole)
+    return Constant(2.0) * book.geometry.length(centre, point) * Applied("sin", Ratio(whole, Constant(2.0)))
 
 
 def _limits(book: Book, target: str) -> _Limits | None:
