@@ -1,11 +1,13 @@
 """Marking: planted mistakes named, follow-through granted, answers that are right and never accused.
 
-    python -m benchmarks.marking [--variants N] [--family NAME ...]
+    python -m benchmarks.marking [--students N] [--family NAME ...]
 
-For every form variants are drawn. Each answer is got wrong by each cause, as a student would write it, with four
-significant digits, where that is another number than by another cause; and each answer is gone on with after a slip of
-30 % in an earlier one, with the steps of the solution. Prints a Markdown table and, run on the whole catalogue, writes
-it to ``benchmarks/marking.md``. Nothing here is a time.
+For every family problems of 200 students are drawn, in equal parts of its forms. Each answer is got wrong by each
+cause, as a student would write it, with four significant digits, where that is another number than by another cause;
+the whole sheet of the next student is solved in place of the own; each answer is gone on with after a slip of 30 % in
+an earlier one, with the steps of the solution (``granted``); and random numbers from a tenth to ten times the right
+ones are marked (``by chance``). Prints a Markdown table and, run on the whole catalogue, writes it to
+``benchmarks/marking.md``. Nothing here is a time.
 """
 
 from __future__ import annotations
@@ -24,14 +26,17 @@ from variantgen.families.load import family_names, load_family
 from variantgen.families.restrict import restrict
 from variantgen.marking.causes import Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
-from variantgen.marking.key import is_right
+from variantgen.marking.key import is_right, scale
+from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, of_batch
 from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant
 
 HERE = Path(__file__).resolve()
+_LAST = ("rounding", "other_answer")  # where both signs of a result are other causes
 _SLIP = 1.3
+_UNITS = {(1, 0): (0.01,), (1, -1): (0.01, 3.6), (1, -2): (0.01,), (0, -1): (57.29578, 9.549297), (0, -2): (57.29578,)}
 _ALIKE = 1e-3  # relative difference of results that four digits do not tell apart
 _CHANGED = 0.05  # what follows differs at least so much from what is right
 
@@ -41,16 +46,27 @@ def written(value: float) -> float:
     return float(f"{value:.4g}")
 
 
-def planted(answer: Answer, name: str, results: OfProblem) -> Iterator[tuple[str, float]]:
+def width_of(answer: Answer) -> float:
+    """How far a number may be from the right one, in the unit of the answer."""
+    return answer.tolerance * (1.0 if answer.quantity.is_angle else abs(answer.value) / scale(answer))
+
+
+def planted(answer: Answer, name: str, results: OfProblem, siblings: Sequence[Answer]) -> Iterator[tuple[str, float]]:
     """Wrong answers by their causes, those of mistakes with the name of the mistake."""
     yield "sign", -answer.value
     if not answer.quantity.is_angle:
         yield "power_of_ten", 10.0 * answer.value
+        for factor in _UNITS.get(answer.unit.dimension, ()):
+            yield "unit", factor * answer.value
     mistakes, parts = results
     for mistake, value in mistakes[name].items():
         yield f"mistake: {mistake}", value
     for part, value in parts[name].items():
         yield f"component: {part}", value
+    for other in siblings:
+        if other.unit.dimension == answer.unit.dimension and other.quantity != answer.quantity:
+            yield "other_answer", answer.unit.from_si(other.value * other.unit.size)
+    yield "rounding", answer.value + 2.0 * width_of(answer)
 
 
 def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
@@ -68,10 +84,13 @@ def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], coun
             if not answer.value or answer.quantity.component == "sense":
                 continue
             seen: list[float] = []
-            for cause, value in planted(answer, name, results):
+            for cause, value in planted(answer, name, results, own):
                 if not np.isfinite(value) or is_right(answer, written(value)):
                     continue
-                if any(abs(value - other) <= _ALIKE * abs(value) for other in seen):
+                near = 1.1 * width_of(answer) if cause == "rounding" else _ALIKE * abs(value)
+                if any(min(abs(value - other), abs(value + other)) <= near for other in seen if cause in _LAST):
+                    continue
+                if any(abs(value - other) <= near for other in seen):
                     continue  # nobody can tell it from another mistake
                 seen.append(value)
                 found = cause_of(written(value), answer, around)
@@ -82,6 +101,36 @@ def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], coun
                 counts[f"{kind}, exactly"] += text == cause
             counts["right"] += 1
             counts["right, accused"] += not is_right(answer, written(answer.value))
+
+
+def neighboured(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
+    """Count how often the sheet of the next student, solved in place of the own one, is found."""
+    near = Neighbours(dict(enumerate(answers)))
+    for place, own in enumerate(answers):
+        other = (place + 1) % len(answers)
+        wrong = [
+            (answer, written(copied.value))
+            for answer, copied in zip(own, answers[other], strict=True)
+            if copied.value and answer.quantity.component != "sense" and not is_right(answer, written(copied.value))
+        ]
+        if len({round(abs(value), 9) for _, value in wrong}) > 1:
+            counts["neighbour"] += 1
+            counts["neighbour, named"] += near.of(place, wrong) == other
+
+
+def by_chance(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
+    """Count how many random numbers are taken for what follows from other random numbers before them."""
+    rules = FollowThrough([answer.quantity for answer in answers[0]])
+    random = np.random.Generator(np.random.Philox(1))
+    for variant, own in zip(variants, answers, strict=True):
+        values = {
+            place: value
+            for place, answer in enumerate(own)
+            for value in [written(answer.value * 10.0 ** random.uniform(-1.0, 1.0))]
+            if answer.quantity.component != "sense" and not is_right(answer, value)
+        }
+        counts["chance"] += max(len(values) - 1, 0)
+        counts["chance, granted"] += len(rules.granted(variant, own, values))
 
 
 def followed(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
@@ -102,26 +151,29 @@ def followed(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], c
                     )
 
 
-def table(families: Sequence[str], count: int) -> list[str]:
+def table(families: Sequence[str], students: int) -> list[str]:
     """The rows of the table: a form in each, the sums in the last."""
-    causes = ("sign", "power_of_ten", "component", "mistake")
+    causes = ("sign", "power_of_ten", "unit", "rounding", "component", "other_answer", "neighbour", "mistake")
     rows = [
         "| form | "
         + " | ".join(f"{cause} named, %" for cause in causes)
-        + " | mistake exactly, % | accused | granted |",
-        "|---" * (len(causes) + 4) + "|",
+        + " | mistake exactly, % | accused | granted | by chance |",
+        "|---" * (len(causes) + 5) + "|",
     ]
     total: Counter[str] = Counter()
     for name in families:
         family = load_family(name)
         for form in family.forms:
             own = restrict(family, None, None, (form,) if form else ())
+            count = -(-students // len(family.forms))
             variants = draw(own, None, [("marking", i) for i in range(count)])
             asked = read_ask(variants[0].form)
             answers = answer_variants(variants, [None] * count, [Tolerance()] * count)
             counts: Counter[str] = Counter()
             named(variants, answers, counts)
-            followed(variants[: max(1, count // 10)], answers[: max(1, count // 10)], counts)
+            neighboured(answers, counts)
+            by_chance(variants[: max(1, count // 4)], answers[: max(1, count // 4)], counts)
+            followed(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
             total.update(counts)
             rows.append(row(f"{name} {form}".strip(), counts, causes))
             assert len(asked) == len(answers[0])
@@ -139,6 +191,7 @@ def row(name: str, counts: Counter[str], causes: Sequence[str]) -> str:
                 *shares,
                 f"{counts['right, accused']} of {counts['right']}",
                 f"{counts['follow, granted']} of {counts['follow']}",
+                f"{counts['chance, granted']} of {counts['chance']}",
             ]
         )
         + " |"
@@ -153,17 +206,18 @@ def share(part: int, whole: int) -> str:
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("--variants", type=int, default=200)
+    parser.add_argument("--students", type=int, default=200, help="of each family")
     parser.add_argument("--family", nargs="*", default=[])
     arguments = parser.parse_args()
     text = "\n".join(
         [
             "# Marking",
             "",
-            f"`python -m benchmarks.marking`: {arguments.variants} variants of each form; each answer got wrong by each"
-            " cause, and gone on with after a slip in an earlier one (a tenth of the variants).",
+            f"`python -m benchmarks.marking`: {arguments.students} students of each family; each answer got wrong by"
+            " each cause that gives another number than those before it, gone on with after a slip in an earlier one"
+            " (a fifth of them); random numbers in place of all answers (a quarter of them).",
             "",
-            *table(arguments.family or family_names(), arguments.variants),
+            *table(arguments.family or family_names(), arguments.students),
         ]
     )
     print(text)

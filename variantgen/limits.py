@@ -42,4 +42,10 @@ WORKBOOK_ROWS = 200_000  # that are written down, be they empty: the reader take
 WORKSHEETS = 500  # one for each group
 ROSTER_ROWS = 1_048_576
 ROSTER_COLUMNS = 256  # those further right are not looked at: a class list has its columns at the left
+ANSWER_COLUMNS = 16_384  # of a table of answers: all that a worksheet has
 TITLE_ROWS = 20  # rows among which the header is looked for: above it may stand a title
+
+# Scans: pages of one file, bytes of it, pixels of a page (A4 at 600 dpi has 35 million).
+SCAN_PAGES = 5_000
+SCAN_BYTES = 4_000_000_000
+SCAN_PIXELS = 70_000_000

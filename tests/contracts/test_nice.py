@@ -136,7 +136,7 @@ def test_forms_that_have_none_have_none(name: str, form: str) -> None:
     drawing = FormSampler(family, nice, read_ask(nice), RejectionCounts(), name)
     size, width = 20_000, len(drawing.names) + 1
     words = Stream("none", name).words(size * width).reshape(-1, width)
-    attempts = drawing._attempts(words, np.arange(size), np.arange(size))
+    attempts = drawing.attempts(words, np.arange(size), np.arange(size))
     assert drawing.valid(attempts).owner.size == 0
     assert drawing.tally.rejected["hand-friendly answers"] > 500, "hundreds came as far as their answers"
 

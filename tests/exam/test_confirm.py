@@ -78,7 +78,8 @@ def test_a_mirrored_scene_turns_the_other_way(drawn: list[Variant]) -> None:
 
 def exam(folder: Path, depth: str) -> Path:
     path = folder / "exam.toml"
-    text = f'title = "Quiz"\nlanguage = "en"\n[solutions]\ndepth = "{depth}"\n[[problem]]\nfamily = "slider_crank"\n'
+    head = 'title = "Quiz"\nlanguage = "en"\nfair = false\n'  # a band would be looked for with the wrong formula, too
+    text = f'{head}[solutions]\ndepth = "{depth}"\n[[problem]]\nfamily = "slider_crank"\n'
     path.write_text(text, encoding="utf-8")
     return path
 

@@ -149,3 +149,25 @@ def test_a_problem_has_its_own_unit(tmp_path: Path) -> None:
     assert [task.families[0].length_unit for task in exam.tasks] == ["in", "mm"]
     parameters = [next(iter(task.families[0].forms.values())).parameters["OA"] for task in exam.tasks]
     assert [parameter.printed for parameter in parameters] == [(10,), (300,)]
+
+
+def test_a_family_offers_units_of_its_own(tmp_path: Path) -> None:
+    text = 'units = ["m", "in"]\nlength_unit = "m"\ntitle = { en = "Crank" }\nask = ["v_A"]\n'
+    text += 'drivers = [{ rotation = { body = "OA", omega = "omega_OA" } }]\njoints = [{ pivot = { point = "O" } }]\n'
+    text += "points.O = { coordinates = { x = 0, y = 0 } }\n"
+    text += 'points.A = { polar = { origin = "O", distance = "OA", angle = 30 } }\nbodies.OA = ["O", "A"]\n'
+    text += 'parameters.OA = { unit = "m", values = [0.5] }\nparameters.omega_OA = { unit = "rad/s", values = [2] }\n'
+    folder = tmp_path / "crank"
+    folder.mkdir()
+    (folder / "family.toml").write_text(text, "utf-8")
+    for language in ("en", "ru"):
+        (folder / f"statement.{language}.j2").write_text("OA", "utf-8")
+    (folder / "cases.toml").write_text("", "utf-8")
+    family = load_family(folder)
+    found = restrict(family, units="in").forms[""].parameters["OA"]
+    assert (found.unit, found.printed) == (UNITS["in"], (Decimal(25),))  # 39.4 in are nearest to 50, of 20 and 50
+    with pytest.raises(InputError, match="crank offers m, in"):
+        restrict(family, units="ft")
+    (folder / "family.toml").write_text(text.replace('["m", "in"]', '["cm", "in"]'), "utf-8")
+    with pytest.raises(InputError, match='add "m"'):
+        load_family(folder)

@@ -32,7 +32,7 @@ points = 6
 [[problem]]
 families = ["spool", "rolling_wheel"]
 """
-STUDENTS = 18
+STUDENTS = 8
 KEYS = {
     "key.csv", "key.pdf", "manifest.json", "html/key.html", "key.xlsx", "grading.xlsx", "moodle.xml",
 }  # fmt: skip

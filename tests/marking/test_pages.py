@@ -15,7 +15,7 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
 from variantgen.marking.causes import Cause
-from variantgen.marking.class_statistics import class_facts
+from variantgen.marking.class_statistics import Advice, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 
 __all__ = ["built", "mark"]
@@ -53,8 +53,20 @@ def test_forms_that_are_not_equally_hard() -> None:
     """Six of six right against none of six: of the 924 ways to choose six of twelve two give as much."""
     facts = class_facts(marked([(1, 0, "a")] * 6 + [(0, 0, "b")] * 6))
     assert facts.equal_forms[1] == pytest.approx(2 / 924, abs=0.002)
+    (uneven,) = facts.uneven
+    assert (uneven.number, uneven.forms, uneven.right) == (1, ("a", "b"), ((6, 0), (0, 6)))
+    assert uneven.probability == pytest.approx(2 / 924)
+    sign = Cause("sign")
+    assert facts.advice == (
+        Advice("teach", 1, "v_B", sign),
+        Advice("strike", 2, "v_B"),
+        Advice("teach", 2, "v_B", sign),
+    )
     same = class_facts(marked([(1, 0, "a"), (0, 0, "a"), (1, 0, "b"), (0, 0, "b")] * 3))
     assert same.equal_forms[1] == 1.0
+    assert same.uneven == ()
+    mirrored = class_facts(marked([(1, 0, "a")] * 6 + [(0, 0, "a")] * 6), {(place, 1) for place in range(6)})
+    assert mirrored.mirrored[1] == pytest.approx(2 / 924, abs=0.002)
 
 
 def test_who_handed_in_nothing_does_not_count() -> None:
@@ -83,6 +95,25 @@ def test_the_pages(built: Path, mark: Mark, tmp_path: Path) -> None:
         "script" not in page and "http" not in re.sub(r"http-equiv|http://www.w3.org\S*", "", page)
         for page in pages.values()
     )
+
+
+def test_the_steps_of_the_solution_that_are_needed(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Of two wrong answers the steps in which they are found are shown, with their values; right ones need none."""
+    right = key(built)
+    first, second, _ = order(built)
+    answers = [
+        (first, "1.omega_AB", "77"),
+        (first, "1.a_B", "0.77"),
+        (second, "1.v_B", f"{right[second, '1.v_B']:.5g}"),
+    ]
+    _, marks, _, _ = mark(long(tmp_path, answers), options=["--steps"])
+    code = {row["id"]: row["code"] for row in marks}
+    page = (tmp_path / "marks" / "feedback" / f"{code[first]}.html").read_text("utf-8")
+    steps = page.split("Worked solution, step ")[1:]
+    assert [step.partition(".")[0] for step in steps] == ["2", "3"]
+    for step, name in zip(steps, ("omega_AB", "a_B"), strict=True):
+        assert f"<mn>{abs(right[first, f'1.{name}']):#.4g}</mn>" in step
+    assert "Worked solution" not in (tmp_path / "marks" / "feedback" / f"{code[second]}.html").read_text("utf-8")
 
 
 def test_anonymous_pages(built: Path, mark: Mark, tmp_path: Path) -> None:

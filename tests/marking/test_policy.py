@@ -11,6 +11,7 @@ import pytest
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import CAUSES, read_policy, rounded
+from variantgen.marking.typed_number import read_number
 from variantgen.outputs.formats import parse_exam
 from variantgen.tables import Table, parse_toml
 
@@ -50,3 +51,13 @@ def test_the_table_of_an_exam_file(tmp_path: Path) -> None:
     assert exam.marking.is_struck(1, "v_B")
     with pytest.raises(InputError, match=r"marking.struck: the problem asks for no such quantity"):
         parse_exam(text + '[marking]\nstruck = ["1.a_B"]\n', tmp_path / "exam.toml", ())
+
+
+def test_every_spelling_of_the_docs_is_read() -> None:
+    table = PAGE.read_text("utf-8").split("**Answers as typed.**")[1].split("\n\n")[1]
+    rows = [re.findall(r"`([^`]+)`", row) for row in table.splitlines()[2:]]
+    *numbers, signs, units = rows
+    assert all(read_number(text) for row in numbers for text in row)
+    assert read_number(signs[0])
+    found = {text: read_number(f"3 {text}") for text in units}
+    assert all(number is not None and number.unit is not None for number in found.values()), found

@@ -20,11 +20,11 @@ def damage_formulas(monkeypatch: pytest.MonkeyPatch, symbol: str, damage: Damage
     """
     right, found = Book.derive, []
 
-    def derive(book: Book, name: Name, measure: str, expression: Expression) -> Value:
+    def derive(book: Book, name: Name, measure: str, expression: Expression, law: Expression | None = None) -> Value:
         parts = f"{name.kind} {name.part}".strip()
         if symbol not in (parts, f"{parts} {name.of} {name.about}".strip()):
-            return right(book, name, measure, expression)
-        value = right(book, name, measure, damage(expression))
+            return right(book, name, measure, expression, law)
+        value = right(book, name, measure, damage(expression), law)
         found.append(value)
         return value
 

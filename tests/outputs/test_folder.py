@@ -22,8 +22,6 @@ language = "en"
 depth = "none"
 [[problem]]
 family = "spool"
-[[problem]]
-family = "four_bar"
 """
 
 

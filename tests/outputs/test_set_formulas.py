@@ -35,7 +35,7 @@ PAGES = """#import "common.typ": *
 #show: document-style.with("ru")
 #set page(width: 200pt, height: 60pt, margin: 9pt)
 #for made in (equation, formula) {
-  for markup in json(bytes(sys.inputs.data)) { page(box(made(markup)) + [.]) }
+  for markup in json(sys.inputs.data) { page(box(made(markup)) + [.]) }
 }
 """
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"
@@ -57,8 +57,11 @@ def glyphs(node: ET.Element, shift: complex = 0j) -> list[Glyph]:
 def pages() -> list[list[Glyph]]:
     import typst
 
-    inputs = {"form": "svg", "data": json.dumps(MARKUP), "set-formulas": json.dumps(set_formulas(MARKUP))}
+    known = {"data": MARKUP, "set-formulas": set_formulas(MARKUP)}
+    inputs = {"form": "svg", **{name: f"{name}.json" for name in known}}
     with typesetter() as engine:
+        for name, found in known.items():
+            (engine.root / inputs[name]).write_text(json.dumps(found), "utf-8")
         source = engine.root / "pages.typ"
         source.write_text(PAGES, "utf-8")
         made = typst.compile(source, root=engine.root, format="svg", ignore_system_fonts=True, sys_inputs=inputs)

@@ -102,3 +102,11 @@ def test_plurals(points: int, english: str, russian: str) -> None:
 )  # fmt: skip
 def test_symbols(name: str, typst: str) -> None:
     assert to_typst(EN.symbol(name, {"wheel": ""})) == typst
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [("1.666666666667", "5/3"), ("-2.166666666667", "−13/6"), ("0.25", "0,25"), ("0.123456789012", "0,123456789012")],
+)
+def test_a_quotient_that_does_not_come_out_is_printed_as_a_fraction(value: str, written: str) -> None:
+    assert load_language("ru").decimal(Decimal(value)).text == written

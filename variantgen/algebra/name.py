@@ -33,7 +33,10 @@ class Name(NamedTuple):
     derivatives by time. A rate with the ``part`` ``z`` counts as positive counter-clockwise. ``cosine`` is that of the
     angle between the vector ``body`` (``v``, ``a``) of a point and the axis ``part``. ``curvature`` is the radius of
     curvature of the path of a point, ``ratio`` that of the angular velocities of the bodies ``of`` and ``about``,
-    ``rope`` the speed of a rope between two stations. An
+    ``rope`` the speed of a rope between two stations.
+    ``turn`` is a quantity of a whole turn of the crank, by its name; ``limit`` the distance of a point from the pivot
+    of the crank in the limit position ``about``, ``limit_corner`` a corner at ``body`` there, ``turn_between`` what the
+    crank turns between them beyond half a turn. An
     ``x`` or ``y`` with a ``body`` is that of its centre ``of`` (P, Q).
     """
 

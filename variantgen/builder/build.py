@@ -17,8 +17,9 @@ from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import PoolWorkers, Workers, local_workers
 from variantgen.errors import InputError
-from variantgen.exam.allocation import HandedOutSheet
+from variantgen.exam.allocation import HandedOutSheet, ProblemSampler
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.fairness import shortages, uneven_pools
 from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
@@ -186,5 +187,8 @@ def _put_together(
     for name in exam.formats:
         format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes, pages))
     redrawn, alike, cut = parts.drawn_marks()
-    write_records(folder, exam, spec.made_with, redrawn, pages, pieces[RECORDS])
+    bands = ProblemSampler(exam).bands()
+    recorded = [{"problem": n, "family": family, "form": form, **b.record()} for (n, family, form), b in bands.items()]
+    notes += [*shortages(bands), *uneven_pools(bands)]
+    write_records(folder, exam, spec.made_with, redrawn, pages, pieces[RECORDS], recorded)
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -49,6 +49,7 @@ def draw_all(
     if parts.has_drawn_all([(start, problem) for start, problem, _ in requests.batches()]):
         return
     check_room([drawer.drawing(request) for request in requests])
+    drawer.bands()  # before there are processes: these begin with what is known in this one
     first, cut = _first(drawer, requests, spec, parts, workers, progress)
 
     def more(owners: Sequence[int], used: Sequence[int]) -> Traits:

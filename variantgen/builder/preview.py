@@ -20,9 +20,9 @@ def one_sheet(exam: Exam, students: Sequence[Student], place: int = 0) -> Sheet:
     Nobody has the variant of another: all are drawn for it. Raises InputError where a problem leaves too few variants,
     VerificationError where two computations of one disagree.
     """
-    drawer = ProblemSampler(exam)
     requests = [DrawRequest(student, problem) for student in students for problem in range(len(exam.tasks))]
     try:
+        drawer = ProblemSampler(exam)
         check_room([drawer.drawing(request) for request in requests])
         first = drawer.traits(requests, drawer.variants(requests))
 

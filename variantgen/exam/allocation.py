@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.fairness import ANY_WIDTH, Band, FairDraws, with_work
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, answers_of, solve_all
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import read_ask
 from variantgen.methods.hand.confirmation import UnconfirmedError
+from variantgen.methods.hand.work import Work
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.distinct import DistinctDraws, More, TooFewError, assign_distinct
 from variantgen.variants.draw import FamilySampler, next_draws, too_few
@@ -46,19 +48,38 @@ class ProblemSampler:
         self.exam = exam
         self._tolerances = [exam.tolerance_of(task) for task in exam.tasks]
         self._margins = {tolerance: AnswerTolerances(tolerance) for tolerance in self._tolerances}
-        self._drawings = [
-            [
-                FamilySampler(f, task.ask, where=f"problem[{task.number}]", screening=self._margins[own])
-                for f in task.families
-            ]
+        self._fair = [
+            None
+            if exam.fair is None and task.work is None
+            else FairDraws(ANY_WIDTH if exam.fair is None else exam.fair, self._margins[own], task.work)
             for task, own in zip(exam.tasks, self._tolerances, strict=True)
         ]
+        self._drawings = [
+            [
+                FamilySampler(f, task.ask, where=f"problem[{task.number}]", screening=fair or self._margins[own])
+                for f in task.families
+            ]
+            for task, own, fair in zip(exam.tasks, self._tolerances, self._fair, strict=True)
+        ]
+        for place, (task, fair) in enumerate(zip(exam.tasks, self._fair, strict=True)):
+            if fair is not None and task.work is not None:
+                self._drawings[place] = with_work(self._drawings[place], fair, f"problem[{task.number}]", task.work)
+
+    def bands(self) -> dict[tuple[int, str, str], Band]:
+        """The bands of work by problem, family and form; none where the exam wants no fair variants."""
+        return {
+            (task.number, drawing.family.name, form.name): fair.band(drawing.family, form, drawing.examined[form.name])
+            for task, fair, drawings in zip(self.exam.tasks, self._fair, self._drawings, strict=True)
+            if fair is not None
+            for drawing in drawings
+            for form in drawing.forms
+        }
 
     def drawing(self, request: DrawRequest) -> FamilySampler:
         """From what a problem is drawn: one of the families of its task."""
-        task = self.exam.tasks[request.place]
+        task, drawings = self.exam.tasks[request.place], self._drawings[request.place]
         number = int.from_bytes(digest("pool", self.exam.seed, request.student.id, task.number), "big")
-        return self._drawings[request.place][number % len(task.families)]
+        return drawings[number % len(drawings)]
 
     def priority(self, request: DrawRequest) -> bytes:
         """Who keeps a variant that two would get: the smaller one."""
@@ -109,13 +130,22 @@ class ProblemSampler:
             request = next(request for request, own in zip(requests, variants, strict=True) if own is error.variant)
             key = ", ".join(map(str, self._key(request)))
             raise VerificationError(f"{error} (seed, student, problem: {key})") from error
+        works = [self._work(request, variant) for request, variant in zip(requests, variants, strict=True)]
         self.forget()
-        return [Item(*found) for found in zip(tasks, variants, answers, strict=True)]
+        return [Item(*found) for found in zip(tasks, variants, answers, works, strict=True)]
+
+    def _work(self, request: DrawRequest, variant: Variant) -> Work | None:
+        """The work of a variant, where the exam wants fair ones."""
+        fair = self._fair[request.place]
+        return fair.work(variant, self.drawing(request).examined[variant.form.name]) if fair else None
 
     def forget(self) -> None:
         """Forget what is known of variants that were drawn."""
         for answer_tolerances in self._margins.values():
             answer_tolerances.forget()
+        for fair in self._fair:
+            if fair is not None:
+                fair.forget()
 
     def traits(self, requests: Sequence[DrawRequest], variants: Sequence[Variant]) -> Traits:
         """The traits of drawn variants, by which equal and nearly equal ones are found."""

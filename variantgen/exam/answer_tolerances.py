@@ -106,9 +106,11 @@ class AnswerTolerances:
             # Steps of another variant may be a poor way for this one: its screens knew other answers, or none.
             for column in np.flatnonzero(np.any(table > variants[0].form.screens.ceiling, axis=0)).tolist():
                 i = new[column]
-                own = _calculation(variants[i], asked).own_errors(variants[i], motion, places[i])
-                by_own = _relative(own[:, None], [variants[i]], asked, motion, [places[i]])
-                table[:, column] = np.minimum(table[:, column], by_own[:, 0])
+                steps = [quantity for quantity in asked if not quantity.is_extreme]
+                rows = [not quantity.is_extreme for quantity in asked]
+                own = _calculation(variants[i], steps).own_errors(variants[i], motion, places[i])
+                by_own = _relative(own[:, None], [variants[i]], steps, motion, [places[i]])
+                table[rows, column] = np.minimum(table[rows, column], by_own[:, 0])
             self._errors.update((keys[i], column) for i, column in zip(new, table.T, strict=True))
         return _at_least(np.stack([self._errors[key] for key in keys], axis=1), self.tolerance.floor)
 
@@ -126,15 +128,19 @@ def _at_least(errors: Array, floor: float) -> Array:
 
 def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]) -> Array:
     """The relative errors of the answers (of an angle in radians) by a hand calculation, shape (answers, N)."""
-    table = _relative(
-        _calculation(variants[0], asked).errors(variants, motion, places), variants, asked, motion, places
-    )
-    if np.any(~np.isfinite(table)):
-        sensitivities = _sensitivity(variants, asked, motion.take(np.array(places, dtype=int)))
-        by_data = np.where(
-            np.isfinite(sensitivities), _OF_DATA * sensitivities, 0.0
-        )  # no number where a change of data leads nowhere
-        table = np.where(np.isfinite(table), table, by_data)
+    table = np.full((len(asked), len(variants)), np.nan)
+    calculated = [not quantity.is_extreme for quantity in asked]
+    steps = [quantity for quantity in asked if not quantity.is_extreme]
+    if steps:
+        errors = _calculation(variants[0], steps).errors(variants, motion, places)
+        table[calculated] = _relative(errors, variants, steps, motion, places)
+    for own in (steps, [quantity for quantity in asked if quantity.is_extreme]):
+        rows = np.array([quantity in own for quantity in asked])
+        if np.any(~np.isfinite(table[rows])):
+            found = _sensitivity(variants, own, motion.take(np.array(places, dtype=int)))
+            # no number where a change of data leads nowhere
+            by_data = np.where(np.isfinite(found), _OF_DATA * found, 0.0)
+            table[rows] = np.where(np.isfinite(table[rows]), table[rows], by_data)
     return table
 
 

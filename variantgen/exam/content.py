@@ -122,11 +122,13 @@ def with_figures(
     ``place`` is the motion of the variant and its index in that batch, ``known`` the problem as it was posed in the
     same language.
     """
-    from variantgen.exam.solution_figures import SolutionFigures, view_order
+    from variantgen.exam.solution_figures import CURVE, SolutionFigures, view_order
 
     problem_text = known.statement if known else statement(variant, asked, language)
-    figures = SolutionFigures(variant, asked, language, place, known.figure if known else None, text)
-    figures.draw(view_order(text))
+    sketch = variant.form.figure.sketch
+    drawn = known.figure if known and not sketch else None  # a sheet has an empty grid below its figure
+    figures = SolutionFigures(variant, asked, language, place, drawn, text)
+    figures.draw([*view_order(text), *(f"{CURVE}:{name}" for name in sketch)])
     return SolvedProblem(variant, problem_text, text, figures.rows(), figures.numbers, explained)
 
 

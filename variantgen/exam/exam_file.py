@@ -11,19 +11,24 @@ from typing import Any, cast
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
+from variantgen.exam.answer_page import read_answers_options
 from variantgen.exam.asked import check_forms, read_asked
+from variantgen.exam.composed import read_composed
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.student_order import NAME, SORTS
 from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
+from variantgen.exam.wanted_work import WIDTH, Span, read_fair, read_work
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
 from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
+from variantgen.families.rate_graphs import with_graph
 from variantgen.families.restrict import restrict
+from variantgen.families.sketches import with_sketch
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
@@ -39,7 +44,7 @@ class ExamProblem:
     """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
 
     ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
-    variants. ``tolerance`` is that of the problem, if it has one of its own.
+    variants. ``tolerance`` is that of the problem, if it has one of its own, ``work`` bounds its calculations.
     """
 
     number: int
@@ -49,6 +54,7 @@ class ExamProblem:
     methods: tuple[str, ...] = ()
     nice: bool = False
     tolerance: Tolerance | None = None
+    work: Span | None = None
 
 
 @dataclass(frozen=True)
@@ -59,7 +65,8 @@ class Exam:
     problems stand in another order where that saves a page.
     ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
     to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each, ``marking`` says what answers are worth.
+    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
+    that are read from a scan; ``fair`` is the relative width of the band of work, None where there is none.
     """
 
     title: str
@@ -81,6 +88,8 @@ class Exam:
     sort: str = NAME
     notices: Notices = Notices()
     marking: MarkingPolicy = MarkingPolicy()
+    fair: float | None = WIDTH
+    scan: bool = False
 
     @property
     def build_id(self) -> str:
@@ -175,6 +184,8 @@ def parse_exam(
         options=_options(top, formats, readers),
         notices=read_notices(top, language),
         tasks=tasks,
+        fair=read_fair(top),
+        scan=read_answers_options(top.table("answers")),
         marking=read_policy(top.table("marking"), {task.number: _asked(task) for task in tasks}),
     )
     page.finish()
@@ -250,7 +261,9 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     if len(table.problems) > before:
         return None
     names = table.strings("families")
-    if "family" in table.data:
+    if "compose" in table.data and not names and "family" not in table.data:
+        names = read_composed(table.table("compose"), folders)
+    elif "family" in table.data:
         if names:
             table.problem("both family and families are given", "families", ", ".join(names), "keep one of them")
         names = (table.take("family", str, ""),)
@@ -259,7 +272,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("families")
+    table.expect("families", "compose")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
     tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None
@@ -273,14 +286,17 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
             (table.take("method", str, ""),) if isinstance(table.data.get("method"), str) else table.strings("method")
         )
     units = _units(table) or units
+    work = read_work(table)
+    sketch, graph = table.strings("sketch"), table.take("graph", bool, False)
     table.finish()
     families = []
     for name in names:
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
+            family = with_sketch(with_graph(family) if graph else family, sketch)
             families.append(family)
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
-    return ExamProblem(number, tuple(families), ask, points or None, methods, nice, tolerance)
+    return ExamProblem(number, tuple(families), ask, points or None, methods, nice, tolerance, work)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from decimal import Decimal
 from importlib.metadata import version
 from pathlib import Path
@@ -17,6 +17,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import is_code
 from variantgen.exam.tolerance import LARGEST, Tolerance
 from variantgen.families.files import family_hash
+from variantgen.methods.hand.work import Work
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table, read_limited
 from variantgen.version import VERSION
@@ -53,6 +54,7 @@ class RecordedProblem:
     quarter_turns: int
     attempt: int
     answers: tuple[RecordedAnswer, ...]
+    work: Work | None = None
 
     @property
     def problem_type(self) -> str:
@@ -75,7 +77,8 @@ class Manifest:
 
     ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been
     changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
-    of students who drew again, ``pages`` how many students have so many pages, by document.
+    of students who drew again, ``pages`` how many students have so many pages, by document,
+    ``bands`` how much work variants of each form may take.
     """
 
     path: Path
@@ -92,6 +95,7 @@ class Manifest:
     floors: Mapping[int | None, float] = field(default_factory=dict)
     redrawn: tuple[str, ...] = ()
     pages: Mapping[str, Mapping[int, int]] = field(default_factory=dict)
+    bands: tuple[Mapping[str, Any], ...] = ()
 
     def differences(self, exam: Exam) -> list[str]:
         """The versions and files that differ from those the exam was made with, in words."""
@@ -162,6 +166,7 @@ def _manifest(top: Table, path: Path) -> Manifest:
         _floors(exam.table("problem_tolerances")),
         top.strings("redrawn"),
         _pages(top.table("pages")),
+        tuple(_band(table) for table in top.tables("bands")),
     )
 
 
@@ -184,6 +189,27 @@ def _pages(table: Table) -> dict[str, dict[int, int]]:
         for document in table.data
         for own in (table.table(document),)
     }
+
+
+def _band(table: Table) -> dict[str, Any]:
+    """The band of a form as it is recorded: whole numbers, spans of them, names."""
+    for name, value in table.data.items():
+        if not (value is None or isinstance(value, str | int) or _is_span(value)):
+            table.problem("expected a whole number, two of them, or a name", name, value)
+    return dict(table.data)
+
+
+def _is_span(value: object) -> bool:
+    return isinstance(value, list) and len(value) == 2 and all(type(number) is int for number in value)
+
+
+def _work(table: Table) -> Work | None:
+    """The work of a variant; None where it is not recorded."""
+    if not table.data:
+        return None
+    found = Work(*(table.need(part.name, int, 0) for part in fields(Work)))
+    table.finish()
+    return found
 
 
 def _floors(table: Table) -> dict[int | None, float]:
@@ -237,6 +263,7 @@ def _problem(table: Table) -> RecordedProblem:
         turns,
         table.need("attempt", int, 1),
         tuple(_answer(answer) for answer in table.tables("answers")),
+        _work(table.table("work")),
     )
     table.expect("nice", "methods")
     table.finish()

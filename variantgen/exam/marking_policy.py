@@ -54,6 +54,18 @@ class MarkingPolicy:
         """Whether an answer does not count."""
         return str(problem) in self.struck or f"{problem}.{quantity}" in self.struck
 
+    def entries(self) -> list[tuple[str, Decimal | str]]:
+        """What the policy says, by the names of its file: ``shares.sign``."""
+        found: list[tuple[str, Decimal | str]] = [("tolerance", self.tolerance)]
+        found += [(f"points.{number}", points) for number, points in sorted(self.points.items())]
+        found += [(f"shares.{cause}", self.shares[cause]) for cause in CAUSES if cause in self.shares]
+        found.append(("follow_through", self.follow_through))
+        found += [
+            (name, ", ".join(sorted(own))) for name, own in (("struck", self.struck), ("bonus", self.bonus)) if own
+        ]
+        found += [("rounding.problem", self.problem_step), ("rounding.total", self.total_step)]
+        return [*found, *((f"grades.{name}", least) for name, least in self.grades)]
+
     def grade(self, points: Fraction, most: Fraction) -> str:
         """The grade of a sum of points; '' where there is no scale or nothing to reach."""
         if not most:

@@ -5,14 +5,15 @@ packed: tasks and families are named by their places, forms by their names, and 
 has. Numbers come back to the last bit: printed values are texts, others are written as Python writes them (the
 shortest that is read as the same).
 
-A problem is ``[task, family, form, printed values, sense, turns, attempt, answers]``, an answer ``[quantity, value,
-tolerance, margin, surd, unnoticed]``.
+A problem is ``[task, family, form, printed values, sense, turns, attempt, answers, work]``, an answer
+``[quantity, value, tolerance, margin, surd, unnoticed]``.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import astuple
 from decimal import Decimal
 from math import isfinite
 from typing import Any
@@ -22,6 +23,7 @@ from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.units import Unit
+from variantgen.methods.hand.work import Work
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Surd
 
@@ -54,6 +56,7 @@ def _packed(item: Item, places: Mapping[int, tuple[int, int]]) -> list[Any]:
             [a.quantity.written, a.value, a.tolerance, a.relative_tolerance, a.surd and _numbers(a.surd), a.unnoticed]
             for a in item.answers
         ],
+        item.work and astuple(item.work),
     ]
 
 
@@ -82,6 +85,7 @@ def _item(
     turns: int,
     attempt: int,
     answers: Sequence[Sequence[Any]],
+    work: Sequence[int] | None,
 ) -> Item:
     """A problem. Raises one of the errors that :func:`unpack` expects if there cannot be such a one."""
     family = exam.tasks[place[0]].families[place[1]]
@@ -91,8 +95,11 @@ def _item(
     values = {parameter: Decimal(text) for parameter, text in printed.items()}
     if not (all(value.is_finite() for value in values.values()) and _are(int, (sense, turns, attempt))):
         raise ValueError(name)
+    if not _are(int, work or ()):
+        raise ValueError(name)
     variant = Variant(family, form, values, sense, turns, attempt)
-    return Item(exam.tasks[task], variant, tuple(_answer(family.length_unit, *answer) for answer in answers))
+    found = tuple(_answer(family.length_unit, *answer) for answer in answers)
+    return Item(exam.tasks[task], variant, found, Work(*work) if work else None)
 
 
 def _answer(

@@ -18,6 +18,7 @@ from variantgen.families.units import Unit
 from variantgen.mechanism.closed_form import square_fractions
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.methods.hand.confirmation import confirm_answers
+from variantgen.methods.hand.work import Work
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Surd
@@ -68,11 +69,12 @@ class Answer:
 
 @dataclass(frozen=True)
 class Item:
-    """One problem of one student."""
+    """One problem of one student; ``work`` is that of its variant, where the exam wants fair ones."""
 
     task: ExamProblem
     variant: Variant
     answers: tuple[Answer, ...]
+    work: Work | None = None
 
     @property
     def asked(self) -> list[Quantity]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from variantgen.errors import InputError
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.faults import figure_faults, vector_faults
+from variantgen.figure.graph import solved_grid
 from variantgen.figure.lettering import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
@@ -25,6 +27,8 @@ from variantgen.wording.text import Text
 from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
+CURVE = "curve"  # of a quantity that is to be sketched
+LEAST_INDEX = 7.0  # size of the indices of figures, pt
 _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others at least, so that an index
 # has 7 pt, and at most, so that no letter is much larger than the text.
@@ -77,6 +81,7 @@ class SolutionFigures:
         self._geometry = text.geometry if text else {}
         self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
+        self._subject = FigureSubject(variant, *place, self._shown, language, true_scale=self._true_scale)
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
@@ -96,12 +101,14 @@ class SolutionFigures:
     def figure(self, name: str) -> Drawing:
         """One figure by its name. Raises InputError where there is nothing to draw."""
         if name == STATEMENT:
-            return statement_figure(self.variant, *self._place, self.asked, self.language)
+            return statement_figure(self.variant, *self._place, self.asked, self.language, grids=False)
         kind, _, which = name.partition(":")
         drawn: Drawing
-        if which:
+        if kind == CURVE:
+            drawn = solved_grid(self.variant, which, self.language)
+        elif which:
             marked = self._geometry.get(name, NOTHING_MARKED)
-            subject = FigureSubject(self.variant, *self._place, self._shown, self.language, marked, self._true_scale)
+            subject = replace(self._subject, geometry=marked, unmarked=self._subject)
             drawn = view(kind).draw(subject, self._vectors, which)
         else:
             scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}
@@ -139,9 +146,11 @@ class SolutionFigures:
         return tuple(found)
 
     def _fact(self, part: Letter | SentenceField, kind: str, which: str) -> Sequence[str | Formula]:
-        """The point that the equation of a figure is about, or its body."""
+        """The point that the equation of a figure is about, its body, or the quantity of a curve."""
         if isinstance(part, Letter):
             return (Symbol(part.name),)
+        if kind == CURVE:
+            return (self.language.quantity(split_name(which), self.variant.form.symbols),)
         if part.name == "point":
             return (Symbol(self._vectors[view(kind).ORDER - 1].equations[int(which) - 1].point),)
         symbols = Symbols(self.variant.form, self.language, load_phrases(self.language.name), {})
@@ -168,3 +177,17 @@ class SolutionFigures:
             return _PLAN_UNIT
         drawing = self._drawn[name]
         return round(max(_UNIT, min(_LARGEST, _WIDE / drawing.width, _HIGH / drawing.height)), 3)
+
+
+def solution_figure_faults(
+    variant: Variant, motion: Motion, asked: Sequence[Quantity], language: Language, text: SolutionText
+) -> Iterator[str]:
+    """What is wrong with the figures of a solution but that of the statement, in words."""
+    figures = SolutionFigures(variant, asked, language, (motion, 0), None, text)
+    figures.draw(view_order(text))
+    for figure in (figure for row in figures.rows() for figure in row if figure.name != STATEMENT):
+        faults = [*figure_faults(figure.drawing), *vector_faults(figure.drawing)]
+        # A plan is as large as its scale says.
+        if figure.index_size < LEAST_INDEX and not figure.name.endswith("_plan"):
+            faults.append(f"its indices have {figure.index_size:.1f} pt, fewer than {LEAST_INDEX:g}")
+        yield from (f"the figure {figure.name} of the solution ({language.name}): {fault}" for fault in faults)

@@ -116,7 +116,7 @@ class Form:
         if not self.may_ask or any(fnmatchcase(quantity.name, pattern) for pattern in self.may_ask):
             return True
         sources = quantity.sources(self.sample)
-        return bool(sources) and all(self._is_determined(source) for source in sources)
+        return bool(sources) and not quantity.is_of_turn and all(self._is_determined(source) for source in sources)
 
     def _is_determined(self, plain: Quantity) -> bool:
         """Whether a plain quantity is given, or ``may_ask`` allows it or another component of it."""
@@ -164,7 +164,8 @@ class Family:
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
     ``names`` are the names of points, bodies and printed parameters of all its forms, which its templates may use;
-    they stay when the family is narrowed to some forms. ``solution`` are the methods natural to it, in order.
+    they stay when the family is narrowed to some forms. ``solution`` are the methods natural to it, in order,
+    ``units`` the units of length that it offers, if it names them; else it can be given in any.
     """
 
     name: str
@@ -175,6 +176,7 @@ class Family:
     source: str = ""
     names: frozenset[str] = frozenset()
     solution: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"<Family {self.name}: {', '.join(map(repr, self.forms.values()))}>"

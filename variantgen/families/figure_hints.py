@@ -61,7 +61,8 @@ class FigureHints:
     hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
     on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
     text speaks of; ``found``: angles by their three points that the sheet tells because the position follows from a
-    system of equations only.
+    system of equations only; ``sketch``: quantities whose curves over a turn of the crank are to be drawn in a grid;
+    ``graph``: the parameters of a rate and its acceleration that a graph over time tells in place of numbers.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -79,3 +80,5 @@ class FigureHints:
     stems: tuple[str, ...] = ()
     right_angles: tuple[RightAngle, ...] = ()
     found: tuple[tuple[str, ...], ...] = ()
+    sketch: tuple[str, ...] = ()
+    graph: tuple[str, ...] = ()

@@ -106,6 +106,7 @@ def read_figure(
     lines, thin, grooves, walls, found = (
         _paths(table, key, points) for key in ("lines", "thin", "grooves", "walls", "found")
     )
+    sketch = table.strings("sketch")
     for i, names in enumerate(found, start=1):
         if len(names) != 3 or len(set(names)) != 3:
             table.problem("expected three points, the corner in the middle", f"found[{i}]", ", ".join(names))
@@ -126,6 +127,7 @@ def read_figure(
         stems,
         tuple(right_angles),
         found,
+        sketch,
     )
 
 

@@ -35,11 +35,14 @@ def check_length_unit(name: str, key: str) -> str:
 def in_unit(family: Family, length: str) -> Family:
     """The family with all lengths, velocities and accelerations in a unit of length and those made of it.
 
-    Raises InputError for a scene file, whose numbers are what they are.
+    Raises InputError for a scene file, whose numbers are what they are, and for a unit that the family does not offer.
     """
     if family.folder is None:
         remedy = f'write length_unit = "{length}" and the numbers with their units in the file'
         raise InputError(Problem("a scene has the units of its file", key="units", value=length, remedy=remedy))
+    if family.units and length not in family.units:
+        remedy = f"{family.name} offers " + ", ".join(family.units)
+        raise InputError(Problem("the family is not given in this unit", key="units", value=length, remedy=remedy))
     forms = {name: _form(form, length) for name, form in family.forms.items()}
     return replace(family, length_unit=length, forms=forms)
 

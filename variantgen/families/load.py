@@ -14,8 +14,10 @@ from variantgen.families.drawn_bodies import with_drawn_bodies
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
 from variantgen.families.form_reader import SECTIONS, FormReader
+from variantgen.families.length_units import check_length_unit
 from variantgen.families.method_names import check_methods
 from variantgen.families.repeated import reported_once
+from variantgen.families.sketches import check_sketch
 from variantgen.families.units import unit
 from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
@@ -101,6 +103,12 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     with top.collecting("length_unit"):
         if unit(length, "").measures != "length":
             raise InputError(Problem("expected a unit of length", value=length, remedy="m, cm or mm"))
+    units = top.strings("units")
+    for number, name in enumerate(units, start=1):
+        with top.collecting(f"units[{number}]"):
+            check_length_unit(name, "")
+    if units and length not in units:
+        top.problem("names other units than that of its numbers", "units", ", ".join(units), f'add "{length}"')
     ask, may_ask = top.strings("ask"), top.strings("may_ask")
     source = top.take("source", str, "")
     solution = top.strings("solution")
@@ -121,6 +129,9 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         if form is not None:
             forms[name] = form
     _check_symbols(forms, problems)
+    for form in forms.values() if not problems else ():
+        with top.collecting(""):
+            check_sketch(form, form.figure.sketch, "figure.sketch")
     if problems:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY
@@ -139,6 +150,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
             for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
         ),
         solution,
+        units,
     )
 
 

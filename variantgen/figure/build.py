@@ -16,6 +16,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
+from variantgen.figure.graph import with_graphs
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.placement.label_requests import around
@@ -37,15 +38,18 @@ def _symbol_module(stem: str) -> ModuleType:
 
 
 def statement_figure(
-    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, grids: bool = True
 ) -> Drawing:
     """The drawing of one variant; ``index`` is its place in the batch ``motion`` (positions are enough).
+
+    Below it are the graph of a given rate, and the empty ``grids`` of the curves that are to be sketched.
 
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    return replace(finished(board), tell=partial(_alt_text, board, asked), language=language.name)
+    figure = replace(finished(board), tell=partial(_alt_text, board, asked), language=language.name)
+    return with_graphs(figure, variant, language, grids)
 
 
 def _alt_text(board: Board, asked: Sequence[Quantity]) -> str:

@@ -98,7 +98,7 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
         rest = {name: hashed for name, hashed in before.files.items() if name not in new}
         lines = (manifest_lines(exam, part).encode() for part in _parts(sheets))
         hashes = dict(sorted({**rest, **new}.items()))
-        frame = manifest_frame(exam, before.made_with, before.redrawn, before.pages, hashes)
+        frame = manifest_frame(exam, before.made_with, before.redrawn, before.pages, hashes, before.bands)
         write_manifest(fresh / NAME, frame, made.pieces("json", lines))
         renewed |= {*new, NAME}
         _put_together(folder, fresh, work, renewed)

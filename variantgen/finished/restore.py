@@ -56,7 +56,10 @@ class Finished:
             Sheet(
                 sheet.student,
                 sheet.code,
-                tuple(Item(task, variant, next(answers)) for task, variant in zip(own, variants, strict=True)),
+                tuple(
+                    Item(task, variant, next(answers), problem.work)
+                    for task, variant, problem in zip(own, variants, sheet.problems, strict=True)
+                ),
             )
             for (sheet, variants), own in zip(chosen, tasks, strict=True)
         )

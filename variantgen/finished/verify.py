@@ -142,7 +142,7 @@ def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
         return np.full(motion.size, np.pi)
     if quantity.component == "sense":
         return np.zeros(motion.size)
-    if quantity.is_length or quantity.group == "ratio":
+    if quantity.is_length or quantity.group in ("ratio", "turn"):
         return np.abs(quantity.value(motion))
     points = (motion.v if quantity.order == 1 else motion.a).values()
     largest = np.max([np.abs(x) for x in points], axis=0)

@@ -18,22 +18,24 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.roster.columns import cell_of
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
-from variantgen.limits import TITLE_ROWS
-from variantgen.resources import languages
-from variantgen.wording.language import load_language
+from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
+from variantgen.marking.attempts import NO_TEXTS, Report, lacks_texts, report_of
+from variantgen.marking.heads import asked_by, kind_of, renamed
 
-_ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
 _PROBLEM = re.compile(r"[0-9]{1,3}")
-_STUDENT = ("code", "id", "name", "student")
+OPEN = "?"  # so begins an answer that is still being looked at
+_STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 
 @dataclass(frozen=True)
 class HandedIn:
     """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
 
-    ``quantity`` is the name that the table has, or the place of the answer in a form.
+    ``quantity`` is the name that the table has, or the place of the answer in a form. ``sheet`` is the code of the
+    sheet that the question is from, where the table says it.
     """
 
     where: str
@@ -41,6 +43,7 @@ class HandedIn:
     problem: int
     quantity: str | int
     text: str
+    sheet: str = ""
 
 
 @dataclass(frozen=True)
@@ -59,10 +62,14 @@ class NotMatched:
 
 @dataclass(frozen=True)
 class ReadAnswers:
-    """What the files hold: answers in their order, and rows and columns that say nothing that is understood."""
+    """What the files hold: answers in their order, and rows and columns that say nothing that is understood.
+
+    ``corrections`` are points that somebody gave or took by hand in a form, each with the problem it is about.
+    """
 
     answers: tuple[HandedIn, ...]
     not_matched: tuple[NotMatched, ...]
+    corrections: tuple[HandedIn, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -101,20 +108,38 @@ class FormWords:
             start = end + 1
         return found
 
+    def corrections(self, cells: Sequence[str]) -> dict[int, int]:
+        """The columns with points given or taken by hand, with the problems they belong to."""
+        ends = (column for column, cell in enumerate(cells) if cell == self.last)
+        return dict(zip(ends, self.problems, strict=True))
 
-def read_answers(paths: Sequence[Path], form: FormWords) -> ReadAnswers:
-    """All answers of some files. Raises InputError for a file that is no table, or one without answers."""
+
+def read_answers(paths: Sequence[Path], form: FormWords, columns: Mapping[str, str] | None = None) -> ReadAnswers:
+    """All answers of some files; ``columns`` say what heads stand for that are other words.
+
+    Raises InputError for a file that is no table, one without answers, and for a head that no table has.
+    """
     answers: list[HandedIn] = []
     left: list[NotMatched] = []
+    corrections: list[HandedIn] = []
+    sheets: list[tuple[Path, Worksheet]] = []
     for path in paths:
         try:
-            found = _Tables(path.name, read_worksheets(path), form)
+            sheets += [(path, sheet) for sheet in read_worksheets(path, ANSWER_COLUMNS, formulas=True)]
+        except InputError as error:
+            raise error.located(str(path)) from None
+    named = renamed([sheet for _, sheet in sheets], columns) if columns else [sheet for _, sheet in sheets]
+    for path in dict.fromkeys(paths):
+        own = [sheet for (other, _), sheet in zip(sheets, named, strict=True) if other == path]
+        try:
+            found = _Tables(path.name, own, form)
             found.read()
         except InputError as error:
             raise error.located(str(path)) from None
         answers += found.answers
         left += found.left
-    return ReadAnswers(tuple(answers), tuple(left))
+        corrections += found.corrections
+    return ReadAnswers(tuple(answers), tuple(left), tuple(corrections))
 
 
 class _Tables:
@@ -125,6 +150,7 @@ class _Tables:
         self.sheets = [sheet for sheet in sheets if sheet.rows]
         self.answers: list[HandedIn] = []
         self.left: list[NotMatched] = []
+        self.corrections: list[HandedIn] = []
 
     def read(self) -> None:
         """Read every worksheet that has answers."""
@@ -154,8 +180,14 @@ class _Tables:
             if columns := self.form.columns(cells):
                 self._filled(sheet, place, columns)
                 return True
-            kinds = [_kind(cell) for cell in cells]
-            heads = {column: found for column, cell in enumerate(cells) if (found := _asked(cell))}
+            if report := report_of(cells, kind_of):
+                self._attempts(sheet, place, report)
+                return True
+            if lacks_texts(cells, kind_of):
+                message, remedy = NO_TEXTS
+                raise InputError(Problem(message, remedy=remedy))
+            kinds = [kind_of(cell) for cell in cells]
+            heads = {column: found for column, cell in enumerate(cells) if (found := asked_by(cell))}
             if not set(kinds) & set(_STUDENT):
                 continue
             if {"problem", "quantity", "answer"} <= set(kinds):
@@ -170,11 +202,26 @@ class _Tables:
         return f"{self.name}, " + (f"worksheet {sheet.title}, " if sheet.title else "") + f"row {number}"
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
+        ends = self.form.corrections(sheet.rows[head][1])
         for number, cells in sheet.rows[head + 1 :]:
             who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)  # code, id, name
             for column, (problem, answer) in columns.items():
-                if column < len(cells) and cells[column]:
-                    self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, cells[column]))
+                if text := cell_of(cells, column):
+                    self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, text))
+            for column, problem in ends.items():
+                if text := cell_of(cells, column):
+                    self.corrections.append(HandedIn(self._where(sheet, number), who, problem, "", text))
+
+    def _attempts(self, sheet: Worksheet, head: int, report: Report) -> None:
+        for number, cells in sheet.rows[head + 1 :]:
+            where, who = self._where(sheet, number), report.student(cells)
+            for item in report.attempted(cells):
+                question = item.question
+                if question is None:
+                    if item.text:
+                        self.left.append(NotMatched(where, item.text[:80], "the question is not one of this program"))
+                    continue
+                self.answers.append(HandedIn(where, who, question.problem, item.quantity, item.text, question.code))
 
     def _long(self, sheet: Worksheet, head: int, kinds: Sequence[str]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind}
@@ -218,20 +265,7 @@ class _Tables:
 
 
 def _who(row: Mapping[str, str]) -> tuple[str, ...]:
-    return tuple(row[kind] for kind in _STUDENT if row.get(kind))
-
-
-def _asked(head: str) -> tuple[int, str] | None:
-    """The problem and the quantity of a column, ``1.v_B`` or ``1.v_B, cm/s``."""
-    found = _ANSWER_HEAD.fullmatch(head)
-    return (int(found[1]), found[2]) if found else None
-
-
-def _kind(head: str) -> str:
-    """What a column holds, by the words of any language (table ``[answer_columns]``); '' for others."""
-    word = " ".join(head.casefold().replace("_", " ").split())
-    for language in languages():
-        for kind, words in load_language(language).words("answer_columns").items():
-            if word in (other.strip() for other in words.split(",")):
-                return kind
-    return ""
+    """What a row says of the student: words that each name one, and the parts of a name as one of them."""
+    words = [row[kind] for kind in _STUDENT[:4] if row.get(kind)]
+    name = " ".join(row[kind] for kind in _STUDENT[4:] if row.get(kind))
+    return (*words, name) if name else tuple(words)

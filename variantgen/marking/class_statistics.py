@@ -1,15 +1,18 @@
 """What the marks of a class tell: how hard problems and answers were, what they tell apart, which mistakes were made.
 
 The share of a problem is the mean of points over what could be had; its discrimination the correlation of a student's
-points in it with those in all other problems. Whether forms of a problem were equally hard is asked by a permutation
-test of the sum of squares between their means: how many random exchanges of students between forms give as much.
+points in it with those in all other problems. Whether forms of a problem, or the figure and its mirror image, were
+equally hard is asked by a permutation test of the sum of squares between their means: how many random exchanges of
+students between them give as much. For an answer, right or not, of two forms it is Fisher's exact test, which needs no
+random numbers.
 """
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +21,10 @@ from variantgen.marking.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 
 _EXCHANGES = 9999
-_FEWEST = 5  # students of a form with whom a comparison makes sense
+_FEWEST = 5  # students of a form with whom a comparison makes sense, or with one and the same mistake
+_ADVISED = 10  # students of a problem of whom advice makes sense
+_HARDLY = 0.05  # share of points
+_UNLIKELY = 0.01
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,27 @@ class ProblemFacts:
 
 
 @dataclass(frozen=True)
+class Uneven:
+    """An answer that was right more often in one form than in another: how often in each, and Fisher's probability."""
+
+    number: int
+    quantity: str
+    forms: tuple[str, str]
+    right: tuple[tuple[int, int], tuple[int, int]]  # of each form: right, others
+    probability: float
+
+
+@dataclass(frozen=True)
+class Advice:
+    """What should be looked at: ``strike`` or ``teach``; of a problem ('' for the quantity) or an answer, and why."""
+
+    kind: str
+    number: int
+    quantity: str
+    cause: Cause | None = None
+
+
+@dataclass(frozen=True)
 class ClassFacts:
     """All problems, their forms, and by problem the probability that forms of equal difficulty differ as much."""
 
@@ -56,11 +83,14 @@ class ClassFacts:
     problems: tuple[ProblemFacts, ...]
     forms: tuple[ProblemFacts, ...]
     equal_forms: dict[int, float]
+    mirrored: dict[int, float]  # by problem: as the forms, for the figure and its mirror image
+    uneven: tuple[Uneven, ...]
+    advice: tuple[Advice, ...]
     shares: tuple[float, ...]  # of each student who handed in, in all points
 
 
-def class_facts(marked: Marked) -> ClassFacts:
-    """The facts of those who handed in anything."""
+def class_facts(marked: Marked, mirrored: Collection[tuple[int, int]] = ()) -> ClassFacts:
+    """The facts of those who handed in anything; ``mirrored`` are the places and problems with a mirrored figure."""
     present = {total.code for total in marked.totals if total.handed_in}
     codes = [total.code for total in marked.totals]
     marks = [item for item in marked.marks if codes[item.place] in present]
@@ -72,14 +102,20 @@ def class_facts(marked: Marked) -> ClassFacts:
         by_form[item.problem, item.form].append(item)
     several = {number for number, _ in by_form if sum(other == number for other, _ in by_form) > 1}
     shares = [float(total.points / total.of) for total in totals if total.of]
+    problems = tuple(_problem(number, "", own, marks) for number, own in sorted(by_problem.items()))
+    forms = {(item.place, item.problem): item.form for item in marks}
+    sides = {key: "mirrored" if key in mirrored else "" for key in forms}
     return ClassFacts(
         len(marked.totals),
         len(totals),
-        tuple(_problem(number, "", own, marks) for number, own in sorted(by_problem.items())),
+        problems,
         tuple(
             _problem(number, form, own, marks) for (number, form), own in sorted(by_form.items()) if number in several
         ),
-        {number: p for number in sorted(several) if (p := _equal(by_problem[number])) is not None},
+        _equal_ones(by_problem, forms),
+        _equal_ones(by_problem, sides),
+        tuple(_uneven(by_form, sorted(several))),
+        tuple(_advice(problems, marks)),
         tuple(shares),
     )
 
@@ -92,8 +128,7 @@ def _problem(number: int, form: str, own: Sequence[MarkedAnswer], marks: Sequenc
     for item in own:
         by_answer[item.answer.quantity.name].append(item)
     wrong = (item.cause for item in own if item.verdict is Verdict.WRONG and item.cause not in (None, OTHER))
-    # Mistakes are told apart; of others the kind is enough, not whose sheet or which answer.
-    causes = Counter(cause if cause is None or cause.name == "mistake" else Cause(cause.name) for cause in wrong)
+    causes = Counter(_kind(cause) for cause in wrong if cause is not None)
     return ProblemFacts(
         number,
         form,
@@ -104,7 +139,7 @@ def _problem(number: int, form: str, own: Sequence[MarkedAnswer], marks: Sequenc
             AnswerFacts(name, len(items), dict(Counter(item.verdict.value for item in items)), _share(items))
             for name, items in by_answer.items()
         ),
-        tuple((cause, count) for cause, count in causes.most_common(5) if cause is not None),
+        tuple(causes.most_common(5)),
     )
 
 
@@ -129,9 +164,69 @@ def _correlation(pairs: NDArray[np.float64]) -> float | None:
     return float(first @ second / np.sqrt((first @ first) * (second @ second)))
 
 
-def _equal(marks: Sequence[MarkedAnswer]) -> float | None:
-    """The permutation test over the forms of a problem; None where fewer than two forms have enough students."""
-    form_of = {item.place: item.form for item in marks}
+def _uneven(by_form: Mapping[tuple[int, str], Sequence[MarkedAnswer]], numbers: Sequence[int]) -> Iterator[Uneven]:
+    """The answers that two forms of a problem ask for, where they differ more than chance makes one in a hundred."""
+    if not numbers:
+        return
+    from scipy.stats import fisher_exact  # a second of time: only where it is needed
+
+    for number in numbers:
+        forms = sorted(form for other, form in by_form if other == number)
+        tables = {form: _right_and_others(by_form[number, form]) for form in forms}
+        pairs = [
+            (first, second, name)
+            for first, second in combinations(forms, 2)
+            for name in tables[first].keys() & tables[second].keys()
+        ]
+        for first, second, name in sorted(pairs):
+            counts = tables[first][name], tables[second][name]
+            probability = float(fisher_exact(counts)[1])
+            if probability * len(pairs) < _UNLIKELY:  # of so many questions one is answered wrongly by chance
+                yield Uneven(number, name, (first, second), counts, probability)
+
+
+def _right_and_others(marks: Sequence[MarkedAnswer]) -> dict[str, tuple[int, int]]:
+    """How often each answer was right, and how often not."""
+    found: dict[str, list[int]] = defaultdict(lambda: [0, 0])
+    for item in marks:
+        found[item.answer.quantity.name][item.verdict not in (Verdict.RIGHT, Verdict.FOLLOW_THROUGH)] += 1
+    return {name: (right, others) for name, (right, others) in found.items()}
+
+
+def _advice(problems: Sequence[ProblemFacts], marks: Sequence[MarkedAnswer]) -> Iterator[Advice]:
+    """What to strike (hardly anybody has it, or the weaker have it rather), and what to teach again."""
+    for problem in problems:
+        if problem.students < _ADVISED:
+            continue
+        if problem.discrimination is not None and problem.discrimination < 0:
+            yield Advice("strike", problem.number, "")
+        for answer in problem.answers:
+            own = [m for m in marks if m.problem == problem.number and m.answer.quantity.name == answer.quantity]
+            wrong = [m.cause for m in own if m.verdict is Verdict.WRONG and m.cause is not None]
+            if answer.asked >= _ADVISED and not answer.verdicts.get("right") and answer.share < _HARDLY:
+                yield Advice("strike", problem.number, answer.quantity)
+            causes = Counter(_kind(cause) for cause in wrong if cause != OTHER)
+            cause, count = causes.most_common(1)[0] if causes else (None, 0)
+            if count >= _FEWEST and 5 * count >= answer.asked:
+                yield Advice("teach", problem.number, answer.quantity, cause)
+
+
+def _kind(cause: Cause) -> Cause:
+    """Mistakes are told apart; of others the kind is enough, not whose sheet or which answer."""
+    return cause if cause.name == "mistake" else Cause(cause.name)
+
+
+def _equal_ones(
+    by_problem: Mapping[int, Sequence[MarkedAnswer]], kinds: Mapping[tuple[int, int], str]
+) -> dict[int, float]:
+    """By problem the probability that its kinds, equally hard, differ as much."""
+    found = ((number, _equal(own, kinds)) for number, own in sorted(by_problem.items()))
+    return {number: probability for number, probability in found if probability is not None}
+
+
+def _equal(marks: Sequence[MarkedAnswer], kinds: Mapping[tuple[int, int], str]) -> float | None:
+    """The permutation test over the kinds of a problem; None where fewer than two have enough students."""
+    form_of = {item.place: kinds[item.place, item.problem] for item in marks}
     points = _points(marks)
     sizes = Counter(form_of.values())
     places = [place for place in points if sizes[form_of[place]] >= _FEWEST]

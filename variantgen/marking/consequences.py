@@ -3,16 +3,16 @@
 A follow-through is granted only where the steps of the solution and one of these agree:
 
 - all velocities in proportion to the wrong one, as if it were the given motion of a mechanism with one freedom;
-- for points of one body ``omega = r x (v_B - v_A) / r^2`` and ``v_B = v_A + omega x r``, and so accelerations;
+- what theorems make of the wrong numbers and right ones (:mod:`variantgen.marking.derived`);
 - for a point C that slides along a line of a body through its point A, with the components along and across the line of
   ``v_C = v_A + omega x r + v_rel`` and ``a_C = a_A + epsilon x r - omega^2 r + 2 omega x v_rel + a_rel``;
 - for centres ``PA = v_A / omega``, ``QA = a_A / sqrt(epsilon^2 + omega^4)``, ``tan mu = |epsilon| / omega^2``;
-- the accelerations that the solver finds where some rates are wrong in the proportion of a wrong answer.
+- the accelerations that the solver finds where rates are wrong as they follow from the wrong answers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.families.quantities import Quantity
+from variantgen.marking.derived import Derived
 from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -27,7 +28,7 @@ from variantgen.mechanism.rows import Speeds
 from variantgen.mechanism.solve import Equations
 from variantgen.variants.variant import Variant
 
-_MOST = 256  # combinations of right and wrong rates
+_MOST = 1024  # mixtures of right and wrong rates
 _SAME = 1e-6  # relative
 
 
@@ -43,10 +44,17 @@ def confirms(variant: Variant, motion: Motion, wrong: Mapping[Quantity, float], 
         ):
             return True
     mixed = _mixed(motion, wrong)
-    results = (*_by_theorems(mixed, asked), *_by_sliding(motion, mixed, wrong, asked), *_by_centres(mixed, asked))
+    results = (
+        *_by_moved_centre(motion, wrong, asked),
+        *_by_sliding(motion, mixed, wrong, asked),
+        *_by_centres(mixed, asked),
+    )
     if any(_same(found, number) for found in results):
         return True
-    return asked.order == 2 and _by_solver(variant, motion, wrong, factors, asked, number)
+    derived = Derived(motion, wrong)
+    if np.any(np.abs(derived.values(asked) - number) <= _SAME * abs(number)):
+        return True
+    return asked.order == 2 and _by_solver(variant, motion, derived, asked, number)
 
 
 def _same(found: float, number: float) -> bool:
@@ -69,26 +77,6 @@ def _mixed(motion: Motion, wrong: Mapping[Quantity, float]) -> Motion:
             case "epsilon":
                 epsilon[quantity.target] = epsilon[quantity.target] * factor
     return replace(motion, v=v, a=a, omega=omega, epsilon=epsilon)
-
-
-def _by_theorems(motion: Motion, asked: Quantity) -> Iterator[float]:
-    """The values of an asked quantity by the motion of a rigid body from one of its points to another."""
-    for body, points in motion.scene.bodies.items():
-        for start in points:
-            for end in points:
-                if start == end:
-                    continue
-                r = complex(motion.z[end][0] - motion.z[start][0])
-                if asked.kind == "omega" and asked.target == body:
-                    yield _shown(asked, float(cross(r, motion.v[end][0] - motion.v[start][0])) / abs(r) ** 2)
-                elif asked.kind == "epsilon" and asked.target == body:
-                    yield _shown(asked, float(cross(r, motion.a[end][0] - motion.a[start][0])) / abs(r) ** 2)
-                elif asked.kind == "v" and asked.target == end:
-                    moved = motion.v[start] + 1j * motion.omega[body] * r
-                    yield float(asked.value(replace(motion, v={**motion.v, end: moved}))[0])
-                elif asked.kind == "a" and asked.target == end:
-                    moved = motion.a[start] + (1j * motion.epsilon[body] - motion.omega[body] ** 2) * r
-                    yield float(asked.value(replace(motion, a={**motion.a, end: moved}))[0])
 
 
 def _by_sliding(motion: Motion, mixed: Motion, wrong: Mapping[Quantity, float], asked: Quantity) -> Iterator[float]:
@@ -152,30 +140,45 @@ def _by_centres(mixed: Motion, asked: Quantity) -> Iterator[float]:
             yield float((np.abs(vector) / rate)[0])
 
 
+def _by_moved_centre(motion: Motion, wrong: Mapping[Quantity, float], asked: Quantity) -> Iterator[float]:
+    """Magnitudes about a centre whose distance from a point A is wrong: as the distances, by the right rate or by A."""
+    for quantity, distance in wrong.items():
+        kind, point = ("v", "a")[quantity.kind == "Q"], quantity.component
+        if not quantity.is_centre or quantity.is_coordinate or asked.kind != kind or asked.component:
+            continue
+        omega = motion.omega[quantity.target]
+        if kind == "v":
+            ray, size = 1j * motion.v[point] / omega, np.abs(motion.v[point])
+        else:
+            ray, size = motion.a[point] / (omega**2 - 1j * motion.epsilon[quantity.target]), np.abs(motion.a[point])
+        right = np.abs(ray)
+        gap = np.abs(motion.z[asked.target] - motion.z[point] - distance * ray / right)
+        yield from (float((size * gap / length)[0]) for length in (right, distance))
+
+
 def _shown(asked: Quantity, rate: float) -> float:
     return abs(rate) if asked.component == "abs" else rate
 
 
-def _by_solver(
-    variant: Variant,
-    motion: Motion,
-    wrong: Mapping[Quantity, float],
-    factors: Sequence[float],
-    asked: Quantity,
-    number: float,
-) -> bool:
-    """Whether the solver finds the number where some rates are wrong in the proportion of a wrong velocity."""
-    chosen = [factor for quantity, factor in zip(wrong, factors, strict=True) if quantity.order == 1]
-    if not chosen:
+def _by_solver(variant: Variant, motion: Motion, derived: Derived, asked: Quantity, number: float) -> bool:
+    """Whether the solver finds the number where rates are wrong as they follow from wrong answers, in every mixture."""
+    carriers: list[tuple[str, str]] = [("omega", body) for body in derived.omega if derived.omega[body].size > 1]
+    slid = {point: motion.v[point] - own[0] + own for point, own in derived.v_rel.items()}  # beside the right carrier
+    velocities = {**{point: derived.v[point] for point in derived.given}, **slid}
+    carriers += [("v", point) for point in sorted(velocities) if velocities[point].size > 1]
+    if not carriers:
         return False
-    turning = [body for body, omega in motion.omega.items() if np.any(omega != 0)]
-    sliding = list(sliding_points(motion.scene))
-    rows = list(product((1.0, *chosen), repeat=len(turning) + len(sliding)))[:_MOST]
-    table = np.array(rows)[..., None]  # by combination, by carrier, over a batch of one
+    each = max(int(_MOST ** (1 / len(carriers))), 2)  # candidates of each
+    tables = {"omega": derived.omega, "v": velocities}
+    rows = list(product(*(tables[kind][name][:each] for kind, name in carriers)))[:_MOST]
+    chosen = np.array(rows)[..., None]  # by combination, by carrier, over a batch of one
     omega = {body: np.broadcast_to(x, (len(rows), 1)) for body, x in motion.omega.items()}
     v = {point: np.broadcast_to(x, (len(rows), 1)) for point, x in motion.v.items()}
-    omega |= {body: omega[body] * table[:, k] for k, body in enumerate(turning)}
-    v |= {point: v[point] * table[:, k] for k, point in enumerate(sliding, start=len(turning))}
+    for k, (kind, name) in enumerate(carriers):
+        if kind == "omega":
+            omega[name] = chosen[:, k].real
+        else:
+            v[name] = chosen[:, k]
     moved = Equations(motion, variant.form.plan).accelerated(Speeds(v, omega))
-    found = np.ravel(np.broadcast_to(asked.value(moved), (len(rows), 1)))
+    found = np.ravel(np.broadcast_to(asked.value(replace(moved, v=v, omega=omega)), (len(rows), 1)))
     return bool(np.any(np.abs(found - number) <= _SAME * abs(number)))

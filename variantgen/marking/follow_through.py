@@ -9,17 +9,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import combinations
 
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.marking.consequences import confirms
 from variantgen.marking.key import scale
+from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.variant import Variant, solve_variants
 
 _LEAST, _LARGEST = 0.1, 10.0
-_MOST = 3  # earlier answers that may be wrong together
 _OUTSIDE = ("angle", "sense")  # what later steps do not start from
 
 
@@ -38,7 +37,7 @@ class FollowThrough:
         usable = [place for place, value in values.items() if _may_be_used(answers[place], value)]
         if not usable or len(values) < 2:
             return {}
-        motion = solve_variants([variant], motion_order(self._asked))
+        motion: Motion | None = None
         right = [answer.value for answer in answers]
         found: dict[int, list[int]] = {}
         for place in sorted(values):
@@ -47,6 +46,7 @@ class FollowThrough:
                 followed = self._steps.answers(variant, right, {other: values[other] for other in own})[place]
                 if not _within(answers[place], followed, values[place]):
                     continue
+                motion = motion or solve_variants([variant], motion_order(self._asked))
                 wrong = {answers[other].quantity: _si(answers[other], values[other]) for other in own}
                 if confirms(variant, motion, wrong, answers[place].quantity, _si(answers[place], float(followed))):
                     found[place] = own
@@ -55,8 +55,9 @@ class FollowThrough:
 
 
 def _subsets(places: Sequence[int]) -> list[list[int]]:
-    """Which earlier answers may have been used: one, or several; the fewest first."""
-    return [list(own) for count in range(1, min(_MOST, len(places)) + 1) for own in combinations(places, count)]
+    """Which earlier answers may have been used: one, or all. More mixtures would find more by chance."""
+    single = [[place] for place in places]
+    return [*single, list(places)] if len(places) > 1 else single
 
 
 def _may_be_used(answer: Answer, value: float) -> bool:

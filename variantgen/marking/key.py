@@ -65,7 +65,7 @@ class Key:
                 code.replace("-", ""),
                 f"variantgen:1:{self.record.exam_id}:{code}".casefold(),
             }
-            for word in (*words, base(sheet.student.name)):
+            for word in (*words, base(sheet.student.name), _sorted(sheet.student.name)):
                 if word:
                     found.setdefault(word, set()).add(place)
         return {word: frozenset(places) for word, places in found.items()}
@@ -75,7 +75,7 @@ class Key:
         each = []
         for text in who:
             word = " ".join(text.split())
-            ways = (word, word.casefold(), base(word))
+            ways = (word, word.casefold(), base(word), _sorted(word))
             each.append(next((self._students[way] for way in ways if way in self._students), frozenset[int]()))
             if not each[-1]:
                 remedy = nearest(word, (key for key in self._students if not key.startswith("variantgen:")))
@@ -104,6 +104,11 @@ class Key:
         if len(alike) == 1:
             return alike[0], ""
         return "", f"the problem asks this student for {', '.join(names)}; {nearest(plain, names)}"
+
+
+def _sorted(name: str) -> str:
+    """A name by which it is known in whatever order its parts stand."""
+    return " ".join(sorted(base(name).split()))
 
 
 def is_right(answer: Answer, value: float) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -14,14 +15,16 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import OPEN, NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
-from variantgen.marking.matching import SIGNS, Typed, is_blank, matched
+from variantgen.marking.matching import SIGNS, Typed, corrections, is_blank, matched
 from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
+
+_DATE = re.compile(r"\d{4}-\d\d-\d\d( |$)")
 
 
 class Verdict(Enum):
@@ -52,7 +55,10 @@ class MarkedAnswer:
 
 @dataclass(frozen=True)
 class StudentTotal:
-    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in."""
+    """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in.
+
+    While answers are ``open``, which a person still has to look at, it is not final.
+    """
 
     student: Student
     code: str
@@ -61,6 +67,7 @@ class StudentTotal:
     of: Fraction
     grade: str
     handed_in: int
+    open: int = 0
 
 
 @dataclass(frozen=True)
@@ -82,12 +89,23 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
         if item.verdict is Verdict.UNREADABLE:
             found = typed[item.place, item.problem, item.answer.quantity.name]
             what = f"{item.problem}.{item.answer.quantity.name}: {item.text}"[:80]
-            left.append(NotMatched(found.where, what, "is no number that can be read"))
+            left.append(NotMatched(found.where, what, *_unreadable(item.text)))
     marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
-    totals = _totals(key, marks, policy)
+    totals = _totals(key, marks, policy, corrections(key, read.corrections, left))
     return Marked(tuple(marks), tuple(totals), tuple(left))
+
+
+def _unreadable(text: str) -> tuple[str, str]:
+    """Why a text is no number, and what to do."""
+    if text.startswith(OPEN):
+        return "waits for review", ""
+    if text.startswith("="):
+        return "is a formula that was never computed", "open the file in the spreadsheet and save it"
+    if _DATE.match(text):
+        return "is a date: the spreadsheet took a number for one", "type it with the decimal mark of the spreadsheet"
+    return "is no number that can be read", ""
 
 
 def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
@@ -141,7 +159,7 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     for (place, number), own in wrong.items():
         group = number, own[0].form
         if group not in known:
-            known[group] = Neighbours(key, number, classes[group])
+            known[group] = Neighbours({other: key.answers(other, number) for other in classes[group]})
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
             cause = _cause(key, item, mistakes[place, number])
@@ -228,8 +246,10 @@ def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> 
     return replace(item, points=share * of, of=of)
 
 
-def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> list[StudentTotal]:
-    """The sums of all students."""
+def _totals(
+    key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy, by_hand: Mapping[tuple[int, int], Fraction]
+) -> list[StudentTotal]:
+    """The sums of all students; ``by_hand`` are points given or taken, by student and problem."""
     own: dict[int, list[MarkedAnswer]] = defaultdict(list)
     for item in marks:
         own[item.place].append(item)
@@ -242,12 +262,15 @@ def _totals(key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy) -> l
             problems[item.problem] += item.points
             had[item.problem] += item.of
             most += Fraction(0) if str(item.problem) in policy.bonus else item.of
+        corrected = {number: points + by_hand.get((place, number), 0) for number, points in problems.items()}
         by_problem = {
-            number: min(rounded(points, policy.problem_step), had[number]) for number, points in problems.items()
+            number: max(min(rounded(points, policy.problem_step), had[number]), Fraction(0))
+            for number, points in corrected.items()
         }
         every = sum(had.values(), Fraction(0))
         points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
+        waiting = sum(item.text.startswith(OPEN) for item in own[place])
         grade = policy.grade(points, most)
-        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in))
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting))
     return found

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from variantgen.errors import InputError
 from variantgen.marking.answer_tables import HandedIn, NotMatched
 from variantgen.marking.key import Key
+from variantgen.marking.typed_number import read_number
 
 _NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands alone
 SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
@@ -37,6 +39,30 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
             why = f"the same student has another answer in {known.where}: {known.text}, which stands"
             text = f"{item.problem}.{name}: {item.text}"
             left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
+    return found
+
+
+def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> dict[tuple[int, int], Fraction]:
+    """Points given or taken by hand, by student and problem; what is no number or is told twice is told.
+
+    Students that cannot be matched have been told with their answers, or are here.
+    """
+    found: dict[tuple[int, int], Fraction] = {}
+    told: dict[tuple[int, int], str] = {}
+    for item in typed:
+        place = _student(key, item, left)
+        number = read_number(item.text)
+        if place is None:
+            continue
+        what = f"{item.problem}: {item.text}"[:80]
+        if number is None or number.unit is not None or item.problem not in key.places[place]:
+            left.append(NotMatched(item.where, what, "is no number of points"))
+        elif (place, item.problem) in told:
+            if told[place, item.problem] != item.text:
+                left.append(NotMatched(item.where, what, "another correction of the same problem was there before"))
+        else:
+            told[place, item.problem] = item.text
+            found[place, item.problem] = Fraction(repr(number.values[0]))
     return found
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.exam.sheets import Answer
-from variantgen.marking.key import Key
 
 _LEAST = 2  # wrong answers that must agree: one may do so by chance
 
@@ -17,13 +16,14 @@ _LEAST = 2  # wrong answers that must agree: one may do so by chance
 class Neighbours:
     """The answers of the class to one problem of one form, as arrays over its students."""
 
-    def __init__(self, key: Key, problem: int, places: Sequence[int]) -> None:
-        self._places = np.array(places)
+    def __init__(self, answers: Mapping[int, Sequence[Answer]]) -> None:
+        """``answers`` are those of the students to the problem, by the place of the student."""
+        self._places = np.array(list(answers))
         values: dict[str, list[float]] = defaultdict(list)
         tolerances: dict[str, list[float]] = defaultdict(list)
-        names = {answer.quantity.name for place in places for answer in key.answers(place, problem)}
-        for place in places:
-            own = {answer.quantity.name: answer for answer in key.answers(place, problem)}
+        names = {answer.quantity.name for own in answers.values() for answer in own}
+        for asked in answers.values():
+            own = {answer.quantity.name: answer for answer in asked}
             for name in names:
                 answer = own.get(name)
                 values[name].append(answer.value if answer and answer.value else np.nan)

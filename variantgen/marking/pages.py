@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -11,23 +12,29 @@ from markupsafe import Markup
 
 from variantgen.exam.exam_file import Exam
 from variantgen.finished.restore import Finished
-from variantgen.marking.causes import Cause
-from variantgen.marking.class_statistics import ProblemFacts, class_facts
-from variantgen.marking.marks import Marked, MarkedAnswer
+from variantgen.marking.class_statistics import Advice, ProblemFacts, class_facts
+from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.marking.records import shown
+from variantgen.marking.solution_steps import sections_of
+from variantgen.marking.words import cause_in_words
+from variantgen.outputs.documents.solution_blocks import blocks_data
+from variantgen.outputs.html.articles import page_writing
 from variantgen.outputs.html.pages import write_page
-from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
 from variantgen.wording.mathml import to_mathml
 
 FEEDBACK, STATISTICS = "feedback", "statistics.html"
 FILES = (f"{FEEDBACK}/*.html", STATISTICS)
+_VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 _HIDDEN = ("neighbour", "other")  # the first is a suspicion for the instructor alone
 _BANDS = 10  # of the shares of points of a class
 
 
-def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool) -> None:
-    """Write a page for each student who handed in, and the statistics of the class."""
+def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool, steps: bool = False) -> None:
+    """Write a page for each student who handed in, and the statistics of the class.
+
+    ``steps``: with the steps of the worked solution that lead to wrong answers, at some 50 ms a problem.
+    """
     exam = finished.exam
     language = exam.spoken
     (folder / FEEDBACK).mkdir()
@@ -37,9 +44,9 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
     for place, total in enumerate(marked.totals):
         if not total.handed_in:
             continue
-        problems: dict[int, list[dict[str, Any]]] = defaultdict(list)
+        problems: dict[int, list[MarkedAnswer]] = defaultdict(list)
         for item in own[place]:
-            problems[item.problem].append(_answer(finished, item, language))
+            problems[item.problem].append(item)
         write_page(
             folder / FEEDBACK / f"{total.code}.html",
             "feedback.html.j2",
@@ -50,9 +57,15 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
             points=_number(shown(total.points), language),
             of=_number(shown(total.of), language),
             grade=total.grade,
+            open=language.words("review")["not_final"] if total.open else "",
             problems=[
-                {"number": n, "answers": rows, "points": _number(shown(total.problems[n]), language)}
-                for n, rows in problems.items()
+                {
+                    "number": number,
+                    "answers": [_answer(finished, item, language) for item in items],
+                    "points": _number(shown(total.problems[number]), language),
+                    "steps": _steps(finished, items) if steps else [],
+                }
+                for number, items in problems.items()
             ],
         )
     _write_statistics(folder / STATISTICS, finished, marked, language)
@@ -81,18 +94,26 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
         "kind": item.verdict.value,
         "cause": ""
         if item.cause is None or item.cause.name in _HIDDEN
-        else _cause_text(item.cause, words, language, form),
+        else cause_in_words(item.cause, words, language, form),
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
 
 
-def _cause_text(cause: Cause, words: Any, language: Language, symbols: dict[str, str]) -> str:
-    """A cause in words."""
-    if cause.name == "mistake":
-        return f"{words['cause.mistake']}: {mistake_text(cause.detail, language, symbols)}"
-    text = words[f"cause.{cause.name}"]
-    return f"{text}: {cause.detail}" if cause.detail and cause.name in ("from", "other_answer") else text
+def _steps(finished: Finished, items: Sequence[MarkedAnswer]) -> list[dict[str, Any]]:
+    """The steps of the worked solution that lead to the wrong answers of a problem."""
+    wrong = [place for place, item in enumerate(items) if item.verdict is Verdict.WRONG]
+    if not wrong:
+        return []
+    place, number = items[0].place, items[0].problem
+    task = next(task for task in finished.exam.tasks if task.number == number)
+    answers = [item.answer for item in items]
+    found = sections_of(finished.exam, task, finished.variant(place, number), answers, wrong)
+    writing = page_writing()
+    return [
+        {"number": step, "heading": writing.text(section.heading), "blocks": blocks_data(section.blocks, writing)}
+        for step, section in found.items()
+    ]
 
 
 def _number(text: str, language: Language) -> str:
@@ -100,7 +121,14 @@ def _number(text: str, language: Language) -> str:
 
 
 def _write_statistics(path: Path, finished: Finished, marked: Marked, language: Language) -> None:
-    facts = class_facts(marked)
+    mirrored = {
+        (place, problem.number)
+        for place, sheet in enumerate(finished.record.sheets)
+        for problem in sheet.problems
+        if problem.mirrored
+    }
+    facts = class_facts(marked, mirrored)
+    words = language.words("marking")
     bands = [0] * _BANDS
     for share in facts.shares:
         bands[min(int(share * _BANDS), _BANDS - 1)] += 1
@@ -110,17 +138,52 @@ def _write_statistics(path: Path, finished: Finished, marked: Marked, language: 
         **_common(finished.exam, language),
         students=facts.students,
         handed_in=facts.handed_in,
-        bands=[{"from": 10 * i, "to": 10 * (i + 1), "count": count} for i, count in enumerate(bands)],
-        most=max([*bands, 1]),
+        bands=[
+            {"from": 10 * i, "to": 10 * (i + 1), "count": count, "height": round(100 * count / max([*bands, 1]))}
+            for i, count in enumerate(bands)
+        ],
+        verdicts=[(name, words[name]) for name in _VERDICTS],
+        advice=[_advised(item, words, language) for item in facts.advice],
+        uneven=[
+            {
+                "number": item.number,
+                "quantity": item.quantity,
+                "forms": [
+                    (form, round(100 * right / (right + others)))
+                    for form, (right, others) in zip(item.forms, item.right, strict=True)
+                ],
+                "p": _number(f"{item.probability:.2g}", language),
+            }
+            for item in facts.uneven
+        ],
+        mirrored=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.mirrored.items()],
         problems=[_problem(item, language) for item in facts.problems],
         forms=[_problem(item, language) for item in facts.forms],
         equal=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.equal_forms.items()],
     )
 
 
+def _bars(counts: Sequence[int]) -> list[dict[str, Any]]:
+    """Where the parts of a bar of the length 100 begin, and how long they are."""
+    whole, found, start = max(sum(counts), 1), [], 0.0
+    for name, count in zip(_VERDICTS, counts, strict=True):
+        length = 100.0 * count / whole
+        found.append({"name": name, "start": round(start, 2), "length": round(length, 2), "count": count})
+        start += length
+    return found
+
+
+def _advised(item: Advice, words: Mapping[str, str], language: Language) -> dict[str, str]:
+    """A piece of advice in words."""
+    what = f"{item.number}.{item.quantity}" if item.quantity else f"{item.number}"
+    reason = words["advice.correlation" if not item.quantity else "advice.hardly"]
+    if item.kind == "teach":
+        reason = cause_in_words(item.cause, words, language, {})
+    return {"kind": words[f"advice.{item.kind}"], "what": what, "reason": reason}
+
+
 def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
     """One row of the statistics with those of its answers."""
-    known = ("right", "follow_through", "wrong", "blank", "unreadable")
     return {
         "number": item.number,
         "form": item.form,
@@ -132,12 +195,13 @@ def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
         "answers": [
             {
                 "quantity": a.quantity,
-                "counts": [a.verdicts.get(name, 0) for name in known],
+                "counts": [a.verdicts.get(name, 0) for name in _VERDICTS],
+                "bars": _bars([a.verdicts.get(name, 0) for name in _VERDICTS]),
                 "share": round(100 * a.share),
             }
             for a in item.answers
         ],
         "causes": [
-            (_cause_text(cause, language.words("marking"), language, {}), count) for cause, count in item.causes
+            (cause_in_words(cause, language.words("marking"), language, {}), count) for cause, count in item.causes
         ],
     }

@@ -29,13 +29,13 @@ def write_marks(folder: Path, record: Manifest, marked: Marked, anonymous: bool)
     """Write the files into a folder; ``anonymous`` leaves out ids, names and groups."""
     _write(folder / MARKS, [_MARK_COLUMNS, *(_row(record, item, anonymous) for item in marked.marks)])
     numbers = sorted({number for total in marked.totals for number in total.problems})
-    head = ("id", "name", "group", "code", *map(str, numbers), "points", "of", "percent", "grade", "answers")
+    head = ("id", "name", "group", "code", *map(str, numbers), "points", "of", "percent", "grade", "answers", "open")
     rows: list[Sequence[object]] = [head]
     for total in marked.totals:
         own = [shown(total.problems[number]) if number in total.problems else "" for number in numbers]
         percent = f"{float(100 * total.points / total.of):.1f}" if total.of else ""
         student = _who(total.student.id, total.student.name, total.student.group, anonymous)
-        sums = (shown(total.points), shown(total.of), percent, safe_cell(total.grade), total.handed_in)
+        sums = (shown(total.points), shown(total.of), percent, safe_cell(total.grade), total.handed_in, total.open)
         rows.append((*student, total.code, *own, *sums))
     _write(folder / TOTALS, rows)
     shown_items = not_matched(marked, anonymous)

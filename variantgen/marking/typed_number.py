@@ -31,14 +31,14 @@ _ALIKE = str.maketrans(
         "∙": "*",
         "÷": "/",
         "⁄": "/",
-        "²": "^2",
-        "³": "^3",
     }
 )
 _SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
 _GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
-_POWER = re.compile(r"10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
+_RAISED = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
+_DIGITS_ALONE = re.compile(r"[-+]?[\d.,]+")
 _PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
+_SLASH = re.compile(r" ?/ ?")
 _TIMES = re.compile(r"(?<=\d)\s*[xхXХ]\s*(?=10\b|10\^)")  # 2.5x10^3, with a Latin or a Russian letter
 _BRACKETED = re.compile(r"([^()]*\d)\s*\(([^()\d][^()]*)\)")
 _TOKEN = re.compile(rf"\s*(?:({_PLAIN.pattern})(?:[eE]([+-]?\d{{1,3}})(?![\d.]))?|(sqrt|√|pi|π|[-+*/^()]))")
@@ -65,11 +65,13 @@ def read_number(text: str) -> TypedNumber | None:
     """What a text says, or None where it is no number with or without a unit of the program."""
     if len(text) > LONGEST:
         return None
-    plain = _POWER.sub(lambda found: "10^" + found[0][2:].translate(_SUPERSCRIPTS), text)
-    plain = _SPACE.sub(" ", plain.translate(_ALIKE).translate(_SUPERSCRIPTS)).strip(" ≈~")
-    plain = _TIMES.sub("*", plain)
+    plain = _RAISED.sub(lambda found: "^" + found[0].translate(_SUPERSCRIPTS), text)
+    plain = _SPACE.sub(" ", plain.translate(_ALIKE)).strip(" ≈~")
+    plain = _SLASH.sub("/", _TIMES.sub("*", plain).replace("**", "^"))
     if plain.endswith(")") and (found := _BRACKETED.fullmatch(plain)):
         plain = f"{found[1]} {found[2]}"  # 2.95 (cm/s)
+    if _DIGITS_ALONE.fullmatch(plain):  # no unit is looked for
+        return TypedNumber(values) if (values := _values(plain)) else None
     for spelled, unit in _spellings():
         if plain.casefold().endswith(spelled) and not (spelled[0].isdecimal() and _is_digit_before(plain, spelled)):
             values = _values(plain[: -len(spelled)].rstrip(" *"))
@@ -218,6 +220,12 @@ def _spellings() -> tuple[tuple[str, Unit], ...]:
         for written, other in (("с", "c"), ("с", "сек"), ("s", "sec")):
             if re.search(rf"/{written}(?!\w)", word):
                 found.setdefault(re.sub(rf"/{written}(?!\w)", f"/{other}", word), unit)
+    for word, unit in list(found.items()):
+        for second in ("s", "с", "c"):  # m s^-1, м·с^-2
+            above, slash, squared = word.partition(f"/{second}")
+            if slash and above and squared in ("", "^2"):
+                for part in ("*", " "):
+                    found.setdefault(f"{above}{part}{second}^-{squared[1:] or 1}", unit)
     found |= {
         "°": UNITS["deg"],
         "град": UNITS["deg"],

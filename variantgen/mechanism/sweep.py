@@ -105,9 +105,9 @@ def sweep(
     ways, instant = _ways(low, high, samples)
     states = [*reversed(low.states[1:]), *high.states]
     turned, places = continuation.between(states, ways)
-    moved = _moved(motion, places, len(ways))
+    along = moved(motion, places, len(ways))
     ends = _end(low, whole), _end(high, whole)
-    return Sweep(add_speeds(moved, plan, 2), ways, turned, instant, leading_driver, ends)
+    return Sweep(add_speeds(along, plan, 2), ways, turned, instant, leading_driver, ends)
 
 
 def find_leading_driver(scene: Scene) -> tuple[LeadingDriver, Field]:
@@ -187,17 +187,17 @@ def _side(traced: _Traced, count: int) -> Field:
     return np.concatenate([even[:-1], traced.way - step * np.array(_CLOSER), even[-1:]])
 
 
-def _moved(motion: Motion, places: Mapping[str, ComplexField], count: int) -> Motion:
+def moved(motion: Motion, places: Mapping[str, ComplexField], count: int) -> Motion:
     """The motion with other positions, as a batch of so many."""
     still = {name: np.broadcast_to(z, (count,)) for name, z in motion.z.items()}
-    moved = {name: np.broadcast_to(z, (count,)) for name, z in places.items()}
+    others = {name: np.broadcast_to(z, (count,)) for name, z in places.items()}
     outcome = np.full(count, int(Outcome.SOLVED), dtype=np.int8)
     empty: dict[str, Field] = {}
     return replace(
         motion,
         outcome=outcome,
         transmission=np.ones(count),
-        z={**still, **moved},
+        z={**still, **others},
         v={},
         a={},
         omega=empty,

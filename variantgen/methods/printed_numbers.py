@@ -16,7 +16,7 @@ from itertools import product
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
 from variantgen.algebra.name import AXES, ON_LINE, OWN_AXES, Name
 from variantgen.algebra.values import in_order
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.printed_digits import items_values
@@ -117,6 +117,8 @@ class PrintedNumbers:
             return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
         if name.kind == "mu":
             return _turn(abs(exact) - self.solved.answer(Quantity("mu", name.of)))
+        if name.kind == "turn":
+            return self.answer(split_name(name.of), value)
         if name.kind in _ASKED:
             return self.answer(Quantity(_ASKED[name.kind], name.of, name.about), value)
         if (rate := self.solved.rate(name)) is not None:

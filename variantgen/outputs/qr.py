@@ -1,7 +1,8 @@
 """The QR code of a sheet, which says of which exam and of which student it is; the same on every kind of paper.
 
 The text is ``VARIANTGEN:1:EXAM:CODE``: 1 is the version of this form, EXAM the short name of the build (in capitals),
-CODE the code of the sheet. Capitals, digits, colons and dashes need the fewest modules: 25 in a row.
+CODE the code of the sheet. A page for answers has its number behind: ``VARIANTGEN:1:EXAM:CODE:A1``. Capitals, digits,
+colons and dashes need the fewest modules: 25 in a row.
 """
 
 from __future__ import annotations
@@ -30,6 +31,11 @@ Rows = Sequence[bytes]  # a byte for every module, 1 if it is dark
 def qr_text(exam: Exam, sheet: Sheet) -> str:
     """What the code of a sheet says."""
     return f"VARIANTGEN:{VERSION}:{exam.build_id.upper()}:{sheet.code}"
+
+
+def answer_qr_text(exam: Exam, sheet: Sheet, page: int) -> str:
+    """What the code of a page for answers says; the first page is 1."""
+    return f"{qr_text(exam, sheet)}:A{page}"
 
 
 def qr_rows(text: str) -> Rows:

@@ -96,7 +96,7 @@ class FormSampler:
             words = np.array([streams[i].words(chunk * width) for i in pending]).reshape(-1, width)
             owner = np.repeat(pending, chunk)
             number = used[owner] + np.tile(np.arange(1, chunk + 1), len(pending))
-            attempts = self._attempts(words, owner, number)
+            attempts = self.attempts(words, owner, number)
             for variant, i in self._accepted(attempts):
                 found[i] = variant
             used[pending] += chunk
@@ -110,7 +110,8 @@ class FormSampler:
         """Whether so many attempts were in vain that more of them would be, for whomever."""
         return self._made > _HOPELESS * self._most * (1 + found) or self._looked_at > _HOPELESS_JUDGED * (1 + found)
 
-    def _attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> Attempts:
+    def attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> Attempts:
+        """Attempts of random words, a row for each: one word for the pose, one for each parameter."""
         index = {
             name: index_below(words[:, i + 1], len(self.form.parameters[name].printed))
             for i, name in enumerate(self.names)
@@ -121,10 +122,12 @@ class FormSampler:
             index |= {name: place[row] for name, place in ties.places(self.form.parameters).items()}
         return Attempts(index, index_below(words[:, 0], len(self.poses)), owner, number)
 
-    def _si(self, attempts: Attempts) -> dict[str, NDArray[np.float64]]:
+    def si(self, attempts: Attempts) -> dict[str, NDArray[np.float64]]:
+        """The parameters of attempts in SI, shape (N,) each."""
         return {name: self.form.parameters[name].si[i] for name, i in attempts.index.items()}
 
-    def _frame(self, attempts: Attempts) -> Frame:
+    def frame(self, attempts: Attempts) -> Frame:
+        """How attempts lie on paper."""
         poses = np.array(self.poses)[attempts.pose]
         return frame(poses[:, 0], poses[:, 1])
 
@@ -160,7 +163,7 @@ class FormSampler:
         have = 0
         while have < count:
             words, number = stream.words(chunk * width).reshape(-1, width), np.arange(done + 1, done + chunk + 1)
-            passed = self._passed(self._attempts(words, number, number), by_hand)
+            passed = self._passed(self.attempts(words, number, number), by_hand)
             found.append(passed)
             have, done = have + passed.number.size, done + chunk
             if have < count and self._is_hopeless(have):
@@ -174,10 +177,10 @@ class FormSampler:
         if self.screening is None or not left.number.size:
             return left
         assert left.motion is not None, "valid attempts are solved"
-        screening = self.screening(self.form, self._si(left), self._frame(left), self.asked, left.motion)
+        screening = self.screening(self.form, self.si(left), self.frame(left), self.asked, left.motion)
         places = self._keep(screening.of_all(), left.number.size)
         if by_hand and places.size:
-            variants = [self._variant(left, place) for place in places.tolist()]
+            variants = [self.variant(left, place) for place in places.tolist()]
             places = places[self._keep(screening.of_survivors(variants, places.tolist()), places.size)]
         return left.take(places)
 
@@ -190,14 +193,14 @@ class FormSampler:
         """Attempts that pass the cheap screens, in order."""
         self.tally.attempts += attempts.owner.size
         self._made += attempts.owner.size
-        parameters = self._si(attempts)
+        parameters = self.si(attempts)
         values = self.form.values(parameters)
         passed = self._keep(parameter_screens(self.form, values, attempts.owner.size), attempts.owner.size)
         attempts = attempts.take(passed)
         if not attempts.owner.size:
             return attempts
-        values = self.form.values(self._si(attempts))
-        motion = solve(self.form.scene(values, self._frame(attempts)), 0, self.form.plan)
+        values = self.form.values(self.si(attempts))
+        motion = solve(self.form.scene(values, self.frame(attempts)), 0, self.form.plan)
         passed = self._keep(position_screens(self.form, motion, values), attempts.owner.size)
         attempts = attempts.take(passed)
         if not attempts.owner.size:
@@ -215,7 +218,7 @@ class FormSampler:
         """Whether the answers are well conditioned."""
         motion = attempts.motion
         assert motion is not None, "only promising attempts come here, and these are solved"
-        sensitivities = sensitivity(self.form, self._si(attempts), self._frame(attempts), self.asked, motion)
+        sensitivities = sensitivity(self.form, self.si(attempts), self.frame(attempts), self.asked, motion)
         good = sensitivities <= self.form.screens.sensitivity * (1 + 1e-6)
         self.tally.rejected["answers well conditioned"] += int(np.count_nonzero(~good))
         return good
@@ -223,7 +226,7 @@ class FormSampler:
     def _firsts(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
         """The first attempt of each owner."""
         for place in starts(attempts.owner).tolist() if attempts.owner.size else []:
-            yield self._variant(attempts, place), int(attempts.owner[place])
+            yield self.variant(attempts, place), int(attempts.owner[place])
 
     def _screened(self, attempts: Attempts) -> Iterator[tuple[Variant, int]]:
         """The first attempt of each owner that passes the screening.
@@ -234,13 +237,13 @@ class FormSampler:
         assert attempts.motion is not None
         if not attempts.owner.size:
             return
-        screening = self.screening(self.form, self._si(attempts), self._frame(attempts), self.asked, attempts.motion)
+        screening = self.screening(self.form, self.si(attempts), self.frame(attempts), self.asked, attempts.motion)
         left = self._keep(screening.of_all(), attempts.owner.size)
         while left.size:
             owner = attempts.owner[left]
             firsts = starts(owner)
             places = left[firsts].tolist()
-            variants = [self._variant(attempts, place) for place in places]
+            variants = [self.variant(attempts, place) for place in places]
             passed = self._keep(screening.of_survivors(variants, places), len(places))
             self._looked_at += len(places)
             for i in passed.tolist():
@@ -269,7 +272,8 @@ class FormSampler:
     def _nice(self) -> bool:
         return self.form.friendly or self.form.ties is not None
 
-    def _variant(self, attempts: Attempts, i: int) -> Variant:
+    def variant(self, attempts: Attempts, i: int) -> Variant:
+        """One of the attempts."""
         printed = {name: self.form.parameters[name].printed[int(index[i])] for name, index in attempts.index.items()}
         sense, turns = self.poses[int(attempts.pose[i])]
         return Variant(

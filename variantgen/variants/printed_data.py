@@ -13,12 +13,12 @@ from variantgen.variants.variant import Variant
 
 def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Names of the parameters that are printed, in the order of printing."""
-    return list(_given(variant.form, _points_of(variant.form, asked), _without(variant, asked)))
+    return list(_given(variant.form, _points_of(variant.form, tuple(asked)), _without(variant, asked)))
 
 
 def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
     """An upper bound of the different problems on the grid of a form, by printed data and answers."""
-    idle = _unneeded(form, _points_of(form, asked))
+    idle = _unneeded(form, _points_of(form, tuple(asked)))
     velocities_only = motion_order(asked) == 1
     size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)
     for name in form.free_names:
@@ -48,7 +48,7 @@ def _rank(parameter: Parameter) -> int:
 
 def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
     """Points that the figure shows: all but plain points of a body that nobody asks for."""
-    return list(_shown(variant.form, _points_of(variant.form, asked)))
+    return list(_shown(variant.form, _points_of(variant.form, tuple(asked))))
 
 
 def _without(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
@@ -71,7 +71,9 @@ def _given(form: Form, asked: tuple[str, ...], without: frozenset[str]) -> tuple
     return tuple(sorted(names, key=lambda name: _rank(form.parameters[name])))
 
 
-def _points_of(form: Form, asked: Sequence[Quantity]) -> tuple[str, ...]:
+@lru_cache(maxsize=1000)
+def _points_of(form: Form, asked: tuple[Quantity, ...]) -> tuple[str, ...]:
+    """The points that the asked quantities speak of."""
     named = (quantity.points(form.points) or ("",) for quantity in asked)
     return tuple(dict.fromkeys(point for points in named for point in points))
 
@@ -93,6 +95,7 @@ def _unneeded(form: Form, asked: tuple[str, ...]) -> frozenset[str]:
     return frozenset(idle - used)
 
 
+@lru_cache(maxsize=1000)
 def _shown(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
     """Points that the figure shows, the same for all variants of a form."""
     scene = form.sample

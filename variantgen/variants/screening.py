@@ -159,6 +159,7 @@ def _scale(motion: Motion, quantity: Quantity) -> NDArray[np.float64]:
     """The largest quantity of the same kind in the mechanism."""
     if quantity.is_length:
         return motion.length_scale()
+    quantity = quantity.of_instant or quantity if not quantity.is_angle else quantity
     if not quantity.is_vector and not quantity.is_rotation:  # an angle or a number is as large as it is
         return np.ones(motion.size)
     if quantity.kind == "omega":

@@ -11,12 +11,14 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from fractions import Fraction
 from functools import cache
 from math import isfinite
 
 from variantgen.algebra.decimals import rounded, rounded_to_digits
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity, recorded
+from variantgen.families.quantities.kinds import ANGLE_OF
 from variantgen.families.units import Unit
 from variantgen.resources import languages, templates_dir
 from variantgen.tables import read_toml
@@ -28,8 +30,11 @@ from variantgen.wording.words import Words
 
 NATURAL = {"t": "tau", "n": "n"}  # components of an acceleration along its path, as solutions call them
 _DIRECTIONS = {"along": "∥", "across": "⟂"}  # before the letters of a line, in the index of a component
+_OF_TURN = ("max", "min", "mean")
+_TO_AND_FRO = {"stroke": "s", "swing": "psi", "time_ratio": "k"}
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
+_DECIMALS, _DENOMINATOR = 12, 999  # digits of a quotient that does not come out, largest denominator that is printed
 ANSWER_DIGITS = 4  # significant digits of a printed answer
 
 
@@ -56,8 +61,9 @@ class Language:
         return self.tables[table]
 
     def decimal(self, value: Decimal) -> Number:
-        """An exact printed value: ``0,25``, with a true minus sign."""
-        return self.written(f"{value.normalize():f}")
+        """An exact printed value: ``0,25``, with a true minus sign; a fraction that is no decimal as ``13/6``."""
+        whole = as_fraction(value)
+        return self.written(str(whole) if whole is not None else f"{value.normalize():f}")
 
     def written(self, text: str) -> Number:
         """A number that is written out with a point: with the mark of the language, and with a true minus sign."""
@@ -127,6 +133,8 @@ class Language:
     def quantity(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty | Quotient:
         """The symbol of an asked quantity."""
         target, component = quantity.target, quantity.component
+        if quantity.is_of_turn:
+            return self._of_turn(quantity, bodies)
         if quantity.is_centre:
             body = tuple(Index(name) for name in (bodies.get(target, target),) if name)
             if quantity.is_coordinate:
@@ -148,6 +156,26 @@ class Language:
         if quantity.component in _ABOUT:
             return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
+
+    def _of_turn(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol:
+        """``v_B max``, ``φ_v_B max``, ``ω_BC mean``; the letters of a stroke, a swing and a ratio of times."""
+        of, words = quantity.of_instant, self.tables["index"]
+        if of is None:
+            return self.symbol(f"{_TO_AND_FRO[quantity.kind]}_{quantity.target}", bodies)
+        inner = self.quantity(of, bodies)
+        assert isinstance(inner, Symbol)
+        extreme = Index(words[next(word for word in _OF_TURN if f"{word}_" in quantity.kind)], True)
+        if quantity.kind.startswith(ANGLE_OF):
+            return Symbol("phi", (Index(inner.base.removeprefix(ANGLE)), *inner.index, extreme))
+        return inner._replace(index=(*inner.index, extreme))
+
+
+def as_fraction(value: Decimal) -> Fraction | None:
+    """The fraction, ``13/6``, of which a printed value has as many digits as are kept; None for a plain decimal."""
+    if len(value.as_tuple().digits) <= _DECIMALS:
+        return None
+    whole = Fraction(value).limit_denominator(_DENOMINATOR)
+    return whole if abs(whole - Fraction(value)) * 10**_DECIMALS < abs(whole) else None
 
 
 def on_line(component: str) -> str:

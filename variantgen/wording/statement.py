@@ -17,7 +17,8 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
+from variantgen.families.rate_graphs import grid_of
 from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
@@ -45,7 +46,7 @@ class Statement:
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
     case = _case(variant, asked, language)
-    return Statement(_text(case), tuple(_given(case, variant)), _asked(case))
+    return Statement((*_text(case), *_sketches(case)), tuple(_given(case, variant)), _asked(case))
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -81,6 +82,11 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
         "curvature": any(q.kind == "rho" for q in asked),
         "natural": any(q.kind == "a" and q.component in NATURAL for q in asked),
+        "extremes": any("max_" in q.kind or "min_" in q.kind for q in asked),
+        "mean": any(q.kind.startswith("mean_") for q in asked),
+        "crank_angle": any(q.kind.startswith("phi_") for q in asked),
+        **{name: any(q.kind == name for q in asked) for name in ("stroke", "swing", "time_ratio")},
+        "whole_turn": any(q.is_of_turn for q in asked),
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
     pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
@@ -109,12 +115,23 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
     rates: list[Equation] = []
     for name, symbol, unit_text, is_rate in _data(case):
         value = variant.printed[name]
+        if name in case.form.figure.graph:
+            continue
         number = case.language.decimal(abs(value) if is_rate else value)
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
     if variant.family.folder is None:
         own = scene_data(variant, case.asked, case.language)
         places, rates = places + own[0], rates + own[1]
-    return places + _found(case, variant) + rates
+    return places + _found(case, variant) + _instant(variant, case.language) + rates
+
+
+def _instant(variant: Variant, language: Language) -> list[Equation]:
+    """The time on the graph of a given rate at which the mechanism has its position."""
+    if not variant.form.figure.graph:
+        return []
+    found = grid_of(*(abs(variant.printed[name]) for name in variant.form.figure.graph))
+    assert found is not None, "families with such data are refused"
+    return [Equation(Symbol("t"), Measured(language.decimal(found[0]), language.unit(unit("s"))))]
 
 
 def _found(case: _Case, variant: Variant) -> list[Equation]:
@@ -163,6 +180,18 @@ def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _C
 def _asked(case: _Case) -> tuple[Formula, ...]:
     """The symbols of what is asked."""
     return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
+
+
+def _sketches(case: _Case) -> Text:
+    """What is said of the graph that gives a rate, and of the curves to be sketched, a sentence each."""
+    found: list[str | Formula] = []
+    if graph := case.form.figure.graph:
+        before, after = case.language.words("sheet")["by_graph"].split("{symbol}")
+        found += [" " + before, case.language.symbol(case.form.parameters[graph[0]].symbol, case.form.symbols), after]
+    for name in case.form.figure.sketch:
+        before, after = case.language.words("sheet")["sketch"].split("{symbol}")
+        found += [" " + before, case.language.quantity(split_name(name), case.form.symbols), after]
+    return tuple(found)
 
 
 def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:

@@ -21,7 +21,8 @@ HELP = "list the problem families, or what a family offers"
 DESCRIPTION = """\
 List the problem families of the catalogue and of your own folders.
 With the name of a family (or the path of a scene): its forms, its parameters with their ranges,
-all that can be asked with symbol and unit, and a problem to paste into an exam file."""
+all that can be asked with symbol and unit, and a problem to paste into an exam file.
+With --structures: the structures that compose makes families of, and which families have them."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,6 +34,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="draw the family: .svg, .png, .pdf, .tikz or .tex; of several forms each into a file of its own",
     )
+    parser.add_argument("--structures", action="store_true", help="list structures; --figure page.html draws them")
+    parser.add_argument("--links", type=int, default=5, metavar="N", help="with at most N moving links (default: 5)")
     add_language(parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     add_families(parser)
@@ -46,6 +49,9 @@ def run(arguments: argparse.Namespace) -> int:
 
     load_language(arguments.lang)
     folders = family_folders(arguments.families)
+    if arguments.structures:
+        _structures(arguments, [load_family(name, folders) for name in family_names(folders)])
+        return 0
     if arguments.family:
         refuse_exam(arguments, "list tells what a family offers")
         _one(arguments, load_family(arguments.family, folders), folders)
@@ -62,6 +68,25 @@ def run(arguments: argparse.Namespace) -> int:
         forms = ", ".join(name for name in family.forms if name)
         say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
     return 0
+
+
+def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
+    """The structures of textbooks, or a page with their pictures."""
+    from variantgen.outputs.structures import structure_rows, write_structures
+
+    path: Path | None = arguments.figure
+    if path is not None and path.suffix != ".html":
+        raise InputError(Problem("expected a page", key="--figure", value=str(path), remedy="structures.html"))
+    rows = structure_rows(families, arguments.links)
+    if path is not None:
+        write_structures(rows, arguments.links, path)
+        tell(f"written: {path}")
+    elif arguments.json:
+        document = [{"structure": row.code, "level": row.level, "families": list(row.families)} for row in rows]
+        say(json.dumps(document, indent=2))
+    else:
+        for line in in_columns([(row.code, row.level, ", ".join(row.families)) for row in rows]):
+            say(line)
 
 
 def _one(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:

@@ -4,33 +4,58 @@ from __future__ import annotations
 
 import argparse
 import json
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import counted, say, tell
 from variantgen.cli.options import add_families
+from variantgen.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from variantgen.exam.marking_policy import MarkingPolicy
+    from variantgen.finished.restore import Finished
+    from variantgen.marking.answer_tables import NotMatched, ReadAnswers
+    from variantgen.marking.changes import Change, Earlier
     from variantgen.marking.marks import Marked
+    from variantgen.marking.scan.joining import Joined
 
 HELP = "mark the answers that a class has handed in"
 DESCRIPTION = (
     "Mark the answers to a finished exam: tables (CSV, XLSX) with columns  student, problem, quantity, answer,  or\n"
     "student, 1.v_B, 1.omega_AB, ...,  or the filled grading.xlsx. Students are named by the code of the sheet, by id\n"
-    "or name. What is wrong is compared with plausible mistakes. Several files add up; what cannot be matched or read\n"
+    "or name. Scans (PDF, JPEG, PNG, TIFF) are pages for answers, which a build with  [answers] scan = true  prints.\n"
+    "What is wrong is compared with plausible mistakes. Several files add up; what cannot be matched or read\n"
     "is listed, and nothing is guessed."
 )
 _SHOWN = 20
+_BOOK = "marks.xlsx"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
-    parser.add_argument("answers", metavar="ANSWERS", type=Path, nargs="+", help="tables with the answers")
+    parser.add_argument(
+        "answers", metavar="ANSWERS", type=Path, nargs="+", help="tables with the answers, scans, photos"
+    )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder for the marks")
     parser.add_argument("--force", action="store_true", help="replace an earlier marking")
     parser.add_argument("--policy", type=Path, metavar="FILE", help="what answers are worth (TOML)")
+    parser.add_argument(
+        "--columns", type=Path, metavar="FILE", help='what heads of tables stand for (TOML): "Speed of B" = "1.v_B"'
+    )
+    parser.add_argument(
+        "--against",
+        type=Path,
+        metavar="DIR",
+        help="an earlier marking: say whose mark changed (usual: the one replaced)",
+    )
     parser.add_argument("--anonymous", action="store_true", help="leave out ids, names and groups: codes only")
+    parser.add_argument(
+        "--steps", action="store_true", help="feedback has the steps of the worked solution that wrong answers need"
+    )
     parser.add_argument("--json", action="store_true", help="the marks as one JSON document on stdout")
     add_families(parser)
 
@@ -41,28 +66,80 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.marking_policy import read_policy_file
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
-    from variantgen.marking.answer_tables import FormWords, read_answers
+    from variantgen.marking import changes, gradebooks
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
     from variantgen.marking.pages import write_pages
     from variantgen.marking.records import FILES, not_matched, write_marks
+    from variantgen.marking.scan import review
     from variantgen.outputs.files.folder import check_free, whole_folder
 
-    known = (*FILES, *PAGES)
+    known = (*FILES, *PAGES, *gradebooks.FILES, changes.CHANGES, *review.FILES, _BOOK)
     check_free(arguments.out, arguments.force, lambda: known)
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
-    found = mark(finished, read_answers(arguments.answers, FormWords.of(finished.exam)), policy)
+    earlier = _earlier(arguments.against, arguments.out)
+    with_book = find_spec("xlsxwriter") is not None
+    changed: list[changes.Change] = []
+    finished, read, joined = _read(arguments, finished, policy)
+    found = mark(finished, read, policy)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
-        write_pages(work, finished, found, arguments.anonymous)
+        write_pages(work, finished, found, arguments.anonymous, arguments.steps)
+        if not arguments.anonymous:
+            gradebooks.write_gradebooks(work, finished.exam.title, found)
+        if with_book:
+            from variantgen.marking.marks_book import write_book
+
+            write_book(work / _BOOK, finished.exam, found, policy, arguments.anonymous)
+        if earlier is not None:
+            changed = changes.changes(finished.record, found, earlier)
+            changes.write_changes(work, finished.record, changed, arguments.anonymous)
+        if joined is not None:
+            review.write_review(work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost)
+        written = sorted(path.name for path in work.iterdir())
     if arguments.json:
         say(_json(found, arguments.anonymous))
     for difference in finished.differences:
         tell(f"not as when the exam was made: {difference}")
-    left = not_matched(found, arguments.anonymous)
+    _tell_left(not_matched(found, arguments.anonymous))
+    tell(_summary(found))
+    _tell_open(found)
+    if earlier is not None:
+        _tell_changes(found, changed)
+    if not with_book:
+        tell(f'{_BOOK} is left out: it needs XlsxWriter, pip install "variantgen[xlsx]"')
+    tell(f"written: {arguments.out}: {', '.join(written)}")
+    return 0
+
+
+def _read(
+    arguments: argparse.Namespace, finished: Finished, policy: MarkingPolicy
+) -> tuple[Finished, ReadAnswers, Joined | None]:
+    """The exam as it was asked, the answers of tables and scans together, and what the scans hold, if there are any."""
+    from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+    from variantgen.marking.drawn import as_drawn
+    from variantgen.marking.heads import read_columns
+    from variantgen.marking.scan.joining import join
+    from variantgen.marking.scan.pictures import is_picture
+    from variantgen.marking.scan.review import check_readings_kept
+
+    tables = [path for path in arguments.answers if not is_picture(path)]
+    scans = [path for path in arguments.answers if is_picture(path)]
+    check_readings_kept(arguments.out, tables)
+    columns = read_columns(arguments.columns) if arguments.columns else None
+    read = read_answers(tables, FormWords.of(finished.exam), columns) if tables else ReadAnswers((), ())
+    finished, read = as_drawn(finished, read)
+    if not scans:
+        return finished, read, None
+    joined = join(finished, read, scans, policy)
+    return finished, joined.answers, joined
+
+
+def _tell_left(left: Sequence[NotMatched]) -> None:
+    """Say what was not matched."""
     for item in left[:_SHOWN]:
         tell(
             f"{item.where}: {item.why}"
@@ -71,9 +148,42 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if len(left) > _SHOWN:
         tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
-    tell(_summary(found))
-    tell(f"written: {arguments.out}: {', '.join((*FILES, *PAGES))}")
-    return 0
+
+
+def _tell_open(found: Marked) -> None:
+    """Say that marks are not final while answers have to be looked at."""
+    from variantgen.marking.scan.review import PAGE, TABLE
+
+    if waiting := [total for total in found.totals if total.open]:
+        answers = counted(sum(total.open for total in waiting), "answer")
+        tell(f"not final: {answers} of {counted(len(waiting), 'student')} to look at in {PAGE};")
+        tell(f"    type what you see into {TABLE} and mark again with it")
+
+
+def _earlier(against: Path | None, out: Path) -> Earlier | None:
+    """The marks to compare with: those that are named, or those that are replaced; None where there are none."""
+    from variantgen.marking.changes import read_marking
+    from variantgen.marking.records import MARKS
+
+    if against is not None:
+        return read_marking(against)
+    try:
+        return read_marking(out) if (out / MARKS).is_file() else None
+    except InputError:
+        return None  # whoever replaces a damaged marking has nothing to compare with
+
+
+def _tell_changes(found: Marked, changed: Sequence[Change]) -> None:
+    """Say whose mark is another one."""
+    totals = [change for change in changed if not change.answer]
+    every = counted(len(found.totals), "student")
+    tell(f"marks that are other than before: {len(totals)} of {every}" + (", see changes.csv" if changed else ""))
+    for change in totals[:_SHOWN]:
+        total = found.totals[change.place]
+        grades = f", grade {change.before[0]} -> {change.now[0]}" if change.before[0] != change.now[0] else ""
+        tell(f"    {total.code}: {change.before[1] or 'nothing'} -> {change.now[1]}{grades}")
+    if len(totals) > _SHOWN:
+        tell(f"    and {len(totals) - _SHOWN} more")
 
 
 def _summary(found: Marked) -> str:
@@ -101,6 +211,7 @@ def _json(found: Marked, anonymous: bool) -> str:
             "of": float(total.of),
             "grade": total.grade,
             "answers": total.handed_in,
+            "open": total.open,
         }
         for total in found.totals
     ]

@@ -10,12 +10,16 @@ from pathlib import Path
 from variantgen.errors import InputError, Problem
 from variantgen.exam.roster.columns import known_in
 from variantgen.exam.roster.worksheet import Row, Worksheet
-from variantgen.limits import ROSTER_BYTES, ROSTER_ROWS, TITLE_ROWS
+from variantgen.limits import ROSTER_BYTES, ROSTER_COLUMNS, ROSTER_ROWS, TITLE_ROWS
 from variantgen.tables import read_limited
 
 
-def read_worksheets(path: Path) -> list[Worksheet]:
-    """The tables of a file, at least one. Raises InputError."""
+def read_worksheets(path: Path, columns: int = ROSTER_COLUMNS, formulas: bool = False) -> list[Worksheet]:
+    """The tables of a file, at least one. Raises InputError.
+
+    Of a workbook so many ``columns`` are looked at; ``formulas``: a formula that was never computed is told as it
+    stands, and not taken for an empty cell.
+    """
     try:
         content = read_limited(path, ROSTER_BYTES)
     except OSError as error:
@@ -23,7 +27,7 @@ def read_worksheets(path: Path) -> list[Worksheet]:
     if content[:4] == b"PK\x03\x04":
         from variantgen.exam.roster.workbook import workbook_worksheets
 
-        return workbook_worksheets(content)
+        return workbook_worksheets(content, columns, formulas)
     return [Worksheet(tuple(_csv_rows(content)))]
 
 

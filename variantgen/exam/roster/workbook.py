@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import zipfile
 import zlib
+from collections.abc import Sequence
 from typing import Any
 
 from variantgen.errors import InputError, Problem, missing_package
@@ -28,8 +29,11 @@ _PIECE = 1_000_000  # bytes
 _SIMPLER = "copy the list into a new workbook (values only), or save it as CSV"
 
 
-def workbook_worksheets(content: bytes) -> list[Worksheet]:
-    """The visible worksheets. Raises InputError for a damaged file or one beyond all bounds."""
+def workbook_worksheets(content: bytes, columns: int = ROSTER_COLUMNS, formulas: bool = False) -> list[Worksheet]:
+    """The visible worksheets. Raises InputError for a damaged file or one beyond all bounds.
+
+    See :func:`variantgen.exam.roster.table_files.read_worksheets`.
+    """
     try:
         import openpyxl
     except ImportError:
@@ -38,7 +42,11 @@ def workbook_worksheets(content: bytes) -> list[Worksheet]:
         _check_size(content)
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
         visible = [sheet for sheet in book.worksheets if sheet.sheet_state == "visible"]
-        return [Worksheet(tuple(_rows(sheet)), str(sheet.title)) for sheet in visible]
+        found = [Worksheet(tuple(_rows(sheet, columns)), str(sheet.title)) for sheet in visible]
+        if not formulas:
+            return found
+        book = openpyxl.load_workbook(io.BytesIO(content), read_only=True)
+        return [_with_formulas(sheet, dict(_rows(book[sheet.title], columns))) for sheet in found]
     except _BROKEN as error:
         raise InputError(
             Problem(f"is not a readable XLSX workbook ({type(error).__name__})", remedy="save it again, or as CSV")
@@ -82,12 +90,27 @@ def _count(parts: zipfile.ZipFile, part: zipfile.ZipInfo, tag: bytes) -> int:
     return found
 
 
-def _rows(sheet: Any) -> list[Row]:
+def _with_formulas(sheet: Worksheet, written: dict[int, Sequence[str]]) -> Worksheet:
+    """A worksheet with the formulas that have no value; ``written`` are the rows with all formulas as they stand."""
+    values = dict(sheet.rows)
+    rows = []
+    for number, cells in written.items():
+        known = values.get(number, [])
+        own = [cell if cell.startswith("=") else "" for cell in cells]
+        merged = [known[k] if k < len(known) and known[k] else cell for k, cell in enumerate(own)]
+        while merged and not merged[-1]:
+            merged.pop()
+        if merged:
+            rows.append((number, merged))
+    return Worksheet(tuple(rows), sheet.title)
+
+
+def _rows(sheet: Any, columns: int) -> list[Row]:
     """The rows of a worksheet that are not empty."""
     sheet.reset_dimensions()  # what the file says of them may be wrong, and rows outside would not be read
     found: list[Row] = []
     before: object = None
-    for number, row in enumerate(sheet.iter_rows(max_col=ROSTER_COLUMNS, values_only=True), start=1):
+    for number, row in enumerate(sheet.iter_rows(max_col=columns, values_only=True), start=1):
         if number > ROSTER_ROWS:
             where = f"worksheet {sheet.title}"
             problem = f"a row has a number above {ROSTER_ROWS}, which no worksheet has"

@@ -25,6 +25,12 @@ name                      meaning
 ``angle_AB``              direction from A to B: angle from the x axis, -180 to 180 degrees
 ``angle_O.A.B``           corner OAB at the point A, 0 to 180 degrees
 ``distance_A.B``          distance of two points
+``max_v_B  min_v_B``      extreme over a turn of the crank of ``v_B``, ``a_B``, ``omega_AB``, ``epsilon_AB`` (their
+                          magnitudes), ``x_B``, ``y_B``, ``angle_O.A.B``, ``distance_A.B``
+``phi_max_v_B``           angle by which the crank turns from the instant until the extreme is first reached
+``mean_v_B``              mean over a turn of the crank of ``v_B`` or of the magnitude of ``omega_AB``
+``stroke_B  swing_BC``    way between the limit positions of a point on a line, angle between those of a body
+``time_ratio_B``          time of the slower way over that of the faster one, of a point or a body
 ========================  ======================================================================================
 
 What there is of a kind is told by one table: :data:`variantgen.families.quantities.kinds.KINDS`.

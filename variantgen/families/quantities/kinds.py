@@ -12,14 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from variantgen.mechanism.centres import acceleration_centre, velocity_centre
+from variantgen.mechanism.crank_turn import CrankTurn, crank_turn
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.point_path import curvature_radius, normal_acceleration, tangential_acceleration
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_speed
+from variantgen.mechanism.turn_values import Scalar, largest, mean, smallest, time_ratio, travel
 
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
 _ENDS = re.compile(r"([A-Za-z]\d*)([A-Za-z]\d*)")
+MAX, MIN, ANGLE_OF, MEAN = "max_", "min_", "phi_", "mean_"  # before a kind: what is asked of a turn of the crank
 NATURAL = {"t": tangential_acceleration, "n": normal_acceleration}  # components of an acceleration along the path
 
 Computed = Callable[[Motion, str, str], Field]  # of a motion, a target and what is asked of it, in SI
@@ -29,13 +32,15 @@ Computed = Callable[[Motion, str, str], Field]  # of a motion, a target and what
 class Kind:
     """A kind of quantities: ``group`` tells how it is named and read, ``measure`` is that of its value.
 
-    ``order`` is 0 if positions are enough to know it, 1 if velocities are needed, 2 if accelerations.
+    ``order`` is 0 if positions are enough to know it, 1 if velocities are needed, 2 if accelerations. ``of`` is the
+    kind of which an extreme or a mean value over a turn of the crank is taken.
     """
 
     group: str
     order: int
     measure: str
     value: Computed
+    of: str = ""
 
 
 def line_ends(text: str, points: Mapping[str, object]) -> tuple[str, str] | None:
@@ -154,7 +159,32 @@ def _rope(motion: Motion, first: str, second: str) -> Field:
     return rope_speed(motion, piece)
 
 
-KINDS: Mapping[str, Kind] = {
+def _over_turn(kind: Kind, find: Callable[[CrankTurn, Scalar], Field]) -> Computed:
+    """What is found of a quantity over a turn of the crank: of the magnitude of a rate."""
+
+    def value(motion: Motion, target: str, component: str) -> Field:
+        part = "abs" if kind.group == "rotation" else component
+
+        def of_motion(at: Motion, _: object) -> Field:
+            return kind.value(at, target, part)
+
+        with np.errstate(all="ignore"):
+            return find(crank_turn(motion, kind.order), of_motion)
+
+    return value
+
+
+def _to_and_fro(find: Callable[[CrankTurn, str], Field]) -> Computed:
+    """What is found of a point or a body that moves to and fro in a turn of the crank."""
+
+    def value(motion: Motion, target: str, _: str) -> Field:
+        with np.errstate(all="ignore"):
+            return find(crank_turn(motion, 1), target)
+
+    return value
+
+
+_OF_INSTANT: Mapping[str, Kind] = {
     "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: motion.v[point])),
     "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: motion.a[point])),
     "v_rel": Kind("relative", 1, "velocity", _of_vector(_relative("velocity"))),
@@ -173,3 +203,33 @@ KINDS: Mapping[str, Kind] = {
     "angle": Kind("position", 0, "angle", _angle),
     "distance": Kind("position", 0, "length", lambda motion, a, b: np.abs(motion.z[a] - motion.z[b])),
 }
+
+_EXTREMES: Mapping[str, Callable[[CrankTurn, Scalar], Field]] = {
+    MAX: lambda turn, quantity: largest(turn, quantity).value,
+    MIN: lambda turn, quantity: smallest(turn, quantity).value,
+}
+_ANGLES: Mapping[str, Callable[[CrankTurn, Scalar], Field]] = {
+    ANGLE_OF + MAX: lambda turn, quantity: largest(turn, quantity).angle,
+    ANGLE_OF + MIN: lambda turn, quantity: smallest(turn, quantity).angle,
+}
+_WITH_EXTREMES = ("v", "a", "omega", "epsilon", "x", "y", "angle", "distance")
+
+
+def _of_turn() -> dict[str, Kind]:
+    found = {"stroke": Kind("turn", 1, "length", _to_and_fro(travel))}
+    found["swing"] = Kind("turn", 1, "angle", _to_and_fro(travel))
+    found["time_ratio"] = Kind("turn", 1, "number", _to_and_fro(time_ratio))
+    for name in _WITH_EXTREMES:
+        kind = _OF_INSTANT[name]
+        order = max(1, kind.order)
+        for word, find in _EXTREMES.items():
+            found[word + name] = Kind("turn", order, kind.measure, _over_turn(kind, find), name)
+        for word, find in _ANGLES.items():
+            found[word + name] = Kind("turn", order, "angle", _over_turn(kind, find), name)
+    for name in ("v", "omega"):
+        kind = _OF_INSTANT[name]
+        found[MEAN + name] = Kind("turn", 1, kind.measure, _over_turn(kind, mean), name)
+    return found
+
+
+KINDS: Mapping[str, Kind] = {**_OF_INSTANT, **_of_turn()}

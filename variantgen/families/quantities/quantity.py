@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, NATURAL, ROPE, line_ends
+from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, MEAN, NATURAL, ROPE, line_ends
 from variantgen.families.units import Unit, unit
+from variantgen.mechanism.crank_turn import crank_of
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rope_speed import rope_piece
@@ -52,6 +53,22 @@ class Quantity:
         return KINDS[self.kind].group
 
     @property
+    def of_instant(self) -> Quantity | None:
+        """The quantity of which an extreme or a mean value over a turn is taken; None for any other."""
+        of = KINDS[self.kind].of
+        return Quantity(of, self.target, self.component) if of else None
+
+    @property
+    def is_of_turn(self) -> bool:
+        """Whether it belongs to a whole turn of the crank, not to an instant."""
+        return self.group == "turn"
+
+    @property
+    def is_extreme(self) -> bool:
+        """Whether it is searched for along a turn, where no steps of a calculation lead to it."""
+        return self.of_instant is not None and not self.kind.startswith(MEAN)
+
+    @property
     def is_vector(self) -> bool:
         """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
         return self.group in ("vector", "relative")
@@ -94,6 +111,8 @@ class Quantity:
     @property
     def refers_to_axes(self) -> bool:
         """Whether it means something only with the axes x and y of the paper."""
+        if self.of_instant is not None:
+            return self.of_instant.refers_to_axes
         return self.is_coordinate or self.is_direction or self.component in ("x", "y")
 
     @property
@@ -108,12 +127,15 @@ class Quantity:
         return self.component.partition("_")[2] if named else ""
 
     def sources(self, scene: Scene) -> tuple[Quantity, ...]:
-        """The plain quantities that a solution finds first: itself, what it is made of, none for positions."""
+        """The plain quantities that a solution finds first: itself, what it is made of; none for positions."""
         if self.kind == "a" and self.component in NATURAL:
             return Quantity("v", self.target, "x"), self
         match self.group:
             case "position":
                 return ()
+            case "turn":
+                crank = crank_of(scene)
+                return (Quantity("omega", crank.body),) if crank and self.kind.startswith(MEAN) else ()
             case "path":
                 return Quantity("v", self.target), Quantity("a", self.target, "x")
             case "ratio":
@@ -142,6 +164,8 @@ class Quantity:
 
     def points(self, known: Mapping[str, object]) -> tuple[str, ...]:
         """All points that its name speaks of, those of a named direction or of a line too; ``known`` are all points."""
+        if self.of_instant is not None:
+            return self.of_instant.points(known)
         if self.line:
             return (self.target, *(line_ends(self.line, known) or ()))
         if self.kind in ("distance", ROPE):

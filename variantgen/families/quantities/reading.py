@@ -10,6 +10,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities.kinds import KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.families.units import UNITS, usual_name
+from variantgen.mechanism.crank_turn import crank_of, is_steady
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_pieces
 from variantgen.mechanism.scene import Scene, fixed_points
@@ -20,6 +21,7 @@ _ROPE = re.compile(rf"({re.escape(ROPE)})\.({_PART})\.({_PART})")
 _PATTERN = re.compile(rf"({_KIND})_({_PART})(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
+_NO_EXTREMES = (*NATURAL, "x", "y", "angle", "abs", "sense")  # components of which no extreme is asked
 
 
 def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[str] = ()) -> Quantity:
@@ -109,7 +111,20 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
             return rope_piece(scene, target, component) is not None
         case "position":
             return _is_position(quantity, scene)
+        case "turn":
+            return crank_of(scene) is not None and _has_turn(quantity, scene)
     return False
+
+
+def _has_turn(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene with a crank has the quantity of which an extreme is taken, or what goes to and fro."""
+    of = quantity.of_instant
+    if of is not None:
+        plain = not of.is_direction and of.component not in _NO_EXTREMES and not of.line
+        steady = of.order < 2 or is_steady(scene)
+        return plain and steady and (of.name in quantity_names(scene) or _is_further(of, scene))
+    movers = {"stroke": _moving_points(scene), "swing": scene.bodies}
+    return not quantity.component and quantity.target in movers.get(quantity.kind, {*movers["stroke"], *scene.bodies})
 
 
 def _is_position(quantity: Quantity, scene: Scene) -> bool:
@@ -127,6 +142,18 @@ _ANGLES = ("theta", "phi", "beta", "gamma", "psi")
 _LENGTHS = ("z", "s", "l", "r")
 
 
+def _for_turn(quantity: Quantity, scene: Scene) -> str:
+    """What an extreme, a mean value or a stroke needs."""
+    if crank_of(scene) is None:
+        return "values of a turn need one driver that rotates a body about a fixed point"
+    if quantity.order == 2 and not is_steady(scene):
+        return "accelerations over a turn are those of a constant angular velocity: leave epsilon of the driver out"
+    return (
+        "write max_, min_, phi_max_, phi_min_ before v_B, a_B, omega_AB, epsilon_AB, x_B, y_B, angle_O.A.B, "
+        "distance_A.B; mean_v_B, mean_omega_AB; stroke_B, swing_BC, time_ratio_B"
+    )
+
+
 def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequence[str]) -> str:
     """What to ask for in place of a quantity in other letters, or of one that is not quite written so; "" for none."""
     letter, _, target = text.partition("_")
@@ -141,6 +168,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
+    if quantity is not None and quantity.is_of_turn:
+        return _for_turn(quantity, scene)
     if letter in _ANGLES or letter == "angle":
         if line_ends(target, scene.points):
             return f"the direction of {target} is angle_{target}, a corner of three points angle_O.A.B"

@@ -44,7 +44,8 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 class FigureSubject:
     """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``.
 
-    With ``true_scale`` no vector is lengthened to be seen.
+    With ``true_scale`` no vector is lengthened to be seen. ``unmarked`` is the same variant with nothing marked, which
+    remembers for all its figures what is the same in them.
     """
 
     variant: Variant
@@ -54,6 +55,7 @@ class FigureSubject:
     language: Language
     geometry: StepGeometry = NOTHING_MARKED
     true_scale: bool = False
+    unmarked: FigureSubject | None = None
 
     @property
     def least(self) -> float:
@@ -63,7 +65,7 @@ class FigureSubject:
     @cached_property
     def poses(self) -> dict[str, float]:
         """How the supports stand in the figure of the statement."""
-        return self.board(True).poses
+        return self.board(True).poses if self.unmarked is None else self.unmarked.poses
 
     def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
         """The mechanism, with the data of the statement (``marks``) or without."""
@@ -213,7 +215,7 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
     """Thin arrows from one place beside a point, clear of its vectors, with their letters."""
     if not axes:
         return
-    drawn = np.concatenate([_along(line) for line in board.sketch.lines])
+    drawn = _along(board.sketch.lines)
     low, high = board.sketch.corners()
     arms = np.concatenate([_SAMPLES * (_AXIS + 3.0) * axis for axis, _ in axes])
     radii = np.repeat((0.55 * longest, 0.8 * longest, 1.05 * longest), len(_AROUND))
@@ -237,9 +239,9 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
             board.sketch.label(around(Symbol(board.language.axis(letter)), origin + _AXIS * axis, 0.3))
 
 
-def _along(line: Line) -> NDArray[np.complex128]:
-    """Places along a line, so near to each other that they stand for all."""
-    segments = np.array(segments_of(line, 0.5), dtype=complex)
+def _along(lines: Sequence[Line]) -> NDArray[np.complex128]:
+    """Places along lines, so near to each other that they stand for all."""
+    segments = np.array([segment for line in lines for segment in segments_of(line, 0.5)], dtype=complex)
     steps = segments[:, 1] - segments[:, 0]
     counts = np.maximum(1, (np.abs(steps) / 3.0).astype(int))
     return np.append(spaced(segments[:, 0], steps, counts), segments[:, 1])

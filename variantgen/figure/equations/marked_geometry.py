@@ -10,7 +10,7 @@ import numpy as np
 
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
-from variantgen.figure.equations.surroundings import distance_to_segment
+from variantgen.figure.equations.surroundings import distances_to_segments
 from variantgen.figure.ink import segments_of
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
@@ -114,11 +114,11 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
 def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
     """Thin lines along the sides of an angle that nothing lies on."""
     sketch = board.sketch
-    drawn = [piece for line in sketch.lines for piece in segments_of(line, 0.5)]
+    drawn = np.array([piece for line in sketch.lines for piece in segments_of(line, 0.5)], dtype=complex)
     for side in corner.sides:
         way = side / abs(side)
         places = np.array([sketch.at[key] + part * _ARC * way for part in (0.6, 0.8, 1.0)], dtype=np.complex128)
-        gaps = np.array([distance_to_segment(places, *piece) for piece in drawn])
+        gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
         seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
         if not (seen and sketch.is_taken(key, side, math.radians(2))):
             end = sketch.at[key] + _REFERENCE * way

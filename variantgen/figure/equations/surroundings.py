@@ -108,8 +108,9 @@ class Surroundings:
         for centre, radius in self.rims:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
         for member in self.members:
-            for start, end in combinations(member, 2):
-                found |= distance_to_segment(places, start, end) <= _NEAR
+            if len(member) > 1:
+                ends = np.array(list(combinations(member, 2)), dtype=complex)
+                found |= (distances_to_segments(places, ends[:, :1], ends[:, 1:]) <= _NEAR).any(axis=0)
         return found
 
 
@@ -149,22 +150,23 @@ def _runs(
     places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
 ) -> Iterator[Places]:
     """The runs of a line that are drawn: corners and ends."""
-    edges = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0, append=0)).tolist()
+    edges = (np.flatnonzero(inside[1:] != inside[:-1]) + 1).tolist()
+    edges = [*([0] if inside[0] else []), *edges, *([len(inside)] if inside[-1] else [])]
     for first, after in zip(edges[::2], edges[1::2], strict=True):
         last = after - 1
-        length = float(np.abs(np.diff(places[first:after])).sum())
+        length = float(np.abs(places[first + 1 : after] - places[first:last]).sum())
         if length > _LEAST or (close[first:after].any() and length > 0):
             within = corners[(corners > first) & (corners < last)]
             yield places[np.concatenate(([first], within, [last]))]
 
 
-def distance_to_segment(places: Places, start: complex, end: complex) -> NDArray[np.float64]:
-    """Distances from places of shape (N,) to a segment, shape (N,)."""
-    way = end - start
-    if abs(way) < 1e-9:
-        return np.abs(places - start)
-    part = ((places - start) * way.conjugate()).real / abs(way) ** 2
-    found: NDArray[np.float64] = np.abs(places - start - np.minimum(np.maximum(part, 0.0), 1.0) * way)
+def distances_to_segments(places: Places, starts: Places, ends: Places) -> NDArray[np.float64]:
+    """Distances from places of shape (N,) to segments between ends of shape (S, 1), shape (S, N)."""
+    ways = ends - starts
+    squares = ways.real**2 + ways.imag**2
+    steps = places - starts
+    part = (steps * ways.conj()).real / np.where(squares > 1e-18, squares, 1.0)
+    found: NDArray[np.float64] = np.abs(steps - np.minimum(np.maximum(part, 0.0), 1.0) * ways)
     return found
 
 

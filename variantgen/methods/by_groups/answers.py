@@ -9,6 +9,7 @@ from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
+from variantgen.methods.by_groups.turn_answers import turn_answer
 from variantgen.methods.by_groups.vector_answers import curvature_radius, vector_answer
 from variantgen.methods.centres import acceleration_centre, velocity_centre
 from variantgen.methods.geometry.geometry import degrees
@@ -37,6 +38,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
             return curvature_radius(book, quantity.target)
         case "position":
             return position_answer(book, quantity)
+        case "turn":
+            return turn_answer(book, quantity)
         case "centre angle":
             return acceleration_centre.asked_angle(book, quantity.target)
     if quantity.is_coordinate:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from variantgen.methods.by_groups.group_methods import GROUP_METHODS, Solve
 from variantgen.methods.centres.turning import (
+    solve_fixed_sleeve,
     solve_pivoted_link,
     solve_relative_rotation,
     solve_rolling_contact_pole,
@@ -13,6 +14,7 @@ from variantgen.methods.groups.group import (
     ContactGroup,
     Dyad,
     ExtendingLink,
+    FixedSleeve,
     FloatingDyad,
     Group,
     PivotedLink,
@@ -41,6 +43,7 @@ HANDLERS: dict[type, Solve] = {
     FloatingDyad: solve_floating_dyad,
     SlidingPair: solve_sliding_pair,
     RelativeRotation: solve_relative_rotation,
+    FixedSleeve: solve_fixed_sleeve,
     ContactGroup: solve_contact,
     ExtendingLink: solve_extending_link,
     RollingContactPole: solve_rolling_contact_pole,

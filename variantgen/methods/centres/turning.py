@@ -6,7 +6,7 @@ from variantgen.algebra.expression import Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import contact_fact
 from variantgen.methods.geometry.geometry import Geometry, degrees
-from variantgen.methods.groups.group import PivotedLink, RelativeRotation, RollingContactPole, RollingWheel
+from variantgen.methods.groups.group import FixedSleeve, PivotedLink, RelativeRotation, RollingContactPole, RollingWheel
 from variantgen.methods.solution.book import Book, Known, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf
 from variantgen.methods.vectors.given_motion import amount
@@ -177,3 +177,15 @@ def solve_relative_rotation(book: Book, group: RelativeRotation) -> None:
         rate = Rate(book.derive(Name(kind, group.body), book.rate_measure, whole), sense)
         book.rates[group.body] = rate
         book.say(f"rates.{kind}_{rate.word}_sum", body=Body(group.body), rate=Name(kind, group.body))
+
+
+def solve_fixed_sleeve(book: Book, group: FixedSleeve) -> None:
+    """A sleeve that does not swivel: ``omega = omega_other``, ``epsilon = epsilon_other``."""
+    kind = "omega" if book.order == 1 else "epsilon"
+    other = book.rates[group.other]
+    with book.step(f"turning.composed_{kind}", body=Body(group.body)):
+        book.say(f"turning.same_{kind}", body=Body(group.body), other=Body(group.other))
+        if other.sense == 0:
+            book.rates[group.body] = Rate(Value(Name(kind, group.body), book.rate_measure, 0.0), 0)
+            return
+        book.rates[group.body] = Rate(book.derive(Name(kind, group.body), book.rate_measure, other.size), other.sense)

@@ -36,10 +36,15 @@ class AngleForm:
 
     def plus(self, other: AngleForm, factor: float = 1.0) -> AngleForm:
         """The sum with a multiple of another one."""
+        constant = self.constant + factor * other.constant
+        if not other.parts:
+            return AngleForm(self.parts, constant)
+        if not self.parts:
+            return AngleForm(tuple([(atom, factor * c) for atom, c in other.parts]), constant)
         found = dict(self.parts)
         for atom, coefficient in other.parts:
             found[atom] = found.get(atom, 0.0) + factor * coefficient
-        return form_of(found.items(), self.constant + factor * other.constant)
+        return form_of(found.items(), constant)
 
     def minus(self, other: AngleForm) -> AngleForm:
         """The difference."""
@@ -61,7 +66,9 @@ class AngleForm:
 
 def form_of(parts: Iterable[tuple[Atom, float]], constant: float) -> AngleForm:
     """A sum from coefficients by atom."""
-    kept = sorted(((atom, c) for atom, c in parts if c != 0), key=lambda item: str(item[0]))
+    kept = [(atom, c) for atom, c in parts if c != 0]
+    if len(kept) > 1:
+        kept.sort(key=lambda item: str(item[0]))
     return AngleForm(tuple(kept), constant)
 
 

@@ -103,6 +103,14 @@ class RelativeRotation:
 
 
 @dataclass(frozen=True, slots=True)
+class FixedSleeve:
+    """``body`` is fixed to a sleeve on ``other`` (or has the line of its sleeve): the two turn alike."""
+
+    body: str
+    other: str
+
+
+@dataclass(frozen=True, slots=True)
 class ContactGroup:
     """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
 
@@ -178,6 +186,7 @@ Group = (
     | FloatingDyad
     | SlidingPair
     | RelativeRotation
+    | FixedSleeve
     | ContactGroup
     | ExtendingLink
     | RollingContactPole

@@ -10,12 +10,14 @@ from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Sliding
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact_groups import contact_groups
 from variantgen.methods.groups.group import (
     Dyad,
     ExtendingLink,
+    FixedSleeve,
     FloatingDyad,
     Group,
     PivotedLink,
@@ -43,6 +45,7 @@ class Route(KnownMotion):
         """The next group that adds something that is needed, or None when nothing does."""
         searches = (
             self._relative_rotations,
+            self._fixed_sleeves,
             self._pivoted_links,
             self._rolling_wheels,
             self._dyads,
@@ -68,6 +71,13 @@ class Route(KnownMotion):
                 and driver.body not in self.book.omega
             ):
                 yield RelativeRotation(driver.body, driver.relative_to, number)
+
+    def _fixed_sleeves(self) -> Iterator[Group]:
+        for joint in self.scene.joints:
+            if isinstance(joint, Slot) and joint.sleeve is not None:
+                for body, other in ((joint.sleeve, joint.body), (joint.body, joint.sleeve)):
+                    if body in self.open_bodies and other in self.book.omega:
+                        yield FixedSleeve(body, other)
 
     def _pivoted_links(self) -> Iterator[Group]:
         for body in self.open_bodies:

@@ -42,9 +42,13 @@ def confirm_answers(
     """Raise UnconfirmedError for the first variant to whose answers its steps do not lead.
 
     ``places`` are the indices of the variants, which share one form, in the batch ``motion``. A variant to which no
-    method applies stands on the independent computation alone. The form remembers steps for variants to come.
+    method applies stands on the independent computation alone, and so does an extreme of a turn. The form remembers
+    steps for variants to come.
     """
     form = variants[0].form
+    asked = [quantity for quantity in asked if not quantity.is_extreme]
+    if not asked:
+        return
     batch = _Batch(variants, asked, motion, places)
     known: list[tuple[Variant, RepeatableCalculation]] = form.remembered.setdefault(
         ("confirmed by", batch.family, tuple(asked)), []
@@ -136,7 +140,7 @@ class _Batch:
             else size * (1.0 + value / size) ** 2
             if quantity.is_length
             else np.maximum(1.0, value)
-            if quantity.group == "ratio"
+            if quantity.group in ("ratio", "turn")
             else largest
         )
         if quantity.component in ("angle", "sense"):  # nothing has neither

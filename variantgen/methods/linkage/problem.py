@@ -22,7 +22,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.needed import Needed, needed_for
 from variantgen.methods.linkage.translated import Translator
-from variantgen.variants.variant import Variant
+from variantgen.variants.variant import Variant, solve_variants
 
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
 
@@ -52,6 +52,11 @@ class Task:
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion of the variant as a batch of one."""
+        return solve_variants([self.variant], self.order)
 
     @cached_property
     def sought(self) -> tuple[Quantity, ...]:

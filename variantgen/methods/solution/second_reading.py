@@ -88,7 +88,8 @@ def _without_repeated_reasons(steps: Sequence[Step]) -> list[Step]:
 def _without_idle_centres(steps: Sequence[Step]) -> list[Step]:
     """The steps with no letter for the contact of a wheel that is named in the sentence about its rolling alone."""
     items = [item for step in steps for item in step.items]
-    used = {name.body for item in items for value in in_order(read(item)) if (name := value.name) and name.body}
+    met = in_order(value for item in items for value in read(item))
+    used = {name.body for value in met if (name := value.name) and name.body}
     used |= {fact.body for item in items for fact in _facts(item) if isinstance(fact, CentreOf)}
     used |= {fact.centre_of for item in items for fact in _facts(item) if isinstance(fact, Segment)}
     return [replace(step, items=[_unlettered(item, used) for item in step.items]) for step in steps]
@@ -225,5 +226,7 @@ def _prepares(step: Step, following: Step, asked: Collection[Name]) -> bool:
     if step.views or not step.heading.key.startswith(_PREPARING):
         return False
     found = [item.value for item in step.items if isinstance(item, Derived)]
+    if any(value.name in asked for value in found):
+        return False
     met = in_order(value for item in following.items for value in read(item))
-    return any(value in met for value in found) and not any(value.name in asked for value in found)
+    return any(value in met for value in found)

@@ -48,7 +48,8 @@ def used_lines(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     A vector is needed where it is projected or something is computed from it; that an equation names it is no reason to
     work out its magnitude.
     """
-    names = _names(in_order(results))
+    met = set(in_order(results))
+    names = _names(met)
     drawn: set[Name] = set()
     kept: list[Step] = []
     for step in reversed(steps):
@@ -59,7 +60,9 @@ def used_lines(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
             if isinstance(item, VectorLine):
                 drawn |= {term.name for term in (*item.left, *item.right)}
             items.append(_without_normal(item, names | drawn) if isinstance(item, Sentence) else item)
-            names |= _names(in_order(read(item)))
+            more = in_order(read(item), met)
+            met.update(more)
+            names |= _names(more)
         kept.append(replace(step, items=items[::-1]))
     return kept[::-1]
 

@@ -34,10 +34,13 @@ def write_records(
     redrawn: Sequence[str],
     pages: Mapping[str, Mapping[int, int]],
     pieces: Mapping[str, Sequence[Path]],
+    bands: Sequence[Mapping[str, Any]] = (),
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
     write_key_csv(folder / "key.csv", pieces["key.csv"])
-    write_manifest(folder / NAME, manifest_frame(exam, made_with, redrawn, pages, file_hashes(folder)), pieces[NAME])
+    write_manifest(
+        folder / NAME, manifest_frame(exam, made_with, redrawn, pages, file_hashes(folder), bands), pieces[NAME]
+    )
 
 
 def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
@@ -105,12 +108,13 @@ def manifest_frame(
     redrawn: Sequence[str],
     pages: Mapping[str, Mapping[int, int]],
     files: Mapping[str, str],
+    bands: Sequence[Mapping[str, Any]] = (),
 ) -> tuple[str, str]:
     """What stands in the manifest before the lines of the students, and after them.
 
     The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
     depends on besides this file; ``pages`` how many students have so many pages, by document; ``files`` has the SHA-256
-    of the other files.
+    of the other files, ``bands`` say how much work the variants of each form may take.
     """
     content = {
         "schema": SCHEMA,
@@ -138,6 +142,7 @@ def manifest_frame(
         "seed": exam.seed,
         "redrawn": list(redrawn),
         "pages": {document: dict(students) for document, students in pages.items()},
+        "bands": list(bands),
         "files": dict(files),
     }
     text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")
@@ -170,6 +175,7 @@ def _problem(exam: Exam, item: Item) -> dict[str, Any]:
         **({"nice": True} if item.task.nice else {}),
         "pose": {"mirrored": variant.sense < 0, "quarter_turns": variant.turns},
         "attempt": variant.attempt,
+        **({"work": asdict(item.work)} if item.work else {}),
         "methods": list(item.task.methods or variant.family.solution) if exam.solutions.wanted else [],
         "parameters": {
             name: {"value": str(value), "unit": parameter.unit.name}

@@ -185,7 +185,8 @@ def _posed(question: Question, exam: Exam, files: FigureFiles) -> tuple[str, Ite
         f"{inert(to_html(asked.unit))}</p>"
         for asked, share in zip(question.parts, shares, strict=True)
     )
-    notes = inert(notes_html((*question.notes, exam.spoken.words("platform")["numbers"])))
+    numbers = f"{exam.spoken.words('platform')['numbers']} {question.reference}"
+    notes = inert(notes_html((*question.notes, numbers)))
     return f'<div lang="{exam.language}">{text}{"".join(lines)}{notes}</div>', figures.used.values()
 
 

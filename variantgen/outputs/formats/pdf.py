@@ -24,6 +24,7 @@ from variantgen.outputs.formats import (
     options,
 )
 from variantgen.outputs.pdf_options import PdfOptions, read_options
+from variantgen.outputs.typst.answer_pages import with_answer_pages
 from variantgen.outputs.typst.coverage import check_letters
 from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.writing import TYPST
@@ -48,6 +49,8 @@ def make(part: Chunk) -> Iterator[Fragment]:
     chosen = _options(part.exam)
     figures: dict[int, Any] = {}
     data = with_pages(sheets_data(part.content, TYPST, figures, built=True), part.engine)
+    if part.exam.scan:
+        data = with_answer_pages(data, part.content)
     own = [data]
     if chosen.for_students:
         own = [{**data, "students": [{**student, "last": True}]} for student in data["students"]]

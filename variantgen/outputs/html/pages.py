@@ -16,6 +16,7 @@ from markupsafe import Markup
 from variantgen.resources import templates_dir
 
 _STYLE = "style.css"
+_PIECES = 100  # that are cleaned and written together
 # What no page of HTML may hold: control characters and code points that are no characters. Titles may have them.
 _NO_TEXT = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufdd0-\ufdef"
@@ -65,8 +66,10 @@ def fragment(template: str, **data: Any) -> str:
 def write_page(path: Path, template: str, **data: Any) -> None:
     """Write a page piece by piece, as the template makes it; iterators in the data are read as the page grows."""
     style, known = _style()
+    stream = _environment().get_template(template).stream(style=style, style_hash=known, **data)
+    stream.enable_buffering(_PIECES)
     with path.open("wb") as file:
-        for piece in _environment().get_template(template).generate(style=style, style_hash=known, **data):
+        for piece in stream:
             file.write(_clean(piece))
 
 

@@ -56,7 +56,11 @@ def panels(
     positions = _positions(variant, driver_sweep, asked, language)
     found = [Panel(unit(length), tuple(positions), _letters(positions))] if positions else []
     printed = {answer.quantity: answer.value for answer in answers(variant, [quantity.written for quantity in asked])}
-    plain = [quantity for quantity in asked if quantity.component != "sense" and math.isfinite(printed[quantity])]
+    plain = [
+        quantity
+        for quantity in asked
+        if not (quantity.component == "sense" or quantity.is_of_turn) and math.isfinite(printed[quantity])
+    ]
     curves = [_curve(variant, driver_sweep.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:
         alike = [curve for curve in curves if curve.unit.measures == measure and not curve.constant]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
+from variantgen.outputs.platforms.reference import Reference
 from variantgen.wording.formula import Formula, UnitText
 from variantgen.wording.statement import answer_notes
 
@@ -39,6 +40,11 @@ class Question:
     solved: SolvedProblem | None
     parts: tuple[AnswerField, ...]
     notes: tuple[str, ...]
+
+    @property
+    def reference(self) -> Reference:
+        """By what an attempt finds its way back."""
+        return Reference(self.sheet.code, self.posed.item.task.number)
 
     @property
     def family(self) -> str:

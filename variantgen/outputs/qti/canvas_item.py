@@ -9,7 +9,7 @@ Where an exam says ``statement = "once"``, the statement is a text before its qu
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from html import escape
 from xml.etree.ElementTree import Element
@@ -85,10 +85,11 @@ class CanvasItems:
         words, count = self.exam.spoken.words("platform"), len(question.parts)
         which = f"{escape(words['answer'].format(number=place, count=count))} " if count > 1 else ""
         unit = f", {to_html(part.unit)}" if part.unit.parts else ""
+        where = replace(question.reference, quantity=part.answer.quantity.name)
         problem = f"{escape(self.exam.spoken.words('sheet')['problem'])} {question.posed.item.task.number}. "
         return (
             f"<p><strong>{problem if self.once else ''}{which}</strong>{to_html(part.symbol)}{unit}</p>"
-            f"<p><small>{escape(words['numbers'])}</small></p>"
+            f"<p><small>{escape(words['numbers'])} {escape(str(where))}</small></p>"
         )
 
     def _solution(self, question: Question) -> str:

@@ -11,9 +11,9 @@ from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.sheet_data import group_text, points_text, sheet_notes, sheets_data, who
 from variantgen.outputs.documents.solution_data import solutions_data
 from variantgen.outputs.figures import write_whole
-from variantgen.outputs.single.problem_page import page_format
+from variantgen.outputs.single.problem_page import Format, page_format
 from variantgen.outputs.typst.sheet_pages import with_pages
-from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.wording.plain import plain_problem
 from variantgen.wording.solution.plain import plain_solution
@@ -27,17 +27,21 @@ def write_sheet(exam: Exam, sheet: Sheet, path: Path, explained: bool = False) -
     A picture holds one page: of several, those after the first have their numbers before the ending. Returns what was
     written. Raises InputError for another ending.
     """
-    form, content = page_format(path), Content(exam, (sheet,))
+    form = page_format(path)
     with typesetter() as engine:
-        if explained:
-            pages = engine.compile("solutions.typ", solutions_data(content, 0, TYPST), form)
-        else:
-            data = with_pages(sheets_data(content, TYPST, built=True), engine)
-            pages = engine.compile("sheets.typ", data, form)
+        pages = sheet_pages(exam, sheet, engine, form, explained)
     paths = [path, *(path.with_stem(f"{path.stem}-{number}") for number in range(2, len(pages) + 1))]
     for own, page in zip(paths, pages, strict=True):
         write_whole(own, page, "--out")
     return paths
+
+
+def sheet_pages(exam: Exam, sheet: Sheet, engine: Typesetter, form: Format, explained: bool = False) -> list[bytes]:
+    """The sheet, or the solutions, as pages of SVG or PNG, or as one PDF."""
+    content = Content(exam, (sheet,))
+    if explained:
+        return engine.compile("solutions.typ", solutions_data(content, 0, TYPST), form)
+    return engine.compile("sheets.typ", with_pages(sheets_data(content, TYPST, built=True), engine), form)
 
 
 def plain_sheet(exam: Exam, sheet: Sheet, explained: bool = False) -> str:

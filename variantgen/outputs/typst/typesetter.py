@@ -1,7 +1,7 @@
 """The embedded typesetting engine (Typst): documents from a template and data, without system TeX or network.
 
 Everything variable is passed as JSON, so text from outside is never markup. The engine sees a folder that holds the
-templates and nothing else, its own fonts only, and a fixed time stamp.
+templates and this JSON and nothing else, its own fonts only, and a fixed time stamp.
 """
 
 from __future__ import annotations
@@ -57,16 +57,15 @@ class Typesetter:
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
         with_alt = tagged and form == "pdf"
-        inputs = {"data": _json(data, with_alt), "form": form}
+        known: dict[str, Any] = {}
         if form == "pdf":
             known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
-            inputs.update((name, _json(found)) for name, found in known.items())
         try:
             made = _compiler(self.root).compile(
                 self.root / template,
                 format=form,
                 ppi=ppi,
-                sys_inputs=inputs,
+                sys_inputs=self._inputs(form, _json(data, with_alt), known),
                 timestamp=_EPOCH,
                 pdf_standards=cast(Any, list(standards)),
                 pdf_tags=tagged,
@@ -82,13 +81,24 @@ class Typesetter:
         """The numbers that a template notes under the label ``found``; ``known`` are the formulas that are set."""
         import typst
 
-        inputs = {"data": _json(data, False), "form": "pdf", "set-formulas": _json(known)}
-        # An engine of its own, because only a new one is given data for a query: 3 ms, once for many sheets.
+        inputs = self._inputs("pdf", _json(data, False), {"set-formulas": known})
+        # An engine of its own, because only a new one is given a template for a query: 3 ms, once for many sheets.
         engine = typst.Compiler(
             self.root / template, root=self.root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs
         )
         found: list[float] = json.loads(engine.query("<found>", field="value", one=True))
         return found
+
+    def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
+        """What templates are told: the names of the files with the data, which are those of this process.
+
+        The same names every time: what the engine remembers holds for documents that are told the same.
+        """
+        inputs = {}
+        for name, text in {"data": data, **{name: _json(found) for name, found in known.items()}}.items():
+            inputs[name] = f"{name}-{os.getpid()}.json"
+            (self.root / inputs[name]).write_text(text, "utf-8")
+        return {**inputs, "form": form}
 
 
 @lru_cache(maxsize=1)

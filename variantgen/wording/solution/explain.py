@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from variantgen.algebra.expression import Value
 from variantgen.errors import VariantgenError
 from variantgen.families.quantities import Quantity
+from variantgen.families.rate_graphs import grid_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.methods.steps.step import Sentence, Solution
+from variantgen.methods.steps.step import Fact, NumberOf, Sentence, Solution, Step
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Relation, Symbol
@@ -79,9 +81,10 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         (q, (value.shown if found.approximate else value.exact) * q.own_unit(length).size / q.unit(length).size)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)
     ]
-    sections = tuple(writer.section(step) for step in found.steps)
+    steps = (*_read_from_graph(task), *found.steps)
+    sections = tuple(writer.section(step) for step in steps)
     return SolutionText(
-        _plan([writer.text(step.heading) for step in found.steps]),
+        _plan([writer.text(step.heading) for step in steps]),
         sections,
         _answer(task.variant, answers, language, _preface(found, writer), found.approximate),
         writer.blocks(found.check),
@@ -89,6 +92,26 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         found.vectors,
         found.geometry,
     )
+
+
+def _read_from_graph(task: Task) -> tuple[Step, ...]:
+    """The step that reads a rate and its acceleration from the graph of the statement; none where there is none."""
+    names = task.form.figure.graph
+    if not names:
+        return ()
+    rate, slope = (task.given[name] for name in names)
+    found = grid_of(*(abs(task.variant.printed[name]) for name in names))
+    assert found is not None, "families with such data are refused"
+    time = Value(None, "time", float(found[0]))
+    facts: dict[str, Fact] = {
+        "rate": rate,
+        "acceleration": slope,
+        "number": NumberOf(rate),
+        "slope": NumberOf(slope),
+        "time": NumberOf(time),
+        "change": NumberOf(Value(None, rate.measure, float(found[0] * abs(task.variant.printed[names[1]])))),
+    }
+    return (Step(Sentence("given.graph"), [Sentence("given.read_from_graph", facts, False)]),)
 
 
 def _centres(task: Task) -> dict[str, Symbol]:

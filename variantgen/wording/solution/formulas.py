@@ -36,7 +36,7 @@ from variantgen.wording.formula import (
     Symbol,
     UnitText,
 )
-from variantgen.wording.language import Language
+from variantgen.wording.language import Language, as_fraction
 from variantgen.wording.solution.quantity_symbols import Symbols
 
 _SHORT_SUM = 2  # terms
@@ -131,7 +131,12 @@ class Formulas:
 
     def _value(self, value: Value) -> Formula:
         """The printed number of a value; only an angle keeps its unit inside a formula."""
-        return self.measured(value) if value.measure == "angle" else self.printed(value)
+        if value.measure == "angle":
+            return self.measured(value)
+        whole = as_fraction(Decimal(repr(value.shown))) if value.expression is None else None
+        if whole is not None:
+            return Fraction(self.number(whole.numerator), self.number(whole.denominator))
+        return self.printed(value)
 
     def _signed(self, sign: int, term: Expression, numbers: bool) -> tuple[int, Formula]:
         """A term of a sum; the signs of negative numbers are taken out of it, and of the factors of a product."""

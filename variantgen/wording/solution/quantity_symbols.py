@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
+from variantgen.families.quantities import split_name
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Quotient, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
@@ -55,6 +56,17 @@ class Symbols:
                 return Symbol(name.kind, (Index(centre.base), *centre.index))
             case "rope":
                 return Symbol("v", (Index(self.language.words("index")["rope"], True), Index(name.of + name.about)))
+            case "turn":
+                found = self.language.quantity(split_name(name.of), self.form.symbols)
+                assert isinstance(found, Symbol), "no quotient, no property"
+                return found
+            case "turn_between":
+                return Symbol("theta")
+            case "limit":
+                return Symbol(name.of, (Index(name.about),))
+            case "limit_corner":
+                start, end = name.of.split()
+                return Symbol(f"{ANGLE}{start}{name.body}{end}", (Index(name.about),))
             case "curvature":
                 return Symbol("rho", (Index(name.of),))
             case "x" | "y":

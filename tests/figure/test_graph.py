@@ -1,0 +1,133 @@
+"""Empty grids on sheets and the curves of solutions, beside closed formulas."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from math import pi, radians, sin, sqrt
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.sheets import drawn_sheets
+from variantgen.errors import InputError
+from variantgen.exam.content import Content
+from variantgen.exam.roster import numbered
+from variantgen.exam.solution_figures import CURVE
+from variantgen.families.load import load_family
+from variantgen.families.rate_graphs import grid_of, with_graph
+from variantgen.families.restrict import restrict
+from variantgen.families.sketches import with_sketch
+from variantgen.figure.drawing import BOLD
+from variantgen.figure.drawing import Path as DrawnPath
+from variantgen.figure.graph import grid, rate_graph, turn_curve
+from variantgen.outputs.formats import read_exam
+from variantgen.single import one_variant
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import load_language
+
+DATA = {"OA": 20, "AB": 60, "phi": 60, "omega_OA": 3}
+
+
+def speed(angle: float) -> float:
+    """The speed of the slider of a central mechanism (cm/s) by the angle of its crank with the guide."""
+    root = sqrt(60**2 - (20 * sin(angle)) ** 2)
+    return abs(20 * 3 * (sin(angle) + 20 * sin(2 * angle) / (2 * root)))
+
+
+def test_the_curve_is_that_of_the_closed_formula() -> None:
+    variant = one_variant("slider_crank", form="central", fixed=DATA)
+    curve = turn_curve(variant, "v_B", load_language("en"))
+    sense = np.sign(curve.values[1] - curve.values[0])  # from 60 degrees towards 90 it gets faster
+    way = [radians(60) + sense * 2 * pi * k / 180 for k in range(181)]
+    assert curve.values == pytest.approx([speed(angle) for angle in way], rel=1e-9)
+
+
+def test_the_grid_is_round_and_the_curve_lies_in_it() -> None:
+    variant, language = one_variant("slider_crank", form="central", fixed=DATA), load_language("ru")
+    curve = turn_curve(variant, "v_B", language)
+    empty, drawn = (grid(curve, language, wanted) for wanted in (False, True))
+    texts = [to_plain(label.formula) for label in empty.labels]
+    assert [t for t in texts if "°" in t] == ["0°", "60°", "120°", "180°", "240°", "300°", "360°"]
+    assert [t for t in texts if t.isdigit()] == ["0", "20", "40", "60", "80"]  # its largest value is 63.3 cm/s
+    (way,) = (line for line in drawn.lines if isinstance(line, DrawnPath) and line.weight == BOLD)
+    assert len(drawn.lines) == len(empty.lines) + 1
+    heights = [place.imag for place in way.points]
+    lines = sorted({line.points[0].imag for line in empty.lines if line.points[0].imag == line.points[1].imag})  # type: ignore[union-attr]
+    part = (max(heights) - lines[0]) / (lines[-1] - lines[0])
+    assert part == pytest.approx(max(speed(radians(60 + 2 * k)) for k in range(180)) / 80, abs=2e-3)
+    assert min(heights) >= lines[0] - 1e-9
+
+
+EXAM = """title = "Quiz"
+language = "en"
+[[problem]]
+family = "slider_crank"
+form = "central"
+ask = ["v_B"]
+sketch = ["v_B", "omega_AB"]
+"""
+
+
+def test_the_sheet_has_empty_grids_and_the_solution_their_curves(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(EXAM, "utf-8")
+    exam = read_exam(path)
+    content = Content(exam, drawn_sheets(exam, numbered(1)))
+    ((posed,),), ((solved,),) = content.posed, content.solved
+    assert posed.figure.height > 2 * 46 + solved.rows[0][0].drawing.height  # two grids below the mechanism
+    assert "Below it an empty grid for v_B" in posed.figure.alt
+    assert "".join(part for part in posed.statement.text if isinstance(part, str)).count("Sketch in the grid") == 2
+    names = [figure.name for row in solved.rows for figure in row]
+    assert names[-2:] == [f"{CURVE}:v_B", f"{CURVE}:omega_AB"]
+
+
+@pytest.mark.parametrize(
+    ("family", "name", "said"),
+    [
+        ("slider_crank", "v_C", "no curve over a turn"),
+        ("ladder", "v_B", "rotates a body about a fixed point"),
+    ],
+)
+def test_what_has_no_curve_says_so(family: str, name: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        with_sketch(load_family(family), [name])
+
+
+@pytest.mark.parametrize(
+    ("rate", "acceleration", "found"),
+    [
+        ("4.5", "3", ("1", "1.5")),  # 1.5 at 0 s, 4.5 at 1 s, 7.5 at 2 s
+        ("5.5", "16", ("0.25", "0.5")),  # it changes by 4 in 0.25 s
+        ("120", "25", ("4", "20")),
+        ("1", "30", None),  # in 0.1 s it changes by three times itself
+    ],
+)
+def test_the_grid_on_which_a_rate_is_read(rate: str, acceleration: str, found: tuple[str, str] | None) -> None:
+    wanted = None if found is None else tuple(map(Decimal, found))
+    assert grid_of(Decimal(rate), Decimal(acceleration)) == wanted
+
+
+def test_a_rate_told_by_its_graph(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    text = EXAM.replace('form = "central"', 'form = "central"\ngraph = true\nset = { omega_OA = 4.5, epsilon_OA = -3 }')
+    path.write_text(text.replace('"v_B"]\nsk', '"v_B", "a_B"]\nsk'), "utf-8")
+    exam = read_exam(path)
+    content = Content(exam, drawn_sheets(exam, numbered(1)))
+    ((posed,),), ((solved,),) = content.posed, content.solved
+    given = [to_plain(equation) for equation in posed.statement.given]
+    assert given[-1].replace("\N{NO-BREAK SPACE}", " ") == "t = 1 s"
+    assert not any("ω" in equation or "ε" in equation or "α" in equation for equation in given)
+    assert "the graph of ω_OA over time" in posed.figure.alt
+    # Both rates have the senses of the figure: it slows down or speeds up between 7.5 and 1.5 rad/s.
+    drawn = rate_graph(posed.item.variant, load_language("en"))
+    assert {to_plain(label.formula) for label in drawn.labels} >= {"1.5", "3", "4.5", "6", "7.5", "0.5", "2"}
+    read = solved.text.sections[0]
+    assert "ordinate" in str(read.blocks)
+
+
+def test_data_that_no_grid_shows_are_refused() -> None:
+    with pytest.raises(InputError, match="cannot be read from one grid"):
+        with_graph(restrict(load_family("slider_crank"), {"omega_OA": 1, "epsilon_OA": 12}, {}, ("central",)))
+    with pytest.raises(InputError, match="has not a velocity and an acceleration"):
+        with_graph(load_family("falling_rod"))

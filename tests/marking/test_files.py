@@ -1,0 +1,164 @@
+"""What a marking hands on: gradebook files as their importers read them, the workbook, what changed."""
+
+from __future__ import annotations
+
+import csv
+import re
+from datetime import datetime
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from tests.marking.test_marks import Mark, built, key, long, mark, order, rows
+from variantgen.cli import main
+
+__all__ = ["built", "mark"]
+
+
+def canvas(path: Path) -> dict[str, tuple[str, float | None]]:
+    """What Canvas makes of a gradebook file: by SIS id the section and the score of the one assignment."""
+    table = list(csv.reader(path.read_text("utf-8").splitlines()))
+    head, most, *students = table
+    assert "Student" in head[0]
+    assert "ID" in head[1]
+    assert (head[2], head[3], head[4]) == ("SIS User ID", "SIS Login ID", "Section")
+    assert not re.search(r"\((\d+)\)$", head[5]), "an assignment that is there already"
+    assert "Points Possible" in most[0]
+    assert float(most[5]) == 9
+    return {row[2]: (row[4], float(row[5]) if row[5].strip() else None) for row in students}
+
+
+def moodle(path: Path) -> dict[str, float | None]:
+    """What Moodle makes of a file of grades whose first column is mapped to the ID number, the last to a new item."""
+    head, *students = csv.reader(path.read_text("utf-8").splitlines())
+    assert (head[0], head[-1]) == ("ID number", "Quiz")
+    grades = {row[0].strip(): None if row[-1].strip() == "-" else float(row[-1]) for row in students}
+    assert all(grade is None or grade <= 100 for grade in grades.values()), "more than a new item holds"
+    return grades
+
+
+def test_gradebooks(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right = key(built)
+    first, second, third = order(built)
+    answers = [(first, "1.v_B", f"{right[first, '1.v_B']:.5g}"), (second, "1.v_B", "1")]
+    mark(long(tmp_path, answers))
+    out = tmp_path / "marks"
+    section = {"s1": "A", "s2": "A", "s3": "B"}
+    points = {first: 2.0, second: 0.0, third: None}
+    assert moodle(out / "gradebook_moodle.csv") == points
+    assert canvas(out / "gradebook_canvas.csv") == {who: (section[who], points[who]) for who in points}
+
+
+def test_the_workbook(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right = key(built)
+    first = order(built)[0]
+    mark(long(tmp_path, [(first, "1.v_B", f"{right[first, '1.v_B']:.5g}"), (first, "2.v_O", "1e9")]))
+    book = openpyxl.load_workbook(tmp_path / "marks" / "marks.xlsx")
+    assert book.sheetnames == ["Sums", "A", "B", "Commonest causes", "Policy"]
+    group = book["A" if first in ("s1", "s2") else "B"]
+    head = [cell.value for cell in group[3]]
+    own = next(row for row in group.iter_rows(min_row=4, values_only=True) if row[1] == first)
+    found = dict(zip(head, own, strict=True))
+    assert (found["1.v_B"], found["2.v_O"], found["1."], found["Points"], found["Most"]) == (2, 0, 2, 2, 9)
+    assert found["1.a_B"] == "–"
+    assert ("follow_through", 1) in [row[:2] for row in book["Policy"].iter_rows(values_only=True)]
+
+
+def test_another_policy_says_whose_mark_changed(
+    built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A sign paid by half: two points of eight become one for the student who has it, and nobody else's change."""
+    right = key(built)
+    first, second, _ = order(built)
+    table = long(
+        tmp_path,
+        [(first, "1.v_B", f"{-right[first, '1.v_B']:.5g}"), (second, "1.v_B", f"{right[second, '1.v_B']:.5g}")],
+    )
+    mark(table)
+    policy = tmp_path / "policy.toml"
+    policy.write_text("shares = { sign = 0.5 }\n", "utf-8")
+    _, marks, _, _ = mark(table, options=["--policy", str(policy)])
+    code = next(row["code"] for row in marks if row["id"] == first)
+    assert f"{code}: 0 -> 1" in capsys.readouterr().err
+    found = rows(tmp_path / "marks" / "changes.csv")
+    assert [(row["id"], row["answer"], row["points before"], row["points"]) for row in found] == [
+        (first, "", "0", "1"),
+        (first, "1.v_B", "0", "1"),
+    ]
+    again = ["mark", str(built), str(table), "--out", str(tmp_path / "two"), "--against", str(tmp_path / "marks")]
+    assert main(again) == 0
+    assert [(row["points before"], row["points"]) for row in rows(tmp_path / "two" / "changes.csv")] == [("1", "0")] * 2
+
+
+def test_nothing_names_a_student_in_anonymous_marks(
+    built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """No id, name or group of the class stands in any file or message, nor a word that somebody typed for one."""
+    first = order(built)[0]
+    answers = long(tmp_path, [(first, "1.v_B", "1"), ("Zed Quux", "1.v_B", "2")])
+    mark(answers)
+    capsys.readouterr()
+    mark(answers, options=["--anonymous", "--json"])
+    out = tmp_path / "marks"
+    texts = {path.name: path.read_text("utf-8") for path in out.rglob("*") if path.suffix in (".csv", ".html")}
+    book = openpyxl.load_workbook(out / "marks.xlsx")
+    texts["marks.xlsx"] = "\n".join(
+        str(cell) for page in book for row in page.iter_rows(values_only=True) for cell in row
+    )
+    texts["messages"] = "".join(capsys.readouterr())
+    assert len(texts) == 8, sorted(texts)
+    for name, text in texts.items():
+        assert not re.search(r"Ann|Bob|Cy|Zed|Quux|(?<!\w)s[123](?!\w)", text), name
+
+
+def test_what_spreadsheets_do_to_a_form(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """A formula without a value and a number taken for a date are told; a correction adds to its problem."""
+    right = key(built)
+    book = openpyxl.load_workbook(built / "grading.xlsx")
+    sheet = book.worksheets[0]
+    head = next(row for row in sheet.iter_rows() if row[0].value == "Variant")
+    columns = {cell.value: cell.column for cell in reversed(head) if cell.value}
+    row = head[0].row + 1
+    who = sheet.cell(row, 2).value
+    sheet.cell(row, columns["v_B, cm/s"], right[who, "1.v_B"])
+    sheet.cell(row, columns["a_B, cm/s²"], "=2*3")
+    sheet.cell(row, columns["a_B, cm/s²"] + 1, datetime(1995, 2, 1, tzinfo=None))
+    sheet.cell(row, columns["±"], 1.5)
+    book.save(tmp_path / "filled.xlsx")
+    code, marks, totals, left = mark(tmp_path / "filled.xlsx")
+    assert code == 0
+    assert [item["why"].split(":")[0] for item in left] == ["is a formula that was never computed", "is a date"]
+    own = {item["quantity"]: item["verdict"] for item in marks if item["id"] == who and item["problem"] == "1"}
+    assert own == {"v_B": "right", "omega_AB": "blank", "a_B": "unreadable", "epsilon_AB": "unreadable"}
+    assert next(item["1"] for item in totals if item["id"] == who) == "3.5"
+
+
+def test_the_heads_of_a_form_service(
+    built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    right, first = key(built), order(built)[0]
+    name = {"s1": "Ann Lee", "s2": "Bob Ray", "s3": "Cy Young"}[first]
+    table = tmp_path / "form.csv"
+    table.write_text(f'Time;Your  name;Speed of B?\n12:00;{name};"{right[first, "1.v_B"]:.5g}"\n', "utf-8")
+    columns = tmp_path / "columns.toml"
+    columns.write_text('"Your name" = "name"\n"Speed of B?" = "1.v_B"\n', "utf-8")
+    code, marks, _, _ = mark(table, options=["--columns", str(columns)])
+    assert (code, [row["id"] for row in marks if row["verdict"] == "right"]) == (0, [first])
+    for text, said in (
+        ('"Your name" = "nam"', "expected a column"),
+        ('"Name?" = "name"', "no table has such a column"),
+    ):
+        columns.write_text(text + "\n", "utf-8")
+        assert mark(table, options=["--columns", str(columns)])[0] == 2
+        assert said in capsys.readouterr().err
+
+
+def test_columns_far_to_the_right(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right, first = key(built), order(built)[0]
+    book = openpyxl.Workbook()
+    book.active.append(["id", *(f"remark {i}" for i in range(300)), "1.v_B"])
+    book.active.append([first, *[""] * 300, right[first, "1.v_B"]])
+    book.save(tmp_path / "wide.xlsx")
+    _, marks, _, _ = mark(tmp_path / "wide.xlsx")
+    assert [row["quantity"] for row in marks if row["verdict"] == "right"] == ["v_B"]

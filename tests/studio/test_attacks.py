@@ -1,0 +1,223 @@
+"""Attacks: other sites, other names of this machine, paths, large and slow bodies, scripts in texts."""
+
+from __future__ import annotations
+
+import json
+import stat
+from pathlib import Path
+
+import pytest
+
+from tests.studio.asking import HOST, PORT, Asking
+from tests.studio.conftest import EXAM, TOKEN
+from variantgen.errors import InputError
+from variantgen.studio import security
+from variantgen.studio.workspace import Workspace, write_whole
+
+PAGES = ("/?all", "/exam/choose", "/exam/state", "/exam/chosen", "/static/studio.js")
+COOKIE = f"variantgen-{PORT}={TOKEN}"
+EDIT = {"operations": [{"op": "set", "path": "title", "value": "Taken"}], "version": "", "window": ""}
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_only_this_address_is_answered(client: Asking, path: str) -> None:
+    assert client.get(path).status == 200
+    for host in (
+        "evil.example",
+        f"evil.example:{PORT}",
+        "127.0.0.1",
+        "127.0.0.1:1",
+        f"127.0.0.1:{PORT}.evil.example",
+        "",
+    ):
+        for method in ("GET", "HEAD", "POST", "PUT"):
+            assert client.ask(method, path, host=host, origin=f"http://{host}").status == 421, (host, method)
+    two = [(b"host", HOST.encode()), (b"host", b"evil.example"), (b"cookie", COOKIE.encode())]
+    assert client.raw("GET", path, two).status == 421
+    assert client.raw("GET", path, [(b"cookie", COOKIE.encode())]).status == 421
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_without_the_cookie_nothing_is_seen(client: Asking, path: str) -> None:
+    for cookie in (
+        None,
+        "",
+        "x=y",
+        f"variantgen-{PORT}=",
+        f"variantgen-{PORT}=let-me-out",
+        f"variantgen={TOKEN}",
+        "\xff",
+    ):
+        answer = client.get(path, cookie=cookie)
+        assert answer.status == 403 and "Homework" not in answer.text
+
+
+def test_the_first_address_becomes_a_strict_cookie(client: Asking) -> None:
+    stranger = Asking(client.app)
+    answer = stranger.get(f"/?t={TOKEN}")
+    assert answer.status == 303 and answer.headers["location"] == "/"
+    assert {"HttpOnly", "SameSite=strict"} <= {part.strip() for part in answer.headers["set-cookie"].split(";")}
+    for path in ("/?t=wrong", "/?t=", f"/?t={TOKEN}&t={TOKEN}", f"/exam/choose?t={TOKEN}", f"/?T={TOKEN}"):
+        answer = stranger.get(path)
+        assert answer.status == 403 and "set-cookie" not in answer.headers, path
+    assert stranger.ask("POST", f"/?t={TOKEN}").status == 403
+
+
+@pytest.mark.parametrize("site", ["cross-site", "same-site", "nonsense", "same-origin, cross-site"])
+def test_another_site_gets_nothing(client: Asking, folder: Path, site: str) -> None:
+    assert client.get("/exam/choose", sec_fetch_site=site).status == 403
+    assert client.post("/exam/edit", EDIT, sec_fetch_site=site).status == 403
+    assert (folder / "exam.toml").read_text() == EXAM
+
+
+@pytest.mark.parametrize(
+    "origin", [None, "null", "http://evil.example", f"https://{HOST}", "http://127.0.0.1", f"http://localhost:{PORT}"]
+)
+def test_forms_and_fetches_of_others_change_nothing(client: Asking, folder: Path, origin: str | None) -> None:
+    for path in ("/exam/edit", "/exam/text", "/exam/undo", "/exams", "/stars"):
+        assert client.post(path, EDIT, origin=origin).status == 403
+    assert (folder / "exam.toml").read_text() == EXAM
+    assert [path.name for path in folder.glob("*.toml")] == ["exam.toml"]
+
+
+@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
+def test_only_json_changes_anything(client: Asking, folder: Path, kind: str) -> None:
+    body = (json.dumps({**EDIT, "version": client.get("/exam/state").json()["version"]}).encode(),)
+    assert client.ask("POST", "/exam/edit", body, content_type=kind).status == 400
+    assert (folder / "exam.toml").read_text() == EXAM
+    assert client.ask("POST", "/exam/edit", body, content_type="application/json").status == 200
+    assert "Taken" in (folder / "exam.toml").read_text()
+
+
+@pytest.mark.parametrize("method", ["DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT", "PROPFIND", "get"])
+def test_other_methods_are_unknown(client: Asking, method: str) -> None:
+    assert client.ask(method, "/exam/choose").status == 405
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/static/../server.py", "/static/%2e%2e/server.py", "/static/..%2fserver.py", "/static//etc/passwd",
+        "/../exam/choose",
+        "/exam.toml/choose", "/../../etc/passwd/choose", "/..%2fexam/choose", "/secret/choose", "/.studio/choose",
+        "/figure/../etc/11.svg", "/figure/four_bar/..%2f..%2fx/11.svg", "/figure/four_bar/crank/1e9.svg",
+        "/figure/four_bar/crank/-1.svg", "/figure/four_bar/crank/999999999999999999999.svg",
+        "/figure/x\x00y/crank/1.svg",
+        "/figure/four_bar/no/1.svg", "/example/..%5c..%5cx/y", "/\\..\\exam/choose",
+    ],
+)  # fmt: skip
+def test_no_path_leads_out(client: Asking, folder: Path, path: str) -> None:
+    (folder.parent / "secret.toml").write_text(EXAM)
+    answer = client.get(path)
+    assert answer.status in (400, 404), answer.text
+    assert "root:" not in answer.text and "Homework" not in answer.text
+
+
+def test_links_out_of_the_folder_are_left_alone(folder: Path, client: Asking) -> None:
+    outside = folder.parent / "outside.toml"
+    outside.write_text(EXAM)
+    (folder / "linked.toml").symlink_to(outside)
+    families = folder.parent / "families"
+    (families / "stolen").mkdir(parents=True)
+    (families / "stolen" / "family.toml").write_text("title = { en = 'Stolen' }")
+    (folder / "stolen").symlink_to(families / "stolen")
+    assert client.get("/linked/choose").status == 404
+    assert "linked" not in client.get("/?all").text
+    assert "Stolen" not in client.get("/exam/cards").text and "stolen" not in client.get("/exam/cards").text
+    # The exam becomes a link while it is open: neither read nor written.
+    version = client.get("/exam/state").json()["version"]
+    (folder / "exam.toml").unlink()
+    (folder / "exam.toml").symlink_to(outside)
+    assert client.post("/exam/edit", {**EDIT, "version": version}).status == 404
+    assert outside.read_text() == EXAM
+
+
+def test_a_link_as_the_folder_of_the_studio_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "work").mkdir()
+    (tmp_path / "work" / ".studio").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(InputError, match="link"):
+        Workspace(tmp_path / "work")
+
+
+@pytest.mark.parametrize(
+    "title", ["../../evil", "/etc/passwd", "..", "C:\\evil", "a\x00b", "CON", ".hidden", "x" * 200, "?*|<>"]
+)
+def test_titles_never_become_paths(client: Asking, folder: Path, title: str) -> None:
+    before = set(folder.parent.rglob("*.toml"))
+    answer = client.post("/exams", {"title": title, "language": "en"})
+    new = set(folder.parent.rglob("*.toml")) - before
+    assert answer.status in (200, 400)
+    assert all(path.parent == folder and not path.name.startswith(".") for path in new)
+    assert len(new) == (answer.status == 200)
+    assert client.get("/?all").status == 200
+
+
+def test_large_bodies_are_refused(client: Asking, folder: Path) -> None:
+    assert client.ask("POST", "/exam/edit", content_length="1000000000", content_type="application/json").status == 413
+    for length in ("-1", "1e3", "0x10", "٣"):
+        raw = [(b"host", HOST.encode()), (b"origin", f"http://{HOST}".encode()), (b"cookie", COOKIE.encode())]
+        raw += [(b"content-length", length.encode("utf-8"))]
+        assert client.raw("POST", "/exam/edit", raw).status == 400
+    untold = [b"x" * 400_000] * 3
+    assert client.ask("POST", "/exam/edit", untold, content_type="application/json").status == 413
+    deep = b"[" * 100_000
+    assert client.ask("POST", "/exam/edit", (deep,), content_type="application/json").status == 400
+    assert (folder / "exam.toml").read_text() == EXAM
+
+
+def test_slow_bodies_are_given_up(client: Asking, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(security, "BODY_SECONDS", 0.01)
+    raw = [(b"host", HOST.encode()), (b"origin", f"http://{HOST}".encode()), (b"cookie", COOKIE.encode())]
+    raw += [(b"content-type", b"application/json")]
+    assert client.raw("POST", "/exam/edit", raw, [b"{", None, b"}"]).status == 413
+
+
+SCRIPT = "<script>alert(1)</script><img src=x onerror=alert(1)>\"'`{{7*7}}</title>"
+
+
+def test_texts_are_never_markup(client: Asking, folder: Path) -> None:
+    operations = [{"op": "set", "path": name, "value": SCRIPT} for name in ("title", "course")]
+    version = client.get("/exam/state").json()["version"]
+    assert client.post("/exam/edit", {"operations": operations, "version": version}).status == 200
+    (folder / f"{'x' * 5}<b>.toml").write_text(EXAM)
+    for path in ("/?all", "/exam/choose"):
+        page = client.get(path).text
+        assert "<script>alert" not in page and "onerror=alert(1)>" not in page and "<b>.toml" not in page
+        assert "&lt;script&gt;alert" in page and "49" not in page.replace("49 ", "")
+
+
+def test_every_answer_has_the_policy(client: Asking) -> None:
+    for path in (*PAGES, "/nothing", "/exam/nothing", "/figure/four_bar/crank/11.svg?v=1", "/exam/cards"):
+        answer = client.get(path)
+        policy = answer.headers["content-security-policy"]
+        assert "default-src 'none'" in policy and "unsafe-eval" not in policy
+        assert "unsafe-inline" not in policy or (
+            answer.headers["content-type"] == "image/svg+xml" and "script-src" not in policy
+        )
+        assert answer.headers["x-content-type-options"] == "nosniff"
+        assert answer.headers["cross-origin-resource-policy"] == "same-origin"
+
+
+def test_pages_have_no_script_or_style_inside(client: Asking) -> None:
+    for path in ("/?all", "/exam/choose", "/nothing"):
+        page = client.get(path, accept="text/html").text
+        assert "<style" not in page and " style=" not in page and " onclick=" not in page and "javascript:" not in page
+        assert page.count("<script") == page.count('<script type="module" src="/static/')
+
+
+def test_a_file_is_whole_or_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text("old")
+    path.chmod(0o600)
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    with pytest.raises(OSError, match="space"):
+        write_whole(path, "new")
+    assert path.read_text() == "old" and [p.name for p in tmp_path.iterdir()] == ["exam.toml"]
+    monkeypatch.undo()
+    write_whole(path, "new")
+    assert path.read_text() == "new" and stat.S_IMODE(path.stat().st_mode) == 0o600

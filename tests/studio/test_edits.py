@@ -1,0 +1,161 @@
+"""Edits change the lines of their keys and nothing else; what another has changed is not lost."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from tests.studio.conftest import EXAM
+from variantgen.errors import InputError
+from variantgen.studio.documents.document import ConflictError, Document, RefusedError
+from variantgen.studio.documents.edits import apply, read_operations
+from variantgen.studio.documents.toml_lines import parse_path, places
+
+TRICKY = '''\
+title = "a [[problem]] in a \\"text\\" # no comment"   # a comment
+notes = """
+[[problem]]
+family = "no"
+"""
+
+# about the first
+[[problem]]
+family = 'four_bar'
+range = { phi = [30, 60], OA = [20, 40] } # both
+ask = [   # of it
+    "v_B",  # ]
+]
+
+# about the second
+[[problem]]
+family = "spool"
+range.R = [1, 2]
+[problem.tolerance]
+floor = 0.02
+
+[page]
+duplex = true
+'''
+
+
+def changed(text: str, **operation: object) -> str:
+    return apply(text, read_operations([operation]))
+
+
+@pytest.mark.parametrize(
+    ("operation", "gone", "new"),
+    [
+        ({"op": "set", "path": "problem[1].range.phi", "value": [45, 60.5]}, "phi = [30, 60]", "phi = [45, 60.5]"),
+        ({"op": "set", "path": "problem[2].range.R", "value": [1, 3]}, "range.R = [1, 2]", "range.R = [1, 3]"),
+        ({"op": "set", "path": "problem[2].range.r", "value": [1, 3]}, "", "range.r = [1, 3]\n"),
+        ({"op": "set", "path": "problem[2].tolerance.floor", "value": 0.03}, "floor = 0.02", "floor = 0.03"),
+        ({"op": "set", "path": "problem[1].ask", "value": ["a_B"]}, '[   # of it\n    "v_B",  # ]\n]', '["a_B"]'),
+        ({"op": "set", "path": "problem[1].nice", "value": True}, "", "nice = true\n"),
+        ({"op": "set", "path": "page.qr", "value": False}, "", "qr = false\n"),
+        ({"op": "set", "path": "seed", "value": "при\n\"x\""}, "", 'seed = "при\\n\\"x\\""\n'),
+        ({"op": "unset", "path": "problem[2].range"}, "range.R = [1, 2]\n", ""),
+        ({"op": "unset", "path": "problem[2].tolerance"}, "[problem.tolerance]\nfloor = 0.02\n", ""),
+    ],
+)  # fmt: skip
+def test_one_key_changes_and_every_other_byte_stays(operation: dict[str, object], gone: str, new: str) -> None:
+    found = changed(TRICKY, **operation)
+    assert new in found
+    assert found.replace(new, "", 1) == TRICKY.replace(gone, "", 1)
+
+
+def test_problems_move_with_the_comments_above_them() -> None:
+    found = changed(TRICKY, op="move", path="problem[2]", to=1)
+    assert found.index("# about the second\n[[problem]]") < found.index("# about the first\n[[problem]]")
+    data = tomllib.loads(found)
+    assert [problem["family"] for problem in data["problem"]] == ["spool", "four_bar"]
+    assert data["problem"][0]["tolerance"] == {"floor": 0.02} and data["page"] == {"duplex": True}
+    assert "# both" in found and "# ]" in found
+
+
+def test_problems_come_and_go() -> None:
+    found = changed(EXAM, op="insert", path="problem", at=2, value={"family": "ladder", "points": 3})
+    assert [p["family"] for p in tomllib.loads(found)["problem"]] == ["four_bar", "ladder", "spool"]
+    for _ in range(3):
+        found = changed(found, op="remove", path="problem[1]")
+    assert "problem" not in tomllib.loads(found)
+    assert "# The first exam of the year." in found
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        None, [], [{}], [{"op": "eval", "path": "x"}], [{"op": "set", "path": ""}], [{"op": "remove", "path": "title"}],
+        [{"op": "set", "path": "problem[9].points", "value": 1}], [{"op": "set", "path": "title.x.y", "value": 1}],
+        [{"op": "move", "path": "problem[7]", "to": 1}], [{"op": "set", "path": "x", "value": None}],
+        [{"op": "insert", "path": "problem", "at": 1, "value": "no table"}],
+    ],
+)  # fmt: skip
+def test_operations_that_do_not_fit_are_refused(given: object) -> None:
+    with pytest.raises(InputError):
+        apply(EXAM, read_operations(given))
+
+
+def test_lines_of_keys_are_found() -> None:
+    found = places(TRICKY)
+    assert found.line(parse_path("problem[1].ask")) == 11
+    assert found.line(parse_path("problem[2].range.R")) == 18
+    assert found.line(parse_path("problem[2].range")) == 18
+    assert found.line(parse_path("problem[2].tolerance.floor")) == 20
+    assert found.line(parse_path("problem[2].missing")) == 16
+
+
+def document(folder: Path) -> Document:
+    return Document("exam", folder / "exam.toml", folder, folder / ".studio" / "journal")
+
+
+def points(number: int, value: int) -> object:
+    return read_operations([{"op": "set", "path": f"problem[{number}].points", "value": value}])
+
+
+def test_two_windows_lose_nothing(folder: Path) -> None:
+    exam = document(folder)
+    start = exam.state().version
+    exam.edit(points(1, 11), start)
+    exam.edit(points(2, 6), start)  # another key of an older version
+    with pytest.raises(ConflictError) as conflict:
+        exam.edit(points(1, 12), start)
+    assert (conflict.value.mine, conflict.value.theirs) == (12, 11)
+    assert (folder / "exam.toml").read_text() == EXAM.replace("points = 10", "points = 11").replace(
+        "points = 5", "points = 6"
+    )
+
+
+def test_undo_and_redo_go_through_restarts_and_editors(folder: Path) -> None:
+    path, exam = folder / "exam.toml", document(folder)
+    exam.edit(points(1, 11), exam.state().version)
+    by_hand = path.read_text().replace("Homework", "Homework 2")
+    path.write_text(by_hand)
+    exam = document(folder)  # the studio was restarted
+    path.write_text(by_hand + "# end\n")
+    assert exam.state().text.endswith("# end\n")
+    assert exam.undo() == {"words": "outside", "about": {}}
+    assert path.read_text() == by_hand
+    assert exam.undo(+1) and path.read_text() == by_hand + "# end\n"
+    assert exam.undo() and exam.undo() and path.read_text() == EXAM
+    assert exam.undo() is None
+
+
+def test_what_would_break_the_file_is_not_written(folder: Path) -> None:
+    exam = document(folder)
+    for operations in (
+        [{"op": "set", "path": "problem[1].family", "value": "four_baar"}],
+        [{"op": "set", "path": "problem[1].range.phi", "value": [90, 30]}],
+        [{"op": "set", "path": "problem[1].ask", "value": []}],
+        [{"op": "set", "path": "points", "value": 3}],
+    ):
+        with pytest.raises(RefusedError) as refused:
+            exam.edit(read_operations(operations), exam.state().version)
+    with pytest.raises(RefusedError) as refused:
+        exam.replace(EXAM.replace("points = 5", "points = \n"), exam.state().version)
+    assert refused.value.problems[0].line == 15
+    with pytest.raises(RefusedError) as refused:
+        exam.replace(EXAM.replace("points = 5", "pionts = 5"), exam.state().version)
+    assert refused.value.problems[0].line == 15 and "points" in refused.value.problems[0].remedy
+    assert (folder / "exam.toml").read_text() == EXAM

@@ -1,0 +1,149 @@
+"""Whole ways through the pages in a real browser: by sight, by keyboard, in both languages, light and dark, narrow."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import EXAM, Visit
+
+Open = Callable[..., Visit]
+PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/build")
+
+
+def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
+    return tomllib.loads((visit.folder / f"{name}.toml").read_text("utf-8"))
+
+
+def shows(page: Any, text: str) -> None:
+    """Wait until the pane with the text of the file has a text."""
+    expect(page.locator("#source")).to_have_value(re.compile(re.escape(text)), timeout=15_000)
+
+
+def barriers(page: Any) -> list[str]:
+    """What axe finds on a page."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    found = Axe().run(page)
+    return [f"{item['id']}: {node['html'][:160]}" for item in found.response["violations"] for node in item["nodes"]]
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_nobody_meets_a_barrier(visit: Open, theme: str) -> None:
+    """Every page, both languages, wide and narrow: axe finds nothing, nothing scrolls sideways, nothing complains."""
+    window = visit(theme=theme)
+    for path in PAGES:
+        for language in ("en", "ru"):
+            page = window.open(path, language)
+            page.wait_for_selector("main:not(:has([aria-busy=true]))")
+            if path == "/exam/choose":  # axe takes 8 s for all cards, which are alike
+                page.get_by_role("searchbox").fill("planet")
+            assert barriers(page) == [], (path, language)
+            page.set_viewport_size({"width": 360, "height": 740})
+            assert page.evaluate("document.documentElement.scrollWidth") <= 360, (path, language)
+            page.set_viewport_size({"width": 1280, "height": 800})
+            assert page.evaluate("document.documentElement.scrollWidth") <= 1280, (path, language)
+    assert window.complaints == []
+
+
+def test_an_exam_begins_with_pictures(visit: Open) -> None:
+    window = visit("", name="empty")  # an empty file is no exam
+    page = window.open("/")
+    page.get_by_label("Title").fill("Homework 7")
+    page.get_by_role("button", name="Choose problems").click()
+    page.wait_for_url("**/Homework-7/choose")
+    page.get_by_role("searchbox").fill("кулисный swinging")
+    card = page.locator(".card:visible")
+    assert card.count() == 1 and "swinging" in card.inner_text()
+    card.get_by_role("button", name="Add").click()
+    page.get_by_text("Problem 1 added", exact=True).wait_for()
+    found = saved(window, "Homework-7")
+    assert found["problem"] == [{"family": "slotted_rocker", "form": "swinging", "points": 10}]
+    # By keyboard alone: out again, and undo.
+    card.locator("a").focus()
+    page.keyboard.press("Space")
+    page.get_by_text("Problem 1 removed", exact=True).wait_for()
+    assert "problem" not in saved(window, "Homework-7")
+    page.keyboard.press("Control+z")
+    page.get_by_text("Taken back: problem 1 removed").wait_for()
+    assert saved(window, "Homework-7") == found
+    assert card.locator(".badge").inner_text() == "Problem 1"
+    assert window.complaints == []
+
+
+def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    page.get_by_role("slider", name="phi from").focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowRight")
+    page.get_by_text("φ = 30 °").wait_for()
+    page.keyboard.press("Tab")
+    page.locator("[data-under=compose]").wait_for()
+    page.get_by_label("phi to, typed").fill("120")
+    page.get_by_label("phi to, typed").press("Enter")
+    shows(page, "range.phi = [30, 120]")
+    assert saved(window)["problem"][0]["range"] == {"phi": [30, 120]}
+    assert "# a comment that stays" in (window.folder / "exam.toml").read_text()
+    # Reversed: refused at the field, and one button mends it.
+    page.get_by_label("phi from, typed").fill("130")
+    page.get_by_label("phi from, typed").press("Enter")
+    page.get_by_role("button", name="Swap").click()
+    shows(page, "range.phi = [120, 130]")
+    # Another answer, other points, another order, by keyboard.
+    page.get_by_role("group", name="Find").get_by_role("button").nth(2).click()
+    shows(page, "omega_BC")
+    page.get_by_label("Points of problem 2").fill("7")
+    page.get_by_label("Points of problem 2").press("Enter")
+    page.get_by_text("17\N{NO-BREAK SPACE}points").first.wait_for()
+    page.get_by_role("button", name="Move problem 2").focus()
+    page.keyboard.press("ArrowUp")
+    shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "spool"')
+    found = saved(window)["problem"]
+    assert [problem["family"] for problem in found] == ["spool", "four_bar"]
+    assert found[1]["ask"] == ["v_B", "omega_AB", "omega_BC"] and found[0]["points"] == 7
+    for _ in range(20):
+        if page.locator("#source").input_value() == EXAM:
+            break
+        before = page.locator("#source").input_value()
+        page.locator("#undo").click()
+        expect(page.locator("#source")).not_to_have_value(before)
+    assert (window.folder / "exam.toml").read_text() == EXAM
+    assert window.complaints == []
+
+
+def test_text_with_mistakes_stays_a_draft(visit: Open) -> None:
+    window = visit()
+    page = window.open("/exam/compose#2")
+    page.wait_for_selector("#live svg")
+    source = page.get_by_label("Text of the file")
+    source.fill(EXAM.replace("points = 5", "pionts = 5"))
+    page.get_by_text("draft: the file stays as it was").wait_for()
+    page.get_by_role("button", name="line 15").wait_for()
+    assert "did you mean points?" in page.locator("#oops").inner_text()
+    assert (window.folder / "exam.toml").read_text() == EXAM
+    source.fill(EXAM.replace("points = 5", "points = 50"))
+    page.get_by_text("60\N{NO-BREAK SPACE}points").first.wait_for()
+    assert saved(window)["problem"][1]["points"] == 50
+
+
+def test_windows_and_editors_see_each_other(visit: Open) -> None:
+    first, second = visit(EXAM), visit(EXAM)
+    one, two = first.open("/exam/choose"), second.open("/exam/choose")
+    for page in (one, two):
+        page.wait_for_selector("#cards[aria-busy=false]")
+    one.locator('[data-card="ladder/oblique"] [data-do=add]').click()
+    two.locator('[data-card="ladder/oblique"] .badge').wait_for()
+    assert two.locator('[data-under="choose"]').inner_text() == "3\N{NO-BREAK SPACE}problems"
+    path: Path = first.folder / "exam.toml"
+    path.write_text(path.read_text().replace('"oblique"', '"driven_at_wall"'))
+    one.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
+    two.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
+    assert first.complaints == second.complaints == []

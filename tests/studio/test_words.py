@@ -1,0 +1,53 @@
+"""Words are data: every key in every language, every one that a page uses."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from string import Formatter
+
+from variantgen.families.load import family_names, load_family
+from variantgen.studio.words import ASSETS, LANGUAGES
+
+
+def tables(language: str) -> dict[str, dict[str, str]]:
+    return tomllib.loads((ASSETS / "words" / f"{language}.toml").read_text("utf-8"))
+
+
+def named(text: str) -> set[str]:
+    return {name for _, name, _, _ in Formatter().parse(text) if name}
+
+
+def test_languages_have_the_same_keys_that_name_the_same_things() -> None:
+    english, *others = [tables(language) for language in LANGUAGES]
+    for other in others:
+        assert {t: set(w) for t, w in english.items() if not t.startswith("plural")} == {
+            t: set(w) for t, w in other.items() if not t.startswith("plural")
+        }
+        for table, words in english.items():
+            for key in words if not table.startswith("plural") else ():
+                assert named(words[key]) == named(other[table][key]), (table, key)
+                assert words[key] == "" or other[table][key].strip(), (table, key)
+        assert {key.partition(".")[0] for key in other["plurals"]} == {k.partition(".")[0] for k in english["plurals"]}
+
+
+def test_pages_use_words_that_there_are() -> None:
+    english = tables("en")
+    for path in sorted((ASSETS / "pages").glob("*.j2")):
+        table = path.name.partition(".")[0]
+        own = english.get(table) or {**english["choose"], **english["compose"], **english["build"]}
+        for name in re.findall(r"\bwords\.(\w+)", path.read_text("utf-8")):
+            assert name in own or name in ("get", "title"), (path.name, name)
+        for name in re.findall(r"\bframe\.(?!html)(\w+)", path.read_text("utf-8")):
+            assert name in english["frame"], (path.name, name)
+
+
+def test_every_form_of_the_catalogue_is_told() -> None:
+    told = tomllib.loads((ASSETS / "catalogue.toml").read_text("utf-8"))
+    assert set(told) == set(family_names())
+    for name, forms in told.items():
+        family = load_family(name)
+        assert set(forms) == set(family.forms), name
+        for own in forms.values():
+            assert own["level"] in (1, 2, 3)
+            assert len(family.forms) == 1 or (own["en"] and own["ru"])

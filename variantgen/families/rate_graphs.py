@@ -1,0 +1,74 @@
+"""A given rate and its acceleration told by a graph over time: which parameters, and the grid on which both are read.
+
+The rate changes uniformly. At the instant of the problem, and at twice that time, the line of the graph passes through
+crossings of the grid, so that nothing has to be estimated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+from math import gcd
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.family import Family, Form
+from variantgen.families.units import unit
+
+_TIMES = tuple(map(Decimal, ("0.1", "0.2", "0.25", "0.4", "0.5", "1", "2", "2.5", "4", "5", "10")))  # s
+_MOST = 26  # lines of the grid, zero not counted
+
+
+def grid_of(rate: Decimal, acceleration: Decimal) -> tuple[Decimal, Decimal] | None:
+    """The instant (s) and the step of the grid for the magnitudes of a rate and its acceleration; None for none.
+
+    The latest instant at which the rate has not changed its sense within that time, before and after.
+    """
+    for time in reversed(_TIMES):
+        change = acceleration * time
+        if 0 < change <= rate:
+            step = _common(rate, change)
+            if (rate + change) / step <= _MOST:
+                return time, step
+    return None
+
+
+def _common(first: Decimal, second: Decimal) -> Decimal:
+    """The largest number of which both are multiples."""
+    places = max(0, *(-int(number.normalize().as_tuple().exponent) for number in (first, second)))
+    whole = Decimal(gcd(*(int(number.scaleb(places)) for number in (first, second))))
+    return whole.scaleb(-places)
+
+
+def with_graph(family: Family) -> Family:
+    """The family with the rate and the acceleration of the first driver told by a graph.
+
+    Raises InputError for a form that gives not both by numbers of their own, and for data that no grid shows.
+    """
+    return replace(family, forms={name: _with_graph(form) for name, form in family.forms.items()})
+
+
+def _with_graph(form: Form) -> Form:
+    names = [
+        name
+        for template in form.drivers[:1]
+        for name, parameter in form.parameters.items()
+        if parameter.is_rate and parameter.given and name in template.names
+    ]
+    pairs = [(a, b) for a in names for b in names if _is_derivative(form, a, b)]
+    if len(names) != 2 or len(pairs) != 1:
+        said = "the first driver has not a velocity and an acceleration of its own"
+        raise InputError(Problem(said, key="graph", value=form.name, remedy="choose another form"))
+    rate, acceleration = (form.parameters[name].printed for name in pairs[0])
+    for r in rate:
+        for a in acceleration:
+            if grid_of(abs(r), abs(a)) is None:
+                said = f"{pairs[0][0]} = {r} and {pairs[0][1]} = {a} cannot be read from one grid"
+                remedy = "set both, or narrow their ranges: the acceleration times 0.1 s at most as large as the rate"
+                raise InputError(Problem(said, key="graph", value=form.name, remedy=remedy))
+    return replace(form, figure=replace(form.figure, graph=pairs[0]))
+
+
+def _is_derivative(form: Form, rate: str, acceleration: str) -> bool:
+    first, second = form.parameters[rate].unit, form.parameters[acceleration].unit
+    assert first is not None and second is not None
+    return first.name.endswith("/s") and second == unit(f"{first.name}^2")

@@ -1,0 +1,236 @@
+"""The answers of a class from its scans: every page is named that gives none, and nothing is guessed."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from variantgen.exam import answer_page
+from variantgen.marking.answer_tables import OPEN, HandedIn, NotMatched
+from variantgen.marking.key import Key, is_right
+from variantgen.marking.scan.confirming import Confirmed, confirmed
+from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
+from variantgen.marking.scan.pictures import Grey, ScanImage, check_packages, pictures
+from variantgen.marking.scan.registration import Placed
+from variantgen.marking.typed_number import read_number
+from variantgen.outputs.qr import VERSION
+
+Question = tuple[int, int, str]  # the place of the student, the number of the problem, the name of the quantity
+
+_BLANK_SHARE = 2e-4  # of dark pixels: what has fewer is the empty back of a page
+_CROP = 7.0  # pixels to the millimetre of a picture for review
+_THUMBNAIL = 900
+_SHOWN = 12
+
+
+@dataclass(frozen=True)
+class ScannedAnswer:
+    """An answer on a page: where it was read, how, and for doubtful ones a picture (PNG)."""
+
+    where: str
+    read: Confirmed
+    picture: bytes = b""
+
+
+@dataclass(frozen=True)
+class LostPage:
+    """A page that may have answers and could not be read, with a picture (PNG) of it where there is one."""
+
+    where: str
+    why: str
+    picture: bytes = b""
+
+
+@dataclass
+class Scans:
+    """What the scans of a class hold, by question; ``lost`` are pages that a person should look at."""
+
+    answers: dict[Question, ScannedAnswer] = field(default_factory=dict)
+    not_matched: list[NotMatched] = field(default_factory=list)
+    lost: list[LostPage] = field(default_factory=list)
+
+    @property
+    def doubtful(self) -> dict[Question, ScannedAnswer]:
+        """The answers that a person should look at."""
+        return {asked: answer for asked, answer in self.answers.items() if answer.read.why}
+
+    def handed_in(self, key: Key) -> list[HandedIn]:
+        """The answers for :func:`variantgen.marking.marks.mark`; doubtful ones are numbers for nobody."""
+        return [
+            HandedIn(
+                answer.where,
+                (key.record.sheets[place].code,),
+                problem,
+                name,
+                f"{OPEN} {answer.read.text}".strip() if answer.read.why else answer.read.text,
+            )
+            for (place, problem, name), answer in self.answers.items()
+        ]
+
+
+def collect(paths: Sequence[Path], key: Key) -> Scans:
+    """Read the pages of some files.
+
+    Raises InputError for a file that cannot be opened, and ToolMissingError where a package is missing.
+    """
+    check_packages()
+    class_ = _Class(key)
+    for path in paths:
+        for picture in pictures(path):
+            class_.add(picture)
+        class_.end_of_file(path)
+    class_.end()
+    return class_.scans
+
+
+class _Class:
+    """The pages of a class as they come."""
+
+    def __init__(self, key: Key) -> None:
+        self.key, self.scans = key, Scans()
+        self._exam = key.record.exam_id.upper()
+        self._sheets = {sheet.code: place for place, sheet in enumerate(key.record.sheets)}
+        self._pages: dict[tuple[int, int], str] = {}  # where each page was seen first
+        self._left_out: dict[str, int] = {}
+
+    def add(self, picture: ScanImage) -> None:
+        """Read a page."""
+        found = read_page(picture, lambda code: len(self._asked(code)))
+        if found.code is None:
+            self._without_code(found, picture.grey)
+            return
+        code = found.code
+        if why := self._foreign(code):
+            self.scans.not_matched.append(NotMatched(found.where, code.sheet, why))
+        elif not code.number:
+            self._left_out["page of problems"] = self._left_out.get("page of problems", 0) + 1
+        elif found.why:
+            self._lose(found, picture.grey, f"{code.sheet}, page {code.number}")
+        else:
+            self._take(found, code, picture.grey)
+
+    def _asked(self, code: PageCode) -> list[Question]:
+        """What a page asks; nothing for one that is not of this exam."""
+        if self._foreign(code) or not code.number:
+            return []
+        place = self._sheets[code.sheet]
+        return list(self._questions(place)[code.number - 1])
+
+    def _questions(self, place: int) -> list[Sequence[Question]]:
+        """What the pages of a student ask."""
+        every = [
+            (place, number, answer.quantity)
+            for number, problem in self.key.places[place].items()
+            for answer in problem.answers
+        ]
+        return answer_page.in_pages(every)
+
+    def _foreign(self, code: PageCode) -> str:
+        """Why a page is not of this exam; '' if it is."""
+        if code.version != VERSION:
+            return "a page of another version of the program"
+        if code.exam_id != self._exam:
+            return f"a page of another exam or build: {code.exam_id}, this one is {self._exam}"
+        if code.sheet not in self._sheets:
+            return "the exam has no sheet with this code"
+        if code.number > len(self._questions(self._sheets[code.sheet])):
+            return "the sheet has no such page for answers"
+        return ""
+
+    def _without_code(self, found: ReadPage, grey: Grey | None) -> None:
+        if grey is not None and float((grey < 0.6 * np.median(grey)).mean()) < _BLANK_SHARE:
+            self._left_out["blank page"] = self._left_out.get("blank page", 0) + 1
+        else:
+            self._lose(found, grey, "")
+
+    def _lose(self, found: ReadPage, grey: Grey | None, text: str) -> None:
+        remedy = "scan it again, or type its answers into a table"
+        self.scans.not_matched.append(NotMatched(found.where, text, found.why, remedy))
+        self.scans.lost.append(LostPage(found.where, found.why, b"" if grey is None else _thumbnail(grey)))
+
+    def _take(self, found: ReadPage, code: PageCode, grey: Grey | None) -> None:
+        """Take the answers of a page; of a page that is there twice, those that both have."""
+        place = self._sheets[code.sheet]
+        first = self._pages.setdefault((place, code.number), found.where)
+        again = first != found.where
+        differing = 0
+        assert found.placed is not None
+        assert grey is not None
+        for block, (asked, read) in enumerate(zip(self._asked(code), found.answers, strict=True)):
+            _, problem, name = asked
+            answer = next(a for a in self.key.answers(place, problem) if a.quantity.name == name)
+
+            def right(text: str, answer: object = answer) -> bool:
+                number = read_number(text)
+                return number is not None and any(is_right(answer, value) for value in number.values)  # type: ignore[arg-type]
+
+            result = confirmed(read, right)
+            known = self.scans.answers.get(asked)
+            if known is not None:
+                if known.read.text == result.text or bool(known.read.why) != bool(result.why):
+                    if not known.read.why or result.why:
+                        continue  # as before; else this scan shows what the other one left open
+                else:
+                    differing += 1
+                    result = replace(result, why=(*dict.fromkeys((*result.why, "pages differ")),))
+            picture = _block(grey, found.placed, block) if result.why else b""
+            where = found.where if known is None or not result.why else f"{known.where} and {found.where}"
+            self.scans.answers[asked] = ScannedAnswer(where, result, picture)
+        if again:
+            says = f"other answers, for review: {differing}" if differing else "the answers agree"
+            why = f"the page has been scanned before, {first}: {says}"
+            self.scans.not_matched.append(NotMatched(found.where, f"{code.sheet}, page {code.number}", why))
+
+    def end_of_file(self, path: Path) -> None:
+        """Say what was left out of a file."""
+        for what, count in self._left_out.items():
+            plural = "" if count == 1 else "s"
+            why = f"{count} {what}{plural} without answers to read: left out"
+            self.scans.not_matched.append(NotMatched(path.name, "", why))
+        self._left_out.clear()
+
+    def end(self) -> None:
+        """Say which pages are missing."""
+        seen = {place for place, _ in self._pages}
+        for place in sorted(seen):
+            for number in range(1, len(self._questions(place)) + 1):
+                if (place, number) not in self._pages:
+                    code = self.key.record.sheets[place].code
+                    why = f"page {number} of the pages for answers of this sheet is missing"
+                    self.scans.not_matched.append(NotMatched("scans", code, why))
+        absent = [sheet.code for place, sheet in enumerate(self.key.record.sheets) if place not in seen]
+        if absent:
+            text = ", ".join(absent[:_SHOWN]) + (", ..." if len(absent) > _SHOWN else "")
+            self.scans.not_matched.append(
+                NotMatched(
+                    "scans", text, f"no page for answers of {len(absent)} of {len(self.key.record.sheets)} sheets"
+                )
+            )
+
+
+def _block(grey: Grey, placed: Placed, block: int) -> bytes:
+    """The picture of an answer, upright."""
+    left, top = answer_page.block_corner(block)
+    columns, rows = round(_CROP * answer_page.BLOCK_WIDTH), round(_CROP * answer_page.BLOCK_HEIGHT)
+    x, y = np.meshgrid(left + (np.arange(columns) + 0.5) / _CROP, top + (np.arange(rows) + 0.5) / _CROP)
+    u, v = placed.pixels(x, y)
+    u = np.clip(np.rint(u).astype(int), 0, grey.shape[1] - 1)
+    v = np.clip(np.rint(v).astype(int), 0, grey.shape[0] - 1)
+    return _png(grey[v, u])
+
+
+def _thumbnail(grey: Grey) -> bytes:
+    step = max(1, -(-max(grey.shape) // _THUMBNAIL))
+    return _png(np.ascontiguousarray(grey[::step, ::step]))
+
+
+def _png(grey: Grey) -> bytes:
+    from PIL import Image
+
+    file = io.BytesIO()
+    Image.fromarray(grey // 17 * 17).save(file, "PNG", optimize=False)  # 16 levels are enough to look at
+    return file.getvalue()

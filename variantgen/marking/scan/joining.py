@@ -1,0 +1,72 @@
+"""The answers of scans beside those that were typed: what a person has typed stands before what a scan says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.finished.restore import Finished
+from variantgen.marking.answer_tables import ReadAnswers
+from variantgen.marking.key import Key
+from variantgen.marking.marks import Verdict, mark
+from variantgen.marking.matching import is_blank
+from variantgen.marking.scan.collecting import Question, Scans, collect
+from variantgen.marking.scan.confirming import Confirmed
+from variantgen.marking.scan.review import typed_before
+from variantgen.marking.typed_number import read_number
+
+
+@dataclass(frozen=True)
+class Joined:
+    """The answers of tables and scans together; what was read from the scans, and what was typed by question."""
+
+    answers: ReadAnswers
+    scans: Scans
+    typed: Mapping[Question, str]
+
+
+def join(finished: Finished, read: ReadAnswers, scans: Sequence[Path], policy: MarkingPolicy) -> Joined:
+    """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError."""
+    key = Key(finished.record, policy.tolerance)
+    found = collect(scans, key)
+    typed = typed_before(key, read.answers)
+    _confirm_what_follows(finished, read, found, typed, policy)
+    own = Scans({asked: answer for asked, answer in found.answers.items() if not _is_typed(asked, found, typed)})
+    answers = (*read.answers, *own.handed_in(key))
+    not_matched = (*read.not_matched, *found.not_matched)
+    return Joined(replace(read, answers=answers, not_matched=not_matched), found, typed)
+
+
+def _is_typed(asked: Question, scans: Scans, typed: Mapping[Question, str]) -> bool:
+    """Whether what was typed stands alone: of doubtful answers always, of others where it says the same."""
+    if asked not in typed:
+        return False
+    own = scans.answers[asked].read
+    if own.why or is_blank(own.text):
+        return True
+    number, same = read_number(typed[asked]), read_number(own.text)
+    return number is not None and same is not None and same.values[0] in number.values
+
+
+def _confirm_what_follows(
+    finished: Finished, read: ReadAnswers, scans: Scans, typed: Mapping[Question, str], policy: MarkingPolicy
+) -> None:
+    """Let doubtful readings stand that are right given the student's own earlier answers."""
+    may = {asked for asked, answer in scans.doubtful.items() if answer.read.may_follow and asked not in typed}
+    if not may:
+        return
+    tried = Scans(
+        {
+            asked: replace(answer, read=Confirmed(answer.read.text)) if asked in may else answer
+            for asked, answer in scans.answers.items()
+            if not _is_typed(asked, scans, typed)
+        }
+    )
+    key = Key(finished.record, policy.tolerance)
+    answers = (*read.answers, *tried.handed_in(key))
+    for item in mark(finished, replace(read, answers=answers), policy).marks:
+        asked = item.place, item.problem, item.answer.quantity.name
+        if asked in may and item.verdict is Verdict.FOLLOW_THROUGH:
+            scans.answers[asked] = tried.answers[asked]

@@ -1,0 +1,285 @@
+"""What is asked of a whole turn of the crank: limit positions by triangles, all else by values position by position.
+
+A rod between the crank pin and a slider or the pin of a rocker lies along the crank in the limit positions, for there
+its end is at rest: the pins are ``AB + OA`` and ``AB - OA`` from the pivot. A lever in which the crank pin slides has
+its limit positions where it touches the circle of the pin.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Value
+from variantgen.algebra.name import Name
+from variantgen.families.quantities import Quantity
+from variantgen.families.quantities.kinds import ANGLE_OF, MEAN
+from variantgen.mechanism.crank_turn import FULL_TURN, CrankTurn, crank_of, crank_turn
+from variantgen.mechanism.linkage import Linkage
+from variantgen.methods.geometry.angles import corner_name
+from variantgen.methods.linkage.problem import CLOSE
+from variantgen.methods.solution.book import Book
+from variantgen.methods.steps.step import Body, Derived, Fact, NumberOf, Point, Segment, Sentence
+
+_STEPS = 12  # positions of the table
+_NOTHING = 1e-9
+_TO_AND_FRO = ("stroke", "swing", "time_ratio")
+
+
+def turn_answer(book: Book, quantity: Quantity) -> Value:
+    """The value of a quantity of a turn, with a step that leads to it, or says that there is no formula for it."""
+    name = _name(quantity)
+    if name in book.values:
+        return book.values[name]
+    with book.step("turn.heading", value=name):
+        if quantity.kind in _TO_AND_FRO:
+            found = _by_limits(book, quantity.kind, quantity.target)
+        elif quantity.kind.startswith(MEAN):
+            found = _mean(book, quantity)
+        else:
+            found = None
+        return book.derive(name, _measure(quantity), found) if found is not None else _by_positions(book, quantity)
+
+
+def _name(quantity: Quantity) -> Name:
+    return Name("turn", quantity.name)
+
+
+def _measure(quantity: Quantity) -> str:
+    return quantity.own_unit("m").measures if not quantity.is_angle else "angle"
+
+
+@dataclass(frozen=True)
+class _Limits:
+    """Crank OA, rod AB; the pin B of a slider (``centre`` is '') or of a rocker about a fixed centre."""
+
+    pivot: str
+    pin: str
+    end: str
+    centre: str = ""
+
+
+def _by_limits(book: Book, kind: str, target: str) -> Expression | None:
+    """A stroke, a swing or a ratio of times by the triangles of the limit positions; None where there is no rod."""
+    if kind == "stroke" and (arm := _arm(book, target)) is not None:
+        return _chord(book, target, *arm)
+    lever = _lever(book, target)
+    if lever is not None:
+        return _of_lever(book, kind, *lever)
+    found = _limits(book, target)
+    if found is None:
+        return None
+    geometry = book.geometry
+    crank, rod = geometry.length(found.pivot, found.pin), geometry.length(found.pin, found.end)
+    if rod.exact <= crank.exact:
+        return None
+    if kind == "time_ratio" and not found.centre and _offset(book, found) is None:
+        book.say("turn.half_turns", False)
+        return Constant(1.0)
+    places: dict[str, Fact] = {
+        "point": Point(found.end),
+        "crank": Segment(found.pivot, found.pin),
+        "rod": Segment(found.pin, found.end),
+    }
+    names = [Name("limit", found.pivot + found.end, number) for number in "12"]
+    if names[0] not in book.values:
+        book.say("turn.in_line", False, **places)
+        for name, length in zip(names, (rod + crank, rod - crank), strict=True):
+            book.derive(name, "length", length)
+    ends = book.values[names[0]], book.values[names[1]]
+    return (_of_rocker if found.centre else _of_slider)(book, kind, found, ends)
+
+
+def _arm(book: Book, point: str) -> tuple[str, str] | None:
+    """The body that swings about a fixed centre with a point, and that centre."""
+    linkage = Linkage(book.task.scene)
+    crank = crank_of(book.task.scene)
+    for body in linkage.owners(point):
+        centre = linkage.pivot(body)
+        if centre is not None and crank is not None and body != crank.body:
+            return body, centre
+    return None
+
+
+def _chord(book: Book, point: str, body: str, centre: str) -> Expression | None:
+    """The chord of the arc between the limit positions, ``2 CP sin(psi / 2)``."""
+    swing = Quantity("swing", body)
+    whole = book.values.get(_name(swing))
+    if whole is None:
+        expression = _by_limits(book, "swing", body)
+        if expression is None:
+            return None
+        whole = book.derive(_name(swing), "angle", expression)
+    book.say("turn.chord", False, point=Point(point), centre=Point(centre), angle=whole)
+    return Constant(2.0) * book.geometry.length(centre, point) * Applied("sin", Ratio(whole, Constant(2.0)))
+
+
+def _limits(book: Book, target: str) -> _Limits | None:
+    """The rod that drives a point or a body, one end of which is the pin of the crank."""
+    task = book.task
+    scene, linkage = task.scene, Linkage(task.scene)
+    crank = crank_of(scene)
+    assert crank is not None, "there is a turn"
+    guided = linkage.guides(task.at)
+    for rod, members in scene.bodies.items():
+        pins = [name for name in members if name in scene.bodies[crank.body] and name != crank.pivot]
+        if rod == crank.body or len(pins) != 1 or linkage.pivot(rod) is not None:
+            continue
+        if target in members and target in guided and target not in pins:
+            return _Limits(crank.pivot, pins[0], target)
+        centre = linkage.pivot(target) if target in scene.bodies else None
+        shared = [name for name in members if centre and name in scene.bodies[target] and name not in pins]
+        if centre is not None and centre != crank.pivot and len(shared) == 1:
+            return _Limits(crank.pivot, pins[0], shared[0], centre)
+    return None
+
+
+def _of_slider(book: Book, kind: str, found: _Limits, ends: tuple[Value, Value]) -> Expression | None:
+    far, near = ends
+    offset = _offset(book, found)
+    if offset is None:
+        return far - near
+    if offset.exact >= near.exact:
+        return None
+    if not book.has_said("turn.offset"):
+        book.say("turn.offset", False, pivot=Point(found.pivot), point=Point(found.end), distance=offset)
+    if kind == "stroke":
+        return SquareRoot(far**2 - offset**2) - SquareRoot(near**2 - offset**2)
+    angles = [
+        book.derive(Name("inclination", letter), "angle", Applied("arcsin", Ratio(offset, end)))
+        for letter, end in (("beta", far), ("gamma", near))
+    ]
+    return _ratio_of_times(book, angles[1] - angles[0])
+
+
+def _offset(book: Book, found: _Limits) -> Value | None:
+    """The distance of the pivot from the guide of a slider, a datum where it is one; None where it is on it."""
+    task = book.task
+    now = task.now
+    ray = Linkage(task.scene).guides(task.at)[found.end]
+    size = abs(((now.z[found.pivot] - now.z[found.end]) * ray.conjugate()).imag)
+    if size <= CLOSE * task.size:
+        return None
+    named = [v for v in task.given.values() if v.measure == "length" and abs(v.exact - size) <= CLOSE * size]
+    name = Name("offset", found.pivot)
+    return named[0] if named else book.values.setdefault(name, Value(name, "length", size))
+
+
+def _of_rocker(book: Book, kind: str, found: _Limits, ends: tuple[Value, Value]) -> Expression | None:
+    """By the law of cosines in the triangles of the pivots and the pin, in both limit positions."""
+    geometry = book.geometry
+    base, arm = geometry.length(found.pivot, found.centre), geometry.length(found.centre, found.end)
+    at = found.centre if kind == "swing" else found.pivot
+    corners = []
+    for number, end in enumerate(ends, start=1):
+        own, other = (arm, end) if kind == "swing" else (end, arm)
+        cosine = Ratio(base**2 + own**2 - other**2, Constant(2.0) * base * own)
+        if not abs(cosine.number(True)) <= 1:
+            return None
+        first = found.pivot if kind == "swing" else found.centre
+        name = Name("limit_corner", corner_name(at, first, found.end).about, str(number), body=at)
+        corners.append(book.derive(name, "angle", Applied("arccos", cosine)))
+    larger, smaller = sorted(corners, key=lambda corner: -corner.exact)
+    return larger - smaller if kind == "swing" else _ratio_of_times(book, larger - smaller)
+
+
+def _lever(book: Book, target: str) -> tuple[str, str, str] | None:
+    """Pivot and pin of the crank and the centre of a lever along which the pin slides on a line through the centre."""
+    task = book.task
+    linkage = Linkage(task.scene)
+    crank = crank_of(task.scene)
+    assert crank is not None, "there is a turn"
+    centre = linkage.pivot(target) if target in task.scene.bodies else None
+    for path in linkage.slides:
+        if centre is None or path.body != target or path.line is None:
+            continue
+        through = path.line[0] if path.line[0] != centre else path.line[1]
+        on_crank = path.point in task.scene.bodies[crank.body]
+        ray, arm = task.now.z[through] - task.now.z[centre], task.now.z[path.point] - task.now.z[centre]
+        if on_crank and centre in path.line and abs((arm * ray.conjugate()).imag) <= CLOSE * abs(ray) * task.size:
+            return crank.pivot, path.point, centre
+    return None
+
+
+def _of_lever(book: Book, kind: str, pivot: str, pin: str, centre: str) -> Expression | None:
+    geometry = book.geometry
+    crank, base = geometry.length(pivot, pin), geometry.length(pivot, centre)
+    if base.exact <= crank.exact:
+        return None
+    if not book.has_said("turn.tangent"):
+        book.say("turn.tangent", False, crank=Segment(pivot, pin), lever=Segment(centre, pin), point=Point(pin))
+    half = Applied("arcsin", Ratio(crank, base))
+    if kind == "swing":
+        return Constant(2.0) * half
+    return _ratio_of_times(book, Constant(2.0) * half)
+
+
+def _ratio_of_times(book: Book, angle: Expression) -> Expression:
+    """``(180 + theta) / (180 - theta)`` with theta the angle between the crank's directions, less a straight one."""
+    theta = Value(Name("turn_between", ""), "angle", angle.number(True), angle)
+    book.say("turn.times", False, angle=theta)
+    book.items.append(Derived(theta))
+    half = Constant(180.0, "angle")
+    return Ratio(half + theta, half - theta)
+
+
+def _mean(book: Book, quantity: Quantity) -> Expression | None:
+    """Twice the way in the time of a turn: ``2 s / T = s omega / pi``, ``psi omega / 180``."""
+    crank = crank_of(book.task.scene)
+    assert crank is not None, "there is a turn"
+    is_point = quantity.kind == "mean_v"
+    way = Quantity("stroke" if is_point else "swing", quantity.target)
+    whole = book.values.get(_name(way))
+    if whole is None:
+        expression = _by_limits(book, way.kind, way.target)
+        if expression is None:
+            return None
+        whole = book.derive(_name(way), _measure(way), expression)
+    book.say("turn.there_and_back", False, body=Body(crank.body), way=whole)
+    rate = book.omega[crank.body].size
+    return Ratio(whole * rate, Pi() if is_point else Constant(180.0, "angle"))
+
+
+def _by_positions(book: Book, quantity: Quantity) -> Value:
+    """Values at regular angles of the crank, and what is found between them."""
+    task = book.task
+    length = task.variant.family.length_unit
+    own = quantity.own_unit(length)
+    answer = Value(_name(quantity), _measure(quantity), own.from_si(float(quantity.value(task.motion)[0])))
+    if not math.isfinite(answer.exact):
+        raise LookupError(quantity.name)
+    of = quantity.of_instant
+    if of is None:
+        book.say("turn.by_positions", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
+        return answer
+    if not book.has_said("turn.rows", value=_name(of)):
+        rows = _rows(crank_turn(task.motion, of.order), of, length)
+        book.say("turn.rows", False, value=_name(of), rows=rows)
+    key = "mean" if quantity.kind.startswith(MEAN) else "angle" if quantity.kind.startswith(ANGLE_OF) else "extreme"
+    book.say(f"turn.{key}", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
+    book.values[_name(quantity)] = answer
+    return answer
+
+
+def _rows(turn: CrankTurn, of: Quantity, length: str) -> tuple[Sentence, ...]:
+    """The quantity (the magnitude of a rate) at regular angles of the crank, with four digits."""
+    angles = np.linspace(0.0, FULL_TURN, _STEPS, endpoint=False)
+    whole = Quantity(of.kind, of.target, "abs") if of.is_rotation else of
+    own = of.own_unit(length)
+    values = own.from_si(whole.value(turn.at(np.zeros(_STEPS, dtype=np.intp), angles)))
+    largest = float(np.max(np.abs(values)))
+    return tuple(
+        Sentence(
+            "turn.at",
+            {"angle": NumberOf(_rounded(angle, "angle")), "value": NumberOf(_rounded(value, _measure(of), largest))},
+        )
+        for angle, value in zip(np.degrees(angles).tolist(), values.tolist(), strict=True)
+    )
+
+
+def _rounded(number: float, measure: str, largest: float = 0.0) -> Value:
+    """A number with four digits; what is nothing beside the largest is zero."""
+    shown = 0.0 if abs(number) < _NOTHING * largest else float(f"{number:.4g}")
+    return Value(None, measure, shown)

@@ -1,0 +1,81 @@
+"""The work that a solution takes: what its reader has to calculate, counted in the same way for every method.
+
+It is counted in the values that lead to the answers, each of which is a line that is written once. A value that comes
+from the statement costs nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
+from variantgen.algebra.linear import LinearSolution
+from variantgen.algebra.values import in_order, walk
+
+_RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
+
+
+@dataclass(frozen=True)
+class Work:
+    """The work of a solution.
+
+    ``lines``: values that are worked out.
+    ``operations``: additions, subtractions, multiplications, divisions and powers in them; a system of equations
+    counts with those of its elimination, 9 for two equations, 28 for three.
+    ``functions``: roots and values of trigonometric functions and of their inverses.
+    ``systems``: systems of equations.
+    ``negatives``: values and function values below zero.
+    ``obtuse``: angles beyond 90 degrees, given ones and those worked out.
+    ``coriolis``: Coriolis accelerations.
+    """
+
+    lines: int
+    operations: int
+    functions: int
+    systems: int
+    negatives: int
+    obtuse: int
+    coriolis: int
+
+    @property
+    def calculations(self) -> int:
+        """Operations and functions together: what is typed into a calculator."""
+        return self.operations + self.functions
+
+
+def work_of(answers: Iterable[Value]) -> Work:
+    """The work of the solution that leads to these answers."""
+    values = in_order(answers)
+    own = [value for value in values if value.expression is not None]
+    parts = [part for value in own if value.expression is not None for part in walk(value.expression)]
+    sizes = {tuple(map(id, part.right)): len(part.right) for part in parts if isinstance(part, LinearSolution)}
+    called = [part for part in parts if isinstance(part, Applied)]
+    return Work(
+        lines=len(own),
+        operations=sum(map(_operations, parts)) + sum(map(_elimination, sizes.values())),
+        functions=len(called) + sum(isinstance(part, SquareRoot) for part in parts),
+        systems=len(sizes),
+        negatives=sum(item.number(True) < 0 for item in (*values, *called)),
+        obtuse=sum(value.measure == "angle" and abs(value.exact) > _RIGHT_ANGLE for value in values),
+        coriolis=sum(value.name is not None and value.name.part == "cor" for value in own),
+    )
+
+
+def _operations(part: Expression) -> int:
+    """The operations of one part of an expression, without those inside its operands."""
+    match part:
+        case Total(terms):
+            return max(len(terms) - 1, 0)
+        case Times(factors):
+            return len(factors) - 1
+        case Ratio() | Raised():
+            return 1
+    return 0
+
+
+def _elimination(count: int) -> int:
+    """The operations by which so many linear equations are solved: those of Gauss, back substitution included."""
+    multiplications = count * (count**2 + 3 * count - 1) // 3
+    additions = count * (count - 1) * (2 * count + 5) // 6
+    return multiplications + additions

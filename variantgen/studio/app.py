@@ -1,0 +1,83 @@
+"""The application: the pages, what they share, and the checks around all of it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response, StreamingResponse
+from starlette.routing import Mount, Route
+from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp
+
+from variantgen.errors import InputError, VariantgenError
+from variantgen.studio.documents.document import ConflictError, RefusedError
+from variantgen.studio.documents.edits import plain
+from variantgen.studio.frame import error_page, wants_page
+from variantgen.studio.pages import PAGES
+from variantgen.studio.security import BodyError, Guard
+from variantgen.studio.studio import Studio, UnknownKeyError
+from variantgen.studio.words import ASSETS
+
+
+def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
+    """The application of a studio for a server on a port; the token opens it."""
+
+    @contextlib.asynccontextmanager
+    async def life(_: Starlette) -> AsyncIterator[None]:
+        studio.events.start()
+        watching = asyncio.create_task(studio.watch())
+        try:
+            yield
+        finally:
+            watching.cancel()
+            studio.close()
+
+    routes = [route for page in PAGES for route in page.routes(studio)]
+    handlers = {VariantgenError: _refusal, BodyError: _given_up, 404: _not_found}
+    app = Starlette(
+        routes=[
+            Mount("/static", StaticFiles(directory=ASSETS / "static")),
+            Route("/events", _events(studio)),
+            *routes,
+        ],
+        exception_handlers=handlers,  # type: ignore[arg-type]  # handlers are more special than their type says
+        lifespan=life,
+    )
+    return Guard(app, token, port)
+
+
+def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an endpoint of Starlette
+    async def events(request: Request) -> Response:
+        last = request.headers.get("last-event-id", "")
+        stream = studio.events.listen(int(last) if last.isdigit() and len(last) < 12 else None)
+        return StreamingResponse(stream, media_type="text/event-stream")
+
+    return events
+
+
+async def _refusal(request: Request, error: VariantgenError) -> Response:
+    """What a mistake is answered: a page for who looks at one, else its problems."""
+    if isinstance(error, ConflictError):
+        return JSONResponse({"conflict": error.path, "mine": plain(error.mine), "theirs": plain(error.theirs)}, 409)
+    if isinstance(error, RefusedError):
+        return JSONResponse({"problems": [vars(problem) for problem in error.problems]}, 422)
+    status = 404 if isinstance(error, UnknownKeyError) else 400
+    if wants_page(request):
+        return error_page(request, status, str(error))
+    problems = error.problems if isinstance(error, InputError) else ()
+    found = [{"key": p.key, "message": p.message, "remedy": p.remedy, "line": 0} for p in problems]
+    return JSONResponse({"problems": found or [{"key": "", "message": str(error), "remedy": "", "line": 0}]}, status)
+
+
+async def _given_up(_: Request, __: BodyError) -> Response:
+    return JSONResponse({"problems": [{"key": "", "message": "the request is too large or too slow"}]}, 413)
+
+
+async def _not_found(request: Request, _: Exception) -> Response:
+    if wants_page(request):
+        return error_page(request, 404, "")
+    return JSONResponse({"problems": [{"key": "", "message": "there is nothing at this address"}]}, 404)

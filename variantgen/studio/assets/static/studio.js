@@ -1,0 +1,163 @@
+// What every page does: edits with the version they were made on, undo, events, keys, notes. Pages import it.
+
+const body = document.body;
+export const $ = id => document.getElementById(id);
+export const all = (selector, inside = document) => [...inside.querySelectorAll(selector)];
+export const words = JSON.parse(body.dataset.words);
+export const exam = body.dataset.exam;
+export const lang = document.documentElement.lang;
+export const state = { version: body.dataset.version };
+const own = Math.random().toString(36).slice(2);
+
+// A phrase of the words with what it names: fill("{n} of {m}", {n: 1, m: 2}).
+export const fill = (text, named) => text.replace(/\{(\w+)\}/g, (_, name) => named[name] ?? "");
+export const icon = name => {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg"), use = document.createElementNS("http://www.w3.org/2000/svg", "use");
+  svg.setAttribute("class", "i"); svg.setAttribute("aria-hidden", "true"); use.setAttribute("href", `#i-${name}`);
+  svg.append(use);
+  return svg;
+};
+// An element with properties and children; texts become text, never markup.
+export const el = (tag, properties = {}, ...children) => {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties))
+    if (name in made && name !== "list") made[name] = value; else made.setAttribute(name, value);
+  made.append(...children.filter(child => child !== "" && child != null));
+  return made;
+};
+
+// ---- requests: what cannot reach the server is tried again each second; answers that refuse are thrown.
+export class Refused extends Error {
+  constructor(status, data) { super(data.problems?.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; ") ?? words.changed_elsewhere); this.status = status; this.data = data; }
+}
+const pause = ms => new Promise(done => setTimeout(done, ms));
+const connected = yes => { $("offline").hidden = yes; };
+
+async function request(url, options, again) {
+  for (;;) {
+    try {
+      const answer = await fetch(url, options);
+      connected(true);
+      const data = await answer.json();
+      if (!answer.ok) throw new Refused(answer.status, data);
+      return data;
+    } catch (error) {
+      if (error instanceof Refused || error.name === "AbortError" || !again) throw error;
+      connected(false);
+      await pause(1000);
+    }
+  }
+}
+export const get = (url, options = {}) => request(url, { headers: { accept: "application/json" }, ...options }, false);
+export const post = (url, data, options = {}) =>
+  request(url, { method: "POST", headers: { "content-type": "application/json", accept: "application/json" }, body: JSON.stringify(data), ...options }, options.again ?? true);
+
+// ---- edits: one after another, each on the version that the one before it has made.
+let queue = Promise.resolve();
+const inTurn = work => { const next = queue.then(work, work); queue = next.catch(() => {}); return next; };
+
+export const edit = (operations, about = "") => inTurn(async () => {
+  saving(true);
+  try {
+    return settled(await post(`/${exam}/edit`, { operations, version: state.version, window: own, about }));
+  } catch (error) {
+    if (error.status === 409) return await conflict(error.data, operations, about);
+    throw error;
+  } finally { saving(false); }
+});
+export const replaceText = text => inTurn(async () =>
+  settled(await post(`/${exam}/text`, { text, version: state.version, window: own })));
+
+const saving = yes => { const place = $("saved"); if (place) place.textContent = yes ? words.saving : place.dataset.saved; };
+function settled(data) {
+  state.version = data.version;
+  for (const [name, at] of [["undo", words.undo], ["redo", words.redo]]) {
+    const button = $(name), text = data[name] ? `${at}: ${data[name]}` : at;
+    button.disabled = !data[name]; button.title = text;
+    if (name === "undo") button.querySelector(".vh").textContent = text; else button.setAttribute("aria-label", text);
+  }
+  for (const [name, text] of Object.entries(data.under)) all(`[data-under="${name}"]`, body).forEach(place => { place.textContent = text; });
+  dispatchEvent(new CustomEvent("exam", { detail: data }));
+  return data;
+}
+// The same key was changed elsewhere: both values are shown, and one of them is chosen.
+async function conflict(data, operations, about) {
+  const shown = value => typeof value === "object" ? JSON.stringify(value) : String(value ?? "—");
+  const mine = await choose(fill(words.conflict, { theirs: shown(data.theirs), mine: shown(data.mine) }), words.keep_mine, words.take_that);
+  const now = await get(`/${exam}/state`);
+  state.version = now.version;
+  if (mine) return settled(await post(`/${exam}/edit`, { operations, version: state.version, window: own, about }));
+  dispatchEvent(new CustomEvent("outside", { detail: now }));
+  return settled(now);
+}
+async function step(name, told) {
+  if ($(name).disabled) return;
+  const what = $(name).title.split(": ").slice(1).join(": ");
+  const data = await inTurn(() => post(`/${exam}/${name}`, { window: own }));
+  settled(data);
+  dispatchEvent(new CustomEvent("outside", { detail: data }));
+  note(fill(told, { what }));
+}
+export const undo = () => step("undo", words.taken_back);
+export const redo = () => step("redo", words.done_again);
+$("undo")?.addEventListener("click", undo);
+$("redo")?.addEventListener("click", redo);
+
+// ---- notes: ten seconds, with a way back; questions stay until they are answered.
+let hiding;
+export function note(text, act = "", done = null, seconds = 10) {
+  clearTimeout(hiding);
+  const toast = $("toast");
+  toast.replaceChildren(el("span", {}, text));
+  if (act) toast.append(el("button", { type: "button", onclick: () => { toast.hidden = true; done(); } }, act));
+  toast.hidden = false;
+  if (seconds) hiding = setTimeout(() => { toast.hidden = true; }, seconds * 1000);
+}
+function choose(text, yes, no) {
+  clearTimeout(hiding);
+  return new Promise(chosen => {
+    const pick = value => () => { $("toast").hidden = true; chosen(value); };
+    $("toast").replaceChildren(el("span", {}, text), el("button", { type: "button", onclick: pick(true) }, yes), el("button", { type: "button", onclick: pick(false) }, no));
+    $("toast").hidden = false;
+  });
+}
+export const complain = error => note(error.message || String(error));
+
+// ---- events of the server; pages listen with on("build", data => ...).
+const listeners = {};
+export const on = (name, listener) => { (listeners[name] ??= []).push(listener); source?.addEventListener(name, event => listener(JSON.parse(event.data))); };
+let source = new EventSource("/events");
+source.onopen = () => connected(true);
+source.onerror = () => connected(false);
+source.addEventListener("reload", () => location.reload());
+on("doc", async data => {
+  if (data.exam !== exam || data.window === own || data.version === state.version) return;
+  const now = await inTurn(() => get(`/${exam}/state`));
+  settled(now);
+  dispatchEvent(new CustomEvent("outside", { detail: now }));
+});
+addEventListener("pagehide", () => source.close());
+addEventListener("pageshow", event => { if (event.persisted) location.reload(); });
+
+// ---- copying, help, keys (by position, so that they work with every layout).
+all("[data-copy]").forEach(button => button.addEventListener("click", async () => {
+  await navigator.clipboard?.writeText($(button.dataset.copy).textContent);
+  note(words.copied, "", null, 2);
+}));
+$("help").addEventListener("click", () => $("keys").showModal());
+export const typing = event => /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "checkbox" || event.target.isContentEditable;
+addEventListener("keydown", event => {
+  if (event.defaultPrevented) return;
+  const control = event.ctrlKey || event.metaKey;
+  const digit = /^(?:Digit|Numpad)(\d)$/.exec(event.code)?.[1];
+  if (event.key === "F1" || event.key === "?" && !typing(event)) $("keys").showModal();
+  else if (event.altKey && event.shiftKey && digit) all(".steps a, .tools a")[digit - 1]?.click();
+  else if (control && event.code === "KeyZ" && !typing(event)) event.shiftKey ? redo() : undo();
+  else if (control && event.code === "KeyS") note(words.already_saved, "", null, 2);
+  else if (control && event.code === "Enter") all(".primary").find(button => button.offsetParent && !button.closest("dialog"))?.click();
+  else if (control && event.code === "KeyK" && document.querySelector("input[type=search]")) document.querySelector("input[type=search]").focus();
+  else return;
+  event.preventDefault();
+});
+addEventListener("click", event => all("details.exam[open]").forEach(menu => { if (!menu.contains(event.target)) menu.open = false; }));
+addEventListener("keydown", event => { if (event.key === "Escape") all("details.exam[open]").forEach(menu => { menu.open = false; menu.querySelector("summary").focus(); }); });

@@ -1,0 +1,243 @@
+"""One exam file: its state, its mistakes, its changes by the studio and by others."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.studio.documents.edits import Operation, apply, value_at
+from variantgen.studio.documents.journal import Journal, version_of
+from variantgen.studio.documents.toml_lines import parse_path, places, written_path
+from variantgen.studio.workspace import is_own, write_whole
+from variantgen.tables import parse_toml, read_text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from variantgen.exam.exam_file import Exam
+
+
+class ConflictError(VariantgenError):
+    """The key was changed in the meantime: ``mine`` is what was to be written, ``theirs`` what is there now."""
+
+    def __init__(self, path: str, mine: Any, theirs: Any) -> None:
+        self.path, self.mine, self.theirs = path, mine, theirs
+        super().__init__(f"{path} was changed in the meantime")
+
+
+class RefusedError(VariantgenError):
+    """The change would bring mistakes into the file; it was not made."""
+
+    def __init__(self, problems: Sequence[Mistake]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("; ".join(problem.message for problem in problems))
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A mistake in the text of a file, with its line."""
+
+    line: int
+    key: str
+    message: str
+    remedy: str
+
+
+@dataclass(frozen=True)
+class State:
+    """The text of a file at a version, what it says, and what is wrong with it."""
+
+    text: str
+    version: str
+    data: dict[str, Any]
+    broken: str = ""
+    found: list[Any] = field(default_factory=list)
+
+
+class Document:
+    """An exam file that is changed from several windows and by editors.
+
+    ``own_folders``: whether families lie beside it. Its methods may be called from any thread.
+    """
+
+    def __init__(self, key: str, path: Path, folder: Path, journal: Path) -> None:
+        self.key, self.path, self._folder = key, path, folder
+        self._lock = threading.RLock()
+        self.journal = Journal(journal)
+        self._seen: tuple[int, int] = (0, 0)
+        self._state = self._read()
+
+    def _read(self) -> State:
+        """The file as it is now. Raises InputError."""
+        if not is_own(self.path, self._folder):
+            raise InputError(Problem("is no longer there", file=self.path.name))
+        status = self.path.stat()
+        self._seen = (status.st_mtime_ns, status.st_size)
+        return _state(read_text(self.path), self.path)
+
+    def state(self) -> State:
+        """The present state; a change by an editor is a step of the journal."""
+        with self._lock:
+            self.refresh()
+            return self._state
+
+    def refresh(self) -> bool:
+        """Look at the file; whether another has changed it. Raises InputError where it is gone."""
+        with self._lock:
+            try:
+                status = self.path.stat()
+            except OSError:
+                raise InputError(Problem("is no longer there", file=self.path.name)) from None
+            if (status.st_mtime_ns, status.st_size) == self._seen:
+                return False
+            before, self._state = self._state, self._read()
+            if before.version == self._state.version:
+                return False
+            self.journal.add(before.text, self._state.text, "outside", {}, "")
+            return True
+
+    def exam(self) -> Exam:
+        """The checked exam. Raises InputError with every mistake."""
+        state = self.state()
+        if not state.found:
+            state.found.append(self._checked(state.text))
+        found = state.found[0]
+        if isinstance(found, InputError):
+            raise found
+        exam: Exam = found
+        return exam
+
+    def _checked(self, text: str) -> Exam | InputError:
+        from variantgen.families.folders import family_folders
+        from variantgen.outputs.formats import parse_exam
+
+        try:
+            return parse_exam(text, self.path, family_folders((), beside=self.path))
+        except InputError as error:
+            return error
+
+    def mistakes(self) -> list[Mistake]:
+        """What is wrong with the file, at its lines."""
+        try:
+            self.exam()
+        except InputError as error:
+            return self._located(error, self.state().text)
+        return []
+
+    def check(self, text: str) -> list[Mistake]:
+        """What would be wrong with another text of the file."""
+        found = self._checked(text)
+        return self._located(found, text) if isinstance(found, InputError) else []
+
+    def _located(self, error: InputError, text: str) -> list[Mistake]:
+        try:
+            found = places(text) if not _state(text, self.path).broken else None
+        except (ValueError, IndexError):
+            found = None
+        mistakes = []
+        for problem in error.problems:
+            line = found.line(parse_path(problem.key)) if found else _line_of(problem.message)
+            value = f" ({problem.value})" if problem.value else ""
+            mistakes.append(Mistake(line, problem.key, problem.message + value, problem.remedy))
+        return mistakes
+
+    def edit(self, operations: Sequence[Operation], version: str, window: str = "", about: str = "") -> State:
+        """Change the file by operations that were made on a version of it.
+
+        Raises ConflictError, RefusedError, or InputError for operations that do not fit.
+        """
+        with self._lock:
+            self.refresh()
+            if self._state.broken:
+                raise InputError(Problem(self._state.broken, file=self.path.name, remedy="correct the text first"))
+            self._compare(operations, version)
+            return self._put(apply(self._state.text, operations), *_described(operations, about), window)
+
+    def replace(self, text: str, version: str, window: str = "") -> State:
+        """Put another text into the file. Raises ConflictError, or RefusedError for a text with new mistakes."""
+        with self._lock:
+            self.refresh()
+            if version != self._state.version:
+                raise ConflictError("", text, self._state.text)
+            return self._put(text, "text", {}, window)
+
+    def _put(self, text: str, words: str, about: dict[str, str], window: str) -> State:
+        """Write a new text, unless it has mistakes that the file has not."""
+        if text == self._state.text:
+            return self._state
+        known = {(m.key, m.message) for m in self.mistakes()}
+        new = [m for m in self.check(text) if (m.key, m.message) not in known and not _is_empty(m)]
+        if new:
+            raise RefusedError(new)
+        before = self._state.text
+        self._write(text)
+        self.journal.add(before, text, words, about, window)
+        return self._state
+
+    def _write(self, text: str) -> None:
+        if self.path.is_symlink():
+            raise InputError(Problem("is a link", file=self.path.name))
+        write_whole(self.path, text)
+        status = self.path.stat()
+        self._seen = (status.st_mtime_ns, status.st_size)
+        self._state = _state(text, self.path)
+
+    def _compare(self, operations: Sequence[Operation], version: str) -> None:
+        """Raise ConflictError where a key of the operations is no longer as it was in the version."""
+        if version == self._state.version:
+            return
+        text = self.journal.text(version)
+        then = _state(text, self.path).data if text is not None else None
+        for operation in operations:
+            path = operation.touched
+            now = value_at(self._state.data, path)
+            if then is None or value_at(then, path) != now:
+                raise ConflictError(written_path(operation.path), operation.value, now)
+
+    def undo(self, by: int = -1) -> dict[str, Any] | None:
+        """Take the last step back (or do it again, +1); what it was, or None if there is none."""
+        with self._lock:
+            self.refresh()
+            step = self.journal.undoable if by < 0 else self.journal.redoable
+            if step is None:
+                return None
+            text = self.journal.text(step.before if by < 0 else step.after)
+            if text is None:
+                return None
+            self._write(text)
+            self.journal.move(by)
+            return {"words": step.words, "about": step.about}
+
+
+def _state(text: str, path: Path) -> State:
+    try:
+        return State(text, version_of(text), parse_toml(text, path))
+    except InputError as error:
+        return State(text, version_of(text), {}, error.problems[0].message)
+
+
+def _line_of(message: str) -> int:
+    """The line that the reader of TOML names."""
+    _, _, rest = message.partition("line ")
+    digits = rest[: len(rest) - len(rest.lstrip("0123456789"))]
+    return int(digits) if digits else 1
+
+
+def _is_empty(mistake: Mistake) -> bool:
+    """Whether a mistake is only that the exam has no problems yet: so every new one begins."""
+    return mistake.key == "problem" and "at least one" in mistake.message
+
+
+def _described(operations: Sequence[Operation], about: str) -> tuple[str, dict[str, str]]:
+    """The key of the words for an edit, and what they name."""
+    first = operations[0]
+    numbers = [part for part in first.path if isinstance(part, int)]
+    number = str((numbers[0] if numbers else first.at) + 1)
+    if first.path[0] == "problem" and first.op in ("insert", "remove", "move"):
+        return first.op, {"number": number}
+    keys = [str(part) for part in first.path if isinstance(part, str) and part != "problem"]
+    words = "changed_in_problem" if first.path[0] == "problem" else "changed"
+    return words, {"number": number, "what": about or ".".join(keys)}

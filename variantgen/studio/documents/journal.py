@@ -1,0 +1,116 @@
+"""All states of a file that were left behind, on disk: undo and redo through restarts, and what another has changed."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from variantgen.studio.workspace import write_whole
+
+_STEPS = 500
+_CONTINUED = ("changed", "changed_in_problem", "text")
+_PAUSE = 1.5  # seconds between changes that are one step
+
+
+@dataclass(frozen=True)
+class FileChange:
+    """A change: the versions before and after it, the key of the words for it with what they name, whose it was."""
+
+    before: str
+    after: str
+    words: str
+    about: dict[str, str]
+    window: str
+    time: float = 0.0
+
+    def continues(self, other: FileChange) -> bool:
+        """Whether it goes on with another one."""
+        same = (self.words, self.about, self.window) == (other.words, other.about, other.window)
+        return same and self.words in _CONTINUED and self.time - other.time < _PAUSE
+
+
+class Journal:
+    """The steps of one file, and how many of them are done; later ones can be done again."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._file = folder / "journal.json"
+        self.steps, self.done = self._read()
+
+    def _read(self) -> tuple[list[FileChange], int]:
+        """What is on disk; a file that cannot be read counts as none."""
+        try:
+            data = json.loads(self._file.read_text("utf-8"))
+            steps = [FileChange(**step) for step in data["steps"]]
+            done = int(data["done"])
+        except (OSError, ValueError, KeyError, TypeError):
+            return [], 0
+        return (steps, done) if 0 <= done <= len(steps) else ([], 0)
+
+    def _write(self) -> None:
+        self._folder.mkdir(parents=True, exist_ok=True)
+        data: dict[str, Any] = {"done": self.done, "steps": [vars(step) for step in self.steps]}
+        write_whole(self._file, json.dumps(data, ensure_ascii=False))
+
+    def keep(self, text: str) -> str:
+        """Keep a state; returns its version."""
+        version = version_of(text)
+        path = self._folder / f"{version}.toml"
+        if not path.exists():
+            self._folder.mkdir(parents=True, exist_ok=True)
+            write_whole(path, text)
+        return version
+
+    def text(self, version: str) -> str | None:
+        """The state of a version, if it is kept."""
+        if not version.isalnum():
+            return None
+        try:
+            text = (self._folder / f"{version}.toml").read_bytes().decode()
+        except (OSError, UnicodeDecodeError):
+            return None
+        return text if version_of(text) == version else None
+
+    def add(self, before: str, after: str, words: str, about: dict[str, str], window: str) -> None:
+        """A new step; those that could be done again are forgotten.
+
+        What a window goes on doing to the same key, as steps of a slider, is one step.
+        """
+        new = FileChange(self.keep(before), self.keep(after), words, about, window, time.time())
+        steps, last = self.steps[: self.done], self.undoable
+        if last is not None and new.continues(last):
+            new, steps = replace(new, before=last.before), steps[:-1]
+        self.steps = [*steps, new]
+        for step in self.steps[:-_STEPS]:
+            self._forget(step.before)
+        self.steps = self.steps[-_STEPS:]
+        self.done = len(self.steps)
+        self._write()
+
+    def _forget(self, version: str) -> None:
+        if not any(version in (step.before, step.after) for step in self.steps[-_STEPS:]):
+            (self._folder / f"{version}.toml").unlink(missing_ok=True)
+
+    @property
+    def undoable(self) -> FileChange | None:
+        """The step that undo takes back."""
+        return self.steps[self.done - 1] if self.done else None
+
+    @property
+    def redoable(self) -> FileChange | None:
+        """The step that is done again."""
+        return self.steps[self.done] if self.done < len(self.steps) else None
+
+    def move(self, by: int) -> None:
+        """So many steps more or less are done."""
+        self.done = min(len(self.steps), max(0, self.done + by))
+        self._write()
+
+
+def version_of(text: str) -> str:
+    """The version of a text: the begin of its SHA-256."""
+    return hashlib.sha256(text.encode()).hexdigest()[:16]

@@ -1,0 +1,106 @@
+"""Figures of families as images for pages: they take the colours of light and dark pages by themselves."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import TYPE_CHECKING, Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.catalogue import ONLY, family_files, family_version, own_folders
+from variantgen.studio.workspace import Workspace, write_whole
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from variantgen.variants.variant import Variant
+
+FIRST_SEED = 11  # of the figure on a card
+MOST_SEEDS = 100_000
+_STYLE = (
+    "<style>svg{color:#12161c}.variantgen-paper{fill:#fff}.variantgen-shade{fill:#ebebeb}"
+    "@media(prefers-color-scheme:dark){svg{color:#eceff3}.variantgen-paper{fill:#181c22}"
+    ".variantgen-shade{fill:#2b313a}}</style>"
+)
+
+
+def card_figure(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
+    """The figure of a variant of a form, kept on disk. Raises InputError for what there is not."""
+    files = family_files(workspace)
+    if family not in files:
+        raise InputError(Problem("unknown family", key="family", value=family))
+    name = f"{family_version(files[family])}-{family}-{form}-{seed}-{language}.svg"
+    if not name.replace("-", "").replace("_", "").replace(".", "").isalnum():
+        raise InputError(Problem("unknown form", key="form", value=form))
+    kept = workspace.state("cache", "figures", name)
+    try:
+        return kept.read_text("utf-8")
+    except OSError:
+        text = _drawn(workspace, family, "" if form == ONLY else form, seed, language)
+    write_whole(kept, text)
+    return text
+
+
+def _drawn(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
+    from variantgen.single import one_variant
+
+    return figure_of(one_variant(family, seed=str(seed), form=form, folders=own_folders(workspace)), language)
+
+
+def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
+    """The figure of a variant for what is asked (nothing: what its form asks)."""
+    from variantgen.figure.build import statement_figure
+    from variantgen.outputs.figures.svg import svg
+    from variantgen.single import asked_quantities
+    from variantgen.variants.variant import solve_variants
+    from variantgen.wording.language import load_language
+
+    asked = asked_quantities(variant, ask)
+    drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked, load_language(language))
+    return styled(svg(drawing))
+
+
+def styled(text: str) -> str:
+    """A figure with a style of its own inside, for an image."""
+    head, mark, rest = text.partition(">")
+    return f"{head}{mark}{_STYLE}{rest}"
+
+
+def specimen(workspace: Workspace, family: str, form: str, seed: int, language: str) -> dict[str, Any]:
+    """A variant of a form as an open card shows it: figure, statement, answers, worked solution."""
+    from markupsafe import Markup
+
+    from variantgen.single import answers, asked_quantities, one_variant
+    from variantgen.wording.html import to_html
+    from variantgen.wording.language import load_language
+    from variantgen.wording.statement import statement
+
+    figure = card_figure(workspace, family, form, seed, language)
+    name = "" if form == ONLY else form
+    variant = one_variant(family, seed=str(seed), form=name, folders=own_folders(workspace))
+    asked, spoken = asked_quantities(variant), load_language(language)
+    said = statement(variant, asked, spoken)
+
+    def markup(text: Any) -> Markup:
+        return Markup("").join(part if isinstance(part, str) else Markup(to_html(part)) for part in text)  # noqa: S704
+
+    found = [
+        (
+            markup([spoken.quantity(answer.quantity, variant.form.symbols)]),
+            markup([spoken.answer(answer.quantity, answer.value)]),
+            markup([spoken.unit(answer.unit)]),
+        )
+        for answer in answers(variant)
+    ]
+    return {
+        "title": variant.family.title(language),
+        "figure": f"/figure/{family}/{form}/{seed}.svg?lang={language}&v={hash_of(figure)}",
+        "text": markup(said.text),
+        "given": [markup([equation]) for equation in said.given],
+        "asked": [markup([symbol]) for symbol in said.asked],
+        "answers": found,
+    }
+
+
+def hash_of(text: str) -> str:
+    """A short name of a text, for addresses whose answer lasts."""
+    return hashlib.sha256(text.encode()).hexdigest()[:12]

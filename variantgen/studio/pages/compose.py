@@ -1,0 +1,122 @@
+"""Compose: the problems of an exam, what each may draw and asks, the sheet of any student, the text of the file."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from variantgen.studio.catalogue import cards
+from variantgen.studio.documents.document import Document
+from variantgen.studio.documents.edits import plain
+from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.requests import number_of, read_json, text_of
+from variantgen.studio.studio import Studio
+from variantgen.studio.summary import students, summary
+from variantgen.studio.words import page_words
+from variantgen.studio.workspace import ROSTER, write_whole
+
+DEPTHS = ("full", "short", "answers", "none")
+_MOST = 100  # problems of an exam
+
+
+def routes(studio: Studio) -> list[Route]:
+    """The addresses of this page; they raise InputError for requests that do not fit."""
+
+    def opened(request: Request) -> Document:
+        return studio.document(request.path_params["exam"])
+
+    async def compose(request: Request) -> Response:
+        document = opened(request)
+        out = ("--roster", ROSTER) if students(studio) is not None else ("--variants", "30")
+        line = command("variantgen", "build", document.path.name, *out, "--out", "exam")
+        return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
+
+    async def outline(request: Request) -> Response:
+        from variantgen.studio.composition import listed
+
+        document, language = opened(request), language_of(request)
+        rows = await run_in_threadpool(listed, document, studio.workspace, language)
+        words = page_words(language)
+        answers = sum(row["answers"] for row in rows)
+        line = f"{words.counted(len(rows), 'problem')} · {words.counted(answers, 'answer')}"
+        points = summary(words, studio, document)["compose"]
+        html = part(request, "outline", "compose", problems=rows)
+        return JSONResponse({"html": html, "count": len(rows), "line": f"{line} · {points}", **_source(document)})
+
+    async def problem(request: Request) -> Response:
+        from variantgen.studio.composition import problem as described
+
+        number = number_of(request.path_params["number"], "problem", 1, _MOST)
+        query, language = request.query_params, language_of(request)
+        name, form = query.get("family", ""), query.get("form", "")
+        found = await run_in_threadpool(described, opened(request), studio.workspace, number, name, form, language)
+        return HTMLResponse(part(request, "problem", "compose", **found))
+
+    async def check(request: Request) -> Response:
+        data, document = await read_json(request), opened(request)
+        text = text_of(data, "text", 200_000)
+        found = await run_in_threadpool(document.check, text)
+        draft = studio.workspace.state("drafts", f"{document.key}.toml")
+        if found:
+            write_whole(draft, text)
+        else:
+            draft.unlink(missing_ok=True)
+        return JSONResponse({"mistakes": [vars(mistake) for mistake in found]})
+
+    async def table(request: Request) -> Response:
+        from variantgen.studio.composition import table_of
+
+        number = number_of(request.path_params["number"], "problem", 1, _MOST)
+        return JSONResponse({"table": plain(table_of(opened(request), number))})
+
+    async def families(request: Request) -> Response:
+        found = await run_in_threadpool(cards, studio.workspace)
+        titles = {card["family"]: card["titles"][language_of(request)] for card in found if not card["error"]}
+        return JSONResponse({"families": [{"name": name, "title": title} for name, title in titles.items()]})
+
+    return [
+        Route("/families", families),
+        Route("/{exam}/table/{number}", table),
+        Route("/{exam}/compose", compose),
+        Route("/{exam}/outline", outline),
+        Route("/{exam}/problem/{number}", problem),
+        Route("/{exam}/check", check, methods=["POST"]),
+    ]
+
+
+def _source(document: Document) -> dict[str, Any]:
+    """The text of the file, its mistakes, and the line at which each problem begins."""
+    from variantgen.studio.documents.toml_lines import places
+
+    state = document.state()
+    heads = [] if state.broken else [h for h in places(state.text).headers if h.path[:1] == ("problem",)]
+    lines = [state.text.count("\n", 0, head.start) + 1 for head in heads if len(head.path) == 2]
+    return {
+        "text": state.text,
+        "version": state.version,
+        "lines": lines,
+        "mistakes": [vars(mistake) for mistake in document.mistakes()],
+    }
+
+
+def _settings(document: Document) -> dict[str, Any]:
+    """What the exam says of itself, as fields show it."""
+    data = document.state().data
+    tolerance = data.get("tolerance", Decimal("0.01"))
+    inside = tolerance if isinstance(tolerance, dict) else {"floor": tolerance}
+    page, solutions = (data[name] if isinstance(data.get(name), dict) else {} for name in ("page", "solutions"))
+    found = {name: data.get(name, "") for name in ("title", "course", "date", "duration", "instructions", "language")}
+    found |= {"seed": data.get("seed", 0), "depth": solutions.get("depth", "full")}
+    found |= {"duplex": page.get("duplex", True), "qr": page.get("qr", True)}
+    found |= {"floor": _percent(inside.get("floor")), "ceiling": _percent(inside.get("ceiling"))}
+    found["table"] = isinstance(tolerance, dict)
+    return {name: "" if isinstance(value, dict) else value for name, value in found.items()}
+
+
+def _percent(value: Any) -> str:
+    return f"{(Decimal(value) * 100).normalize():f}" if isinstance(value, int | Decimal) else ""

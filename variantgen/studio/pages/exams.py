@@ -1,0 +1,107 @@
+"""The first page: the exams of the folder, a new one; and what changes an exam from any page."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from starlette.requests import Request
+from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.routing import Route
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import Document
+from variantgen.studio.documents.edits import read_operations, written
+from variantgen.studio.frame import command, language_of, render, step_words
+from variantgen.studio.requests import read_json, text_of
+from variantgen.studio.studio import Studio
+from variantgen.studio.summary import problems_of, summary
+from variantgen.studio.words import page_words
+from variantgen.studio.workspace import write_whole
+
+
+def routes(studio: Studio) -> list[Route]:
+    """The addresses of this page; they raise InputError for requests that do not fit."""
+
+    async def exams(request: Request) -> Response:
+        found = studio.workspace.exams()
+        if len(found) == 1 and "all" not in request.query_params:
+            key = next(iter(found))
+            page = "compose" if problems_of(studio.document(key)) else "choose"
+            return RedirectResponse(f"/{key}/{page}", 303)
+        words = page_words(language_of(request))
+        listed = [_row(studio.document(key), words.counted) for key in found]
+        return render(request, "exams", studio, command=command("variantgen", "new", "exam", "exam"), listed=listed)
+
+    async def create(request: Request) -> Response:
+        data = await read_json(request)
+        title, language = text_of(data, "title", 200).strip(), text_of(data, "language")
+        if not title:
+            raise InputError(Problem("missing, expected a title", key="title"))
+        if language not in ("en", "ru"):
+            raise InputError(Problem("unknown language", key="language", value=language))
+        path = studio.workspace.new_exam_path(title)
+        lines = ["schema = 1", f"title = {written(title)}", f"language = {written(language)}", "seed = 2026"]
+        write_whole(path, "\n".join([*lines, "tolerance = 0.02", ""]))
+        key = next(key for key, known in studio.workspace.exams().items() if known == path)
+        return JSONResponse({"address": f"/{key}/choose"})
+
+    async def edit(request: Request) -> Response:
+        data, document = await read_json(request), studio.document(request.path_params["exam"])
+        operations = read_operations(data.get("operations"))
+        window = text_of(data, "window", 40)
+        document.edit(operations, text_of(data, "version"), window, text_of(data, "about"))
+        studio.tell_changed(document, window)
+        return JSONResponse(answer(request, studio, document))
+
+    async def text(request: Request) -> Response:
+        data, document = await read_json(request), studio.document(request.path_params["exam"])
+        window = text_of(data, "window", 40)
+        document.replace(text_of(data, "text", 200_000), text_of(data, "version"), window)
+        studio.tell_changed(document, window)
+        return JSONResponse(answer(request, studio, document))
+
+    async def state(request: Request) -> Response:
+        return JSONResponse(answer(request, studio, studio.document(request.path_params["exam"])))
+
+    def moving(by: int) -> Any:
+        async def move(request: Request) -> Response:
+            data, document = await read_json(request), studio.document(request.path_params["exam"])
+            step = document.undo(by)
+            studio.tell_changed(document, text_of(data, "window", 40))
+            return JSONResponse({**answer(request, studio, document), "done": step is not None})
+
+        return move
+
+    return [
+        Route("/", exams),
+        Route("/exams", create, methods=["POST"]),
+        Route("/{exam}/state", state),
+        Route("/{exam}/edit", edit, methods=["POST"]),
+        Route("/{exam}/text", text, methods=["POST"]),
+        Route("/{exam}/undo", moving(-1), methods=["POST"]),
+        Route("/{exam}/redo", moving(+1), methods=["POST"]),
+    ]
+
+
+def answer(request: Request, studio: Studio, document: Document) -> dict[str, Any]:
+    """The state of an exam after a change: its version, what undo takes back, the numbers under the steps."""
+    words, state = page_words(language_of(request)), document.state()
+    return {
+        "version": state.version,
+        "undo": step_words(words, document.journal.undoable),
+        "redo": step_words(words, document.journal.redoable),
+        "under": summary(words, studio, document),
+    }
+
+
+def _row(document: Document, counted: Any) -> dict[str, str]:
+    """An exam in the list of all."""
+    state = document.state()
+    title = state.data.get("title")
+    return {
+        "key": document.key,
+        "file": document.path.name,
+        "title": title if isinstance(title, str) and title else document.path.stem,
+        "under": state.broken or counted(len(problems_of(document)), "problem"),
+        "page": "compose" if problems_of(document) else "choose",
+    }

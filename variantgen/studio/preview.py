@@ -1,0 +1,76 @@
+"""Pages of the sheet, or of the solutions, of one student: as a build typesets them, without building."""
+
+from __future__ import annotations
+
+import hashlib
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.summary import USUAL_CLASS
+from variantgen.studio.workspace import ROSTER, Workspace, is_own
+
+if TYPE_CHECKING:
+    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.roster import Student
+    from variantgen.outputs.single.problem_page import Format
+    from variantgen.outputs.typst.typesetter import Typesetter
+
+KINDS = ("sheet", "solution")
+_KEPT = 12  # sheets whose pages are in memory
+
+
+def class_of(workspace: Workspace) -> Sequence[Student]:
+    """The students of the roster, or some numbered ones where there is none. Raises InputError for a wrong roster."""
+    from variantgen.exam.roster import numbered, read_class
+
+    path = workspace.folder / ROSTER
+    return read_class(path).students if is_own(path, workspace.folder) else numbered(USUAL_CLASS)
+
+
+class Previews:
+    """Pages of single students as SVG; one engine sets them all, for one thread at a time."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[str, list[bytes]] = OrderedDict()
+        self._lock = threading.Lock()
+        self._open = ExitStack()
+        self._engine: Typesetter | None = None
+
+    def pages(self, exam: Exam, students: Sequence[Student], place: int, kind: str) -> tuple[str, int]:
+        """The name and the number of the pages of a student, by the place in the class. Raises InputError."""
+        listed = repr([(student.id, student.name, student.group) for student in students])
+        name = hashlib.sha256(f"{exam.text}\n{exam.seed}\n{listed}\n{place}\n{kind}".encode()).hexdigest()[:20]
+        with self._lock:
+            if name not in self._kept:
+                self._kept[name] = self._made(exam, students, place, kind, "svg")
+                while len(self._kept) > _KEPT:
+                    self._kept.popitem(last=False)
+            self._kept.move_to_end(name)
+            return name, len(self._kept[name])
+
+    def page(self, name: str, number: int) -> bytes:
+        """A page that was made. Raises InputError for one that was not, or is forgotten."""
+        pages = self._kept.get(name, [])
+        if not 1 <= number <= len(pages):
+            raise InputError(Problem("there is no such page", value=f"{name} {number}", remedy="load the page again"))
+        return pages[number - 1]
+
+    def _made(self, exam: Exam, students: Sequence[Student], place: int, kind: str, form: Format) -> list[bytes]:
+        from variantgen.builder.preview import one_sheet
+        from variantgen.outputs.single.one_sheet import sheet_pages
+        from variantgen.outputs.typst.typesetter import typesetter
+
+        if self._engine is None:
+            self._engine = self._open.enter_context(typesetter())
+        if kind == "solution" and not exam.solutions.wanted:
+            exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
+        return sheet_pages(exam, one_sheet(exam, students, place), self._engine, form, kind == "solution")
+
+    def close(self) -> None:
+        """Remove what the engine has on disk."""
+        self._open.close()

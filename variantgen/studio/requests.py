@@ -1,0 +1,44 @@
+"""What requests hold, read with messages."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from starlette.requests import Request
+
+from variantgen.errors import InputError, Problem
+
+WINDOW = 40  # letters of the name of a window
+
+
+async def read_json(request: Request) -> dict[str, Any]:
+    """The table that a script sends. Raises InputError for something else."""
+    if request.headers.get("content-type", "").partition(";")[0].strip() != "application/json":
+        raise InputError(Problem("expected JSON"))
+    try:
+        found = json.loads(await request.body())
+    except (ValueError, RecursionError):
+        raise InputError(Problem("expected JSON")) from None
+    if not isinstance(found, dict):
+        raise InputError(Problem("expected a table"))
+    return found
+
+
+def text_of(data: dict[str, Any], name: str, most: int = 200) -> str:
+    """A text of a table; '' if there is none. Raises InputError for something else."""
+    found = data.get(name, "")
+    if not isinstance(found, str) or len(found) > most:
+        raise InputError(Problem("expected a text", key=name))
+    return found
+
+
+def number_of(text: object, key: str, low: int, high: int) -> int:
+    """A whole number between two others. Raises InputError."""
+    try:
+        found = int(text) if isinstance(text, int | str) and len(str(text)) < 12 else None
+    except ValueError:
+        found = None
+    if found is None or not low <= found <= high:
+        raise InputError(Problem(f"expected a whole number, {low} to {high}", key=key, value=str(text)[:40]))
+    return found

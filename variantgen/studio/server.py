@@ -1,0 +1,125 @@
+"""The server: a port of this machine for one browser, and its lock, so that a folder has one studio at a time."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import secrets
+import socket
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import uvicorn
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.app import make_app
+from variantgen.studio.studio import Studio
+from variantgen.studio.workspace import Workspace
+
+ADDRESS = "127.0.0.1"
+PORT = 8765
+_TRIED = 20  # ports, where none is asked for
+_LOCK = "running.json"
+
+
+def serve(folder: Path, port: int | None, browser: bool, say: Callable[[str], None]) -> None:
+    """Serve a folder until it is interrupted; ``say`` is told the address. Raises InputError."""
+    workspace = Workspace(folder)
+    running = _running(workspace)
+    if running:
+        _open(running, browser, say)
+        return
+    with _listening(port) as listener:
+        own_port, token = listener.getsockname()[1], secrets.token_urlsafe(24)
+        address = f"http://{ADDRESS}:{own_port}/?t={token}"
+        lock = workspace.state(_LOCK)
+        _write_lock(lock, address)
+        try:
+            _run(make_app(Studio(workspace), token, own_port), listener, lambda: _open(address, browser, say))
+        finally:
+            lock.unlink(missing_ok=True)
+
+
+def _run(app: Any, listener: socket.socket, started: Callable[[], None]) -> None:
+    """Answer requests until a signal comes."""
+    config = uvicorn.Config(
+        app,
+        log_level="error",
+        access_log=False,
+        server_header=False,
+        ws="none",
+        http="h11",
+        timeout_keep_alive=30,
+        timeout_graceful_shutdown=1,
+        h11_max_incomplete_event_size=32_000,
+        limit_concurrency=200,
+    )
+    server = uvicorn.Server(config)
+
+    async def running() -> None:
+        asyncio.get_running_loop().call_soon(started)
+        await server.serve(sockets=[listener])
+
+    asyncio.run(running())
+
+
+def _open(address: str, browser: bool, say: Callable[[str], None]) -> None:
+    say(address)
+    if browser:
+        import webbrowser
+
+        webbrowser.open(address)
+
+
+def _listening(port: int | None) -> socket.socket:
+    """A socket of this machine alone: at the port, or at the first that is free."""
+    for number in [port] if port is not None else [*range(PORT, PORT + _TRIED), 0]:
+        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        if sys.platform != "win32":  # there it would let two programs have one port
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            listener.bind((ADDRESS, number))
+            listener.listen(128)
+        except OSError as error:
+            listener.close()
+            if port is not None:
+                text = f"cannot be used: {error.strerror}"
+                raise InputError(Problem(text, key="--port", value=str(port), remedy="choose another one")) from None
+        else:
+            return listener
+    raise InputError(Problem("no port is free", key="--port"))
+
+
+def _write_lock(path: Path, address: str) -> None:
+    """Note who serves the folder; only its owner may read it, because the address lets in."""
+    path.unlink(missing_ok=True)
+    handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    with os.fdopen(handle, "w", encoding="utf-8") as file:
+        json.dump({"process": os.getpid(), "address": address}, file)
+
+
+def _running(workspace: Workspace) -> str:
+    """The address of the studio that serves the folder already; '' if there is none."""
+    try:
+        found = json.loads(workspace.state(_LOCK).read_text("utf-8"))["address"]
+        host, port = found.removeprefix("http://").partition("/")[0].split(":")
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return ""
+    return found if host == ADDRESS and _answers(int(port), found) else ""
+
+
+def _answers(port: int, address: str) -> bool:
+    """Whether a studio lets in at its first address."""
+    import http.client
+
+    connection = http.client.HTTPConnection(ADDRESS, port, timeout=2)
+    try:
+        connection.request("GET", address.partition(f":{port}")[2])
+        return connection.getresponse().status == 303
+    except (OSError, http.client.HTTPException):
+        return False
+    finally:
+        connection.close()

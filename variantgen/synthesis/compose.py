@@ -1,0 +1,187 @@
+"""A family that nobody wrote: laid out, asked for what it is good for, examined on draws, written to a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.families.family import Family
+from variantgen.families.files import FAMILY
+from variantgen.families.load import load_family
+from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.mechanism.motion import Motion
+from variantgen.resources import languages
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.crowding import crossed
+from variantgen.synthesis.draft import Draft, LayoutError
+from variantgen.synthesis.family_text import changes_speed, family_text
+from variantgen.synthesis.layout import lay_out
+from variantgen.synthesis.statement_text import statement_text, title
+from variantgen.synthesis.structures import Structure, code
+from variantgen.variants.attempts import FormSampler
+from variantgen.variants.batch import MakeScreening, RejectionCounts
+from variantgen.variants.screening import motion_screens, sensitivity
+from variantgen.variants.seeding import Stream
+
+_TRIES = 40  # layouts of a structure
+_LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
+_VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
+_GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
+_MOST_ASKED = {1: 5, 2: 6, 3: 5}
+_WIDTHS = (1.0, 0.5)  # how far values vary: less where links would cross
+
+
+@dataclass(frozen=True)
+class Composed:
+    """A family that was accepted: its structure, its files by their names."""
+
+    structure: Structure
+    files: dict[str, str]
+    family: Family
+
+
+def compose(
+    structure: Structure, seed: object, screening: MakeScreening, scratch: Path, faults: Callable[[Family], str]
+) -> Composed:
+    """A family of a structure that passes all screens; which one depends on the seed.
+
+    ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing;
+    ``scratch`` is a folder to try layouts in. Raises InputError where none of them passes.
+    """
+    chance, why = Chance("compose", code(structure), seed), "no layout"
+    for _ in range(_TRIES):
+        try:
+            files, family = _accepted(lay_out(structure, chance), structure, screening, scratch)
+            why = faults(family)
+            if not why:
+                return Composed(structure, files, family)
+        except (LayoutError, VariantgenError) as error:
+            why = str(error)
+    raise InputError(
+        Problem(
+            f"no layout of the structure passes the screens, the last one: {why}",
+            key="structure",
+            value=code(structure),
+            remedy="try another seed or another structure",
+        )
+    )
+
+
+def sketched(structure: Structure, seed: object, scratch: Path) -> Family:
+    """A family of a structure for a picture: it has not been examined whether its answers are any good.
+
+    Raises InputError where the tries are used up. ``scratch`` is a folder to write it to.
+    """
+    chance = Chance("sketch", code(structure), seed)
+    for _ in range(_TRIES):
+        with suppress(LayoutError, VariantgenError):
+            return _varied(lay_out(structure, chance), structure, scratch)[0]
+    raise InputError(Problem("no layout was found", key="structure", value=code(structure)))
+
+
+def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, _Draws, float]:
+    """The family of a draft that asks for nothing in particular, draws of it, and how far its values vary.
+
+    Raises LayoutError where few draws are valid, or links cross on some.
+    """
+    for name, text in _statements(draft).items():
+        (scratch / name).write_text(text, "utf-8")
+    for width in _WIDTHS:
+        family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
+        draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
+        if not np.any(crossed(draft, draws.motion.z)):
+            return family, draws, width
+    raise LayoutError("links cross in other variants")
+
+
+def _statements(draft: Draft) -> dict[str, str]:
+    return {f"statement.{language}.j2": statement_text(draft, language) for language in languages()}
+
+
+def _titles(structure: Structure) -> dict[str, str]:
+    return {language: title(language, code(structure)) for language in languages()}
+
+
+def _accepted(
+    draft: Draft, structure: Structure, screening: MakeScreening, scratch: Path
+) -> tuple[dict[str, str], Family]:
+    """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
+    _, draws, width = _varied(draft, structure, scratch)
+    asked = _asked(draft, draws)
+    text = family_text(draft, _titles(structure), code(structure), asked, width)
+    family = _family(text, scratch)
+    if _Draws(family, _quantities(family, asked), _VALID_ASKED).fit(screening) < _FIT:
+        raise LayoutError("rounding by hand leads too far")
+    return {FAMILY: text, **_statements(draft)}, family
+
+
+def _family(text: str, scratch: Path) -> Family:
+    (scratch / FAMILY).write_text(text, "utf-8")
+    return load_family(scratch)
+
+
+def _quantities(family: Family, names: Sequence[str]) -> list[Quantity]:
+    form = next(iter(family.forms.values()))
+    return [parse_quantity(name, form.sample) for name in names]
+
+
+class _Draws:
+    """Draws of a form that pass its own screens for some answers. Raises LayoutError where there are too few."""
+
+    def __init__(self, family: Family, asked: Sequence[Quantity], least: float) -> None:
+        self.form = next(iter(family.forms.values()))
+        self.sampler = FormSampler(family, self.form, asked, RejectionCounts(), "composed")
+        words = Stream("compose", "draws").words(_LOOKED_AT * (len(self.form.parameters) + 1)).reshape(_LOOKED_AT, -1)
+        numbers = np.arange(_LOOKED_AT)
+        self.attempts = self.sampler.valid(self.sampler.attempts(words, numbers, numbers))
+        if self.attempts.motion is None or self.attempts.number.size < least * _LOOKED_AT:
+            raise LayoutError("few draws are valid")
+        self.motion: Motion = self.attempts.motion
+
+    def good(self, name: str) -> NDArray[np.bool_]:
+        """On which of them a quantity is neither trivial nor touchy."""
+        quantity = parse_quantity(name, self.form.sample)
+        passed = np.all(list(motion_screens(self.form, self.motion, [quantity]).values()), axis=0)
+        values, on_paper = self.sampler.si(self.attempts), self.sampler.frame(self.attempts)
+        found = sensitivity(self.form, values, on_paper, [quantity], self.motion)
+        return np.asarray(passed & (found <= self.form.screens.sensitivity))
+
+    def fit(self, screening: MakeScreening) -> int:
+        """How many of the first of them can be worked out by hand, with a solution that leads to the answers."""
+        values, on_paper = self.sampler.si(self.attempts), self.sampler.frame(self.attempts)
+        screens = screening(self.form, values, on_paper, self.sampler.asked, self.motion)
+        places = np.flatnonzero(np.all(list(screens.of_all().values()), axis=0))[:_BY_HAND].tolist()
+        variants = [self.sampler.variant(self.attempts, place) for place in places]
+        if not variants:
+            return 0
+        return int(np.count_nonzero(np.all(list(screens.of_survivors(variants, places).values()), axis=0)))
+
+
+def _asked(draft: Draft, draws: _Draws) -> list[str]:
+    """What is asked: of the last dyad most, of every dyad something, as long as most draws are good for all of it."""
+    *earlier, last = draft.asked
+    wanted = [*last, *(name for names in earlier[::-1] for name in names[:2])]
+    if changes_speed(draft) or len(draft.asked) < 3:
+        wanted += [_second(name) for name in last[:2]] + [_second(names[0]) for names in earlier]
+    found: list[str] = []
+    passed = np.ones(draws.motion.size, dtype=bool)
+    for name in dict.fromkeys(wanted):
+        good = passed & draws.good(name)
+        if np.mean(good) >= _GOOD and len(found) < _MOST_ASKED[len(draft.asked)]:
+            found.append(name)
+            passed = good
+    if not set(found) & set(last[:2]) or len(found) < 3:
+        raise LayoutError("answers are trivial or touchy")
+    return [name for order in ("v", "omega", "a", "epsilon") for name in found if name.split("_")[0] == order]
+
+
+def _second(name: str) -> str:
+    """The acceleration that goes with a velocity."""
+    kind, _, rest = name.partition("_")
+    return {"v": "a_", "omega": "epsilon_"}[kind] + rest

@@ -1,0 +1,149 @@
+"""Whether a mechanism that is laid out can be read: hinges apart and off foreign links, no crossings, sane lengths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from itertools import combinations
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.synthesis.draft import Draft
+
+Bar: TypeAlias = tuple[str, str]
+_SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
+_APART, _CLEAR, _BASE = 0.085, 0.06, 1.6  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
+_FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
+_MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
+_RATIO = 4.0  # longest over shortest length
+_LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
+
+
+def crowded(draft: Draft) -> str:
+    """What is too near to what, or crosses it; nothing where the figure is clear."""
+    return _near(draft) or _on_bars(draft) or _bars(draft) or _blocks(draft) or _lengths(draft)
+
+
+def too_long(draft: Draft) -> str:
+    """Whether the whole is too long for its width, or too large."""
+    wide, high = _sides(draft)
+    if max(wide, high) > _LONGEST * min(wide, high):
+        return "too long"
+    return "too large" if max(wide, high) > _LARGEST else ""
+
+
+def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
+    """On which variants of a draft two links cross that nothing joins; ``z`` has the places of its points."""
+    found = np.zeros(next(iter(z.values())).shape, dtype=bool)
+    for one, other in combinations(draft.bars, 2):
+        if not _joined(draft, one, other):
+            found |= _cross(z, one, other)
+    return found
+
+
+def _near(draft: Draft) -> str:
+    for one, other in combinations(_visible(draft), 2):
+        if draft.distance(one, other) < _APART * _size(draft):
+            return f"{one} near {other}"
+    return ""
+
+
+def _on_bars(draft: Draft) -> str:
+    """A point on a link that it neither belongs to nor slides on."""
+    slid = _slid(draft)
+    for bar in draft.bars:
+        for name in _visible(draft):
+            if name in _members(draft, bar) or (name, bar) in slid:
+                continue
+            need = _CLEAR * (_BASE if name in draft.pivots else 1.0)
+            if _off_bar(draft, name, bar) < need * _size(draft):
+                return f"{name} on {bar[0]}{bar[1]}"
+    return ""
+
+
+def _bars(draft: Draft) -> str:
+    """Two links that cross, or that lie on each other."""
+    for one, other in combinations(draft.bars, 2):
+        if not _joined(draft, one, other):
+            if _cross(draft.z, one, other):
+                return "links cross"
+        elif _folded(draft, one, other):
+            return "links lie on each other"
+    return ""
+
+
+def _blocks(draft: Draft) -> str:
+    for point, start, end in draft.inside:
+        part = ((draft.z[point] - draft.z[start]) / (draft.z[end] - draft.z[start])).real
+        if not _MARGIN <= part <= 1 - _MARGIN:
+            return f"{point} at the end of its guide"
+    return ""
+
+
+def _lengths(draft: Draft) -> str:
+    sizes = [datum.value for datum in draft.data.values() if datum.unit == "cm"]
+    return "lengths differ too much" if max(sizes) > _RATIO * min(sizes) else ""
+
+
+def _visible(draft: Draft) -> list[str]:
+    hidden = set(draft.hints.get("hidden", ()))
+    return [name for name in draft.z if name not in hidden]
+
+
+def _sides(draft: Draft) -> tuple[float, float]:
+    z = np.array([draft.z[name] for name in _visible(draft)])
+    return float(np.ptp(z.real)), float(np.ptp(z.imag))
+
+
+def _size(draft: Draft) -> float:
+    return max(_SMALLEST, *_sides(draft))
+
+
+def _members(draft: Draft, bar: Bar) -> list[str]:
+    """The points of a link by two of them."""
+    return next((points for points in draft.bodies.values() if set(bar) <= set(points)), list(bar))
+
+
+def _slid(draft: Draft) -> set[tuple[str, Bar]]:
+    """Blocks with the bars, as they are drawn, on which they slide."""
+    return {
+        (point, bar)
+        for point, start, end in draft.inside
+        for bar in draft.bars
+        if {start, end} <= set(_members(draft, bar))
+    }
+
+
+def _joined(draft: Draft, one: Bar, other: Bar) -> bool:
+    """Whether two links have a common point or one slides on the other."""
+    first, second, slid = _members(draft, one), _members(draft, other), _slid(draft)
+    sliding = any((point, one) in slid for point in second) or any((point, other) in slid for point in first)
+    return sliding or bool(set(first) & set(second))
+
+
+def _off_bar(draft: Draft, name: str, bar: Bar) -> float:
+    start, step = draft.z[bar[0]], draft.z[bar[1]] - draft.z[bar[0]]
+    part = min(1.0, max(0.0, ((draft.z[name] - start) / step).real))
+    return abs(draft.z[name] - start - part * step)
+
+
+def _cross(z: Mapping[str, Any], one: Bar, other: Bar) -> Any:
+    """Whether two segments cross; numbers or arrays."""
+    a, b, c, d = (z[name] for name in (*one, *other))
+
+    def side(p: Any, q: Any, r: Any) -> Any:
+        return ((q - p).conjugate() * (r - p)).imag
+
+    return (side(a, b, c) * side(a, b, d) < 0) & (side(c, d, a) * side(c, d, b) < 0)
+
+
+def _folded(draft: Draft, one: Bar, other: Bar) -> bool:
+    """Whether two links with a common hinge lie nearly on each other, or one goes on where the other ends."""
+    for hinge in set(_members(draft, one)) & set(_members(draft, other)):
+        ways = [[draft.z[end] - draft.z[hinge] for end in bar if end != hinge] for bar in (one, other)]
+        angles = [abs(math.degrees(np.angle(p / q))) for p in ways[0] for q in ways[1]]
+        if any(angle < _FOLDED or angle > 180 - _STRAIGHT for angle in angles):
+            return True
+    return False

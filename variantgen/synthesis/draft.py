@@ -1,0 +1,146 @@
+"""A mechanism while it is laid out: points with places and constructions, data, bodies, what the statement will say."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from variantgen.synthesis.chance import Chance
+
+LETTERS = "ABDEFGHKLMNQ"  # of moving points in the order of growth; C would be read as a fixed one, P is the centre
+ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular acceleration in English
+_LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
+Facts: TypeAlias = dict[str, str]
+Component: TypeAlias = tuple[str, dict[str, Any]]
+
+
+class LayoutError(Exception):
+    """A choice that leads to no mechanism; another one is tried."""
+
+
+@dataclass(frozen=True)
+class Datum:
+    """A printed number: its unit and value; ``spread``: how far its grid goes to either side."""
+
+    unit: str
+    value: float
+    step: float
+    spread: float
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """A hinge at which a dyad hangs on a link: the point, how the statement says where it is, the link's far point."""
+
+    point: str
+    phrase: str
+    facts: Facts
+    towards: str = ""
+
+
+@dataclass
+class Link:
+    """A moving link: a bar between two points, or a block on a pin (``end`` is empty).
+
+    ``noun``: what it is called; ``free``: hinges at its ends that no dyad uses yet; ``extra``: it has its third joint.
+    Of a block: ``guide``, the direction of its fixed guide (degrees); ``line``, the ends of the bar on which it slides;
+    ``mates``, the links on the same pin; ``arm_only``: nothing else is hinged to this pin.
+    """
+
+    start: str
+    end: str = ""
+    noun: str = "rod"
+    free: list[str] = field(default_factory=list)
+    body: str = ""
+    extra: bool = False
+    guide: int | None = None
+    line: tuple[str, str] = ("", "")
+    arm_only: bool = False
+    mates: set[int] = field(default_factory=set)
+
+
+@dataclass
+class Draft:
+    """What is laid out so far. Lengths in cm, directions in degrees, x right and y up."""
+
+    rng: Chance
+    z: dict[str, complex] = field(default_factory=dict)
+    points: dict[str, Component] = field(default_factory=dict)
+    data: dict[str, Datum] = field(default_factory=dict)
+    bodies: dict[str, list[str]] = field(default_factory=dict)
+    joints: list[Component] = field(default_factory=list)
+    links: dict[int, Link] = field(default_factory=dict)
+    marks: list[dict[str, str]] = field(default_factory=list)
+    hints: dict[str, list[Any]] = field(default_factory=dict)
+    inside: list[tuple[str, str, str]] = field(default_factory=list)
+    bars: list[tuple[str, str]] = field(default_factory=list)
+    sentences: list[tuple[str, Facts]] = field(default_factory=list)
+    position: list[tuple[str, Facts]] = field(default_factory=list)
+    asked: list[list[str]] = field(default_factory=list)
+    pivots: list[str] = field(default_factory=list)
+    relative: list[tuple[str, Facts]] = field(default_factory=list)
+    symbols: dict[str, str] = field(default_factory=dict)
+    nouns: dict[str, str] = field(default_factory=dict)
+
+    def letter(self) -> str:
+        """The next letter of a moving point."""
+        return next(letter for letter in LETTERS if letter not in self.points)
+
+    def pivot(self) -> str:
+        """The next name of a fixed point."""
+        return f"O{len(self.pivots)}"
+
+    def hint(self, key: str, value: Any) -> None:
+        """A line of the table ``[figure]``."""
+        if value not in self.hints.setdefault(key, []):
+            self.hints[key].append(value)
+
+    def length(self, one: str, other: str, value: float, spread: float = 0.3) -> str:
+        """A printed length between two points, rounded to its grid; returns its name."""
+        name = one + other
+        rounded = _LENGTH_STEP * round(value / _LENGTH_STEP)
+        self.data[name] = Datum("cm", rounded, _LENGTH_STEP, spread * rounded)
+        return name
+
+    def angle(self, value: float, at: str, start: str, end: str) -> str:
+        """A printed angle marked in the figure, the value in whole steps; returns its name."""
+        name = next(name for name in ANGLES if name not in self.data)
+        self.data[name] = Datum("deg", value, _ANGLE_STEP, 15)
+        self.marks.append({"name": name, "at": at, "from": start, "to": end})
+        return name
+
+    def bar(self, link: int, noun: str, start: str, end: str, free: tuple[str, ...] = ()) -> Link:
+        """A link that is a straight bar between two points."""
+        made = Link(start, end, noun, list(free), start + end)
+        self.links[link] = made
+        self.bodies[made.body] = [start, end]
+        self.bars.append((start, end))
+        return made
+
+    def polar(self, name: str, origin: str, distance: str, angle: float, way: Facts) -> None:
+        """A point at a printed distance and in a direction (degrees) from another, which the fields ``way`` say."""
+        self.z[name] = self.z[origin] + cmath.rect(self.value(distance), math.radians(angle))
+        self.points[name] = "polar", {"origin": origin, "distance": distance, **way}
+
+    def place(self, name: str, origin: str, distance: float, angle: float) -> None:
+        """A point at a distance (cm) and in a direction (degrees) from another that no sheet tells."""
+        self.z[name] = self.z[origin] + cmath.rect(distance, math.radians(angle))
+        self.points[name] = "polar", {"origin": origin, "distance": f"{distance:g}*cm", "angle": f"{angle % 360:g}*deg"}
+
+    def joint(self, kind: str, **fields: Any) -> None:
+        """A joint, with its fields as the file has them."""
+        self.joints.append((kind, fields))
+
+    def value(self, name: str) -> float:
+        """The number of a datum."""
+        return self.data[name].value
+
+    def direction(self, one: str, other: str) -> float:
+        """The direction from one point to another, in degrees."""
+        return math.degrees(cmath.phase(self.z[other] - self.z[one]))
+
+    def distance(self, one: str, other: str) -> float:
+        """The distance of two points, in cm."""
+        return abs(self.z[other] - self.z[one])

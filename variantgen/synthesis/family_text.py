@@ -1,0 +1,85 @@
+"""The files of a family from a mechanism that is laid out: ``family.toml``."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from variantgen.synthesis.draft import Datum, Draft
+
+_EPSILON = (-6, -5, -4, -3, -2, 2, 3, 4, 5, 6)
+
+
+def family_text(
+    draft: Draft, titles: Mapping[str, str], structure: str, asked: Sequence[str], width: float = 1.0
+) -> str:
+    """``family.toml`` of a mechanism; ``structure`` is its code.
+
+    Values vary about those of the draft, as far as their spread times ``width``.
+    """
+    lines = [
+        "schema = 1",
+        f"title = {_inline(titles)}",
+        f'source = "composed, structure {structure}"',
+        'length_unit = "cm"',
+        'machine = { size = "workshop" }',
+        f"ask = {_value(list(asked))}",
+        "",
+        "[parameters]",
+        *(f"{name} = {_grid(datum, width)}" for name, datum in draft.data.items()),
+        *([f'epsilon_OA = {{ unit = "rad/s^2", values = {list(_EPSILON)} }}'] if changes_speed(draft) else []),
+        "sense = { choices = { counter_clockwise = 1, clockwise = -1 } }",
+        "",
+        "[points]",
+        *(f"{name} = {{ {kind} = {_inline(fields)} }}" for name, (kind, fields) in draft.points.items()),
+        "",
+        "[bodies]",
+        *(f"{name} = {_value(points)}" for name, points in draft.bodies.items()),
+        "",
+    ]
+    for kind, fields in draft.joints:
+        lines += ["[[joints]]", f"{kind} = {_inline(fields)}"]
+    epsilon = ', epsilon = "epsilon_OA"' if changes_speed(draft) else ""
+    lines += ["", "[[drivers]]", f'rotation = {{ body = "OA", omega = "sense * omega_OA"{epsilon} }}']
+    lines += ["", "[screens]", "transmission = 25", f"spacing = {_spacing(draft)}"]
+    if draft.inside:
+        lines.append(f"inside = {_value([list(item) for item in draft.inside])}")
+    lines += ["", "[pose]", "mirror = true", "quarter_turns = [0, 2]", "", "[figure]"]
+    lines.append(f"angles = [{', '.join(_inline(mark) for mark in draft.marks)}]")
+    for key, values in draft.hints.items():
+        lines.append(f"{key} = [{', '.join(_value(value) for value in values)}]")
+    for table, entries in (("symbols", draft.symbols), ("nouns", draft.nouns)):
+        if entries:
+            lines += ["", f"[{table}]", *(f"{name} = {_value(value)}" for name, value in entries.items())]
+    return "\n".join(lines) + "\n"
+
+
+def changes_speed(draft: Draft) -> bool:
+    """Whether the driving link has an angular acceleration: where the data leave room, and accelerations are short."""
+    return len(draft.data) < 10 and len(draft.asked) < 3
+
+
+def _spacing(draft: Draft) -> float:
+    return 0.1 if len(draft.asked) < 2 else 0.075
+
+
+def _grid(datum: Datum, width: float) -> str:
+    """The values of a datum: those of its grid that are as near as its spread says."""
+    half = datum.step * (width * datum.spread // datum.step)
+    low, high = datum.value - half, datum.value + half
+    return f'{{ unit = "{datum.unit}", from = {low:g}, to = {high:g}, step = {datum.step:g} }}'
+
+
+def _inline(fields: Mapping[str, Any]) -> str:
+    """An inline table."""
+    return "{ " + ", ".join(f"{key} = {_value(value)}" for key, value in fields.items()) + " }"
+
+
+def _value(value: Any) -> str:
+    """A value as TOML writes it."""
+    if isinstance(value, Mapping):
+        return _inline(value)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else f"{value:g}"

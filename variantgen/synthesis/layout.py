@@ -1,0 +1,70 @@
+"""A structure laid out at one instant, dyad by dyad; each is tried again alone, so that tries add up."""
+
+from __future__ import annotations
+
+import copy
+
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.crowding import crowded, too_long
+from variantgen.synthesis.draft import Datum, Draft, LayoutError
+from variantgen.synthesis.dyads import place_dyad
+from variantgen.synthesis.structures import CRANK, Structure
+
+MOST_DATA = 10
+_TRIES = 60  # of one dyad on what is there
+
+
+def lay_out(structure: Structure, rng: Chance) -> Draft:
+    """A mechanism of a structure at one instant. Raises LayoutError where the tries are used up."""
+    uses = _uses(structure)
+    draft = _crank(rng, "R" not in uses[CRANK])
+    for place in range(len(structure)):
+        draft = _next(draft, place, structure, uses)
+    if len(draft.data) > MOST_DATA:
+        raise LayoutError("too many data")
+    if problem := too_long(draft):
+        raise LayoutError(problem)
+    return draft
+
+
+def _uses(structure: Structure) -> dict[int, str]:
+    """The letters of the joints that dyads make on each link."""
+    found = dict.fromkeys(range(2 + 2 * len(structure)), "")
+    for kind, on, to in structure:
+        found[on] += kind[0]
+        found[to] += kind[2]
+    return found
+
+
+def _crank(rng: Chance, only_slid_on: bool) -> Draft:
+    """The driving link, at an angle to the horizontal that is away from the axes."""
+    draft = Draft(rng)
+    draft.z["O"] = 0j
+    draft.points["O"] = "coordinates", {"x": 0, "y": 0}
+    draft.pivots.append("O")
+    draft.joint("pivot", point="O")
+    size = rng.choice((44, 50, 56, 60)) if only_slid_on else rng.choice((24, 28, 30, 32, 36, 40))
+    angle = rng.choice((30, 40, 45, 50, 60, 120, 130, 135, 140, 150))
+    draft.data["OA"] = Datum("cm", size, 2, 6)
+    draft.data["phi"] = Datum("deg", angle, 5, 10)
+    draft.data["omega_OA"] = Datum("rad/s", rng.choice((2, 2.5, 3, 3.5, 4)), 0.5, 1)
+    draft.polar("A", "O", "OA", angle, {"angle": "phi"})
+    draft.marks.append({"name": "phi", "at": "O", "from": "+x", "to": "A"})
+    draft.bar(CRANK, "link", "O", "A", () if only_slid_on else ("A",))
+    return draft
+
+
+def _next(draft: Draft, place: int, structure: Structure, uses: dict[int, str]) -> Draft:
+    """The draft with the next dyad."""
+    problem = ""
+    for _ in range(_TRIES):
+        trial = copy.deepcopy(draft)
+        try:
+            place_dyad(trial, place, structure[place], uses)
+        except LayoutError as error:
+            problem = str(error)
+            continue
+        problem = crowded(trial)
+        if not problem:
+            return trial
+    raise LayoutError(problem)
