@@ -152,3 +152,14 @@ relative_travel = { point = "M", body = "disc", along = ["O", "Q"], v = "s_dot",
     assert "t = 2 s" in given
     for datum in ("ω_disc = 12 rad/s", "α_disc = 12 rad/s²", "v_rel M = 12 dm/s", "a_rel M = 6 dm/s²"):
         assert datum in given, given
+
+
+def test_the_angle_of_two_links_is_told(capsys):
+    out = _shown(capsys, str(KINDS.parent / "books" / "meshchersky_18_20.toml"))
+    assert "Given: AB = 60 cm, OA = 12 cm, ∠OAC = 90°," in out
+
+
+def test_a_time_that_is_a_fraction_is_told_as_one(capsys):
+    out = _shown(capsys, str(KINDS.parent / "books" / "meshchersky_23_14.toml"), "--explain")
+    assert "Given: t = 5/3 s," in out
+    assert "1.666666666667" not in out

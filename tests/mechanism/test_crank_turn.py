@@ -137,7 +137,35 @@ def test_limit_positions_of_a_rocker() -> None:
     assert found["time_ratio_BC"] == pytest.approx((np.pi + theta) / (np.pi - theta), rel=1e-12)
     assert found["max_angle_A.B.C"] == pytest.approx(np.arccos((85**2 + 66**2 - 100**2) / (2 * 85 * 66)), rel=1e-12)
     assert found["mean_omega_BC"] == pytest.approx(2 * (corner[0] - corner[1]) / (2 * np.pi / 5), rel=1e-10)
-    assert found["stroke_B"] == np.inf  # its path is an arc
+    chord = 2 * 0.66 * np.sin((corner[0] - corner[1]) / 2)
+    assert found["stroke_B"] == pytest.approx(chord, rel=1e-12)  # its path is an arc
+
+
+def driven_rate(angle: mpmath.mpf) -> mpmath.mpf:
+    """The angular velocity of the driven crank of a double crank, that of the driving one being 1 rad/s."""
+    a, b, c, d = map(mpmath.mpf, (50, 60, 55, 20))
+
+    def direction(at: mpmath.mpf) -> mpmath.mpf:
+        pin = a * mpmath.expj(at)
+        line = d - pin
+        corner = mpmath.acos((b**2 + abs(line) ** 2 - c**2) / (2 * b * abs(line)))
+        return mpmath.arg(pin + b * mpmath.expj(mpmath.arg(line) + corner) - d)
+
+    return mpmath.diff(direction, angle)
+
+
+def test_a_double_crank() -> None:
+    text = ROCKER
+    for old, new in (("x = 70", "x = 20"), ("= 30, angle", "= 50, angle"), ("= 85", "= 60"), ("= 66", "= 55")):
+        text = text.replace(old, new)
+    found = values(text, "max_omega_BC", "min_omega_BC", "swing_BC")
+    with mpmath.workdps(30):
+        way = [driven_rate(mpmath.radians(5 * k)) for k in range(72)]
+        for name, extreme in (("max_omega_BC", max(way)), ("min_omega_BC", min(way))):
+            near = mpmath.radians(5 * way.index(extreme))
+            root = mpmath.findroot(lambda at: mpmath.diff(driven_rate, at), near)
+            assert found[name] == pytest.approx(5 * float(driven_rate(root)), rel=1e-10)
+    assert found["swing_BC"] == np.inf  # it goes round
 
 
 def test_a_lever_on_a_crank() -> None:

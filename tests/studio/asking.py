@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -77,6 +78,8 @@ class Asking:
             else:
                 content.extend(message.get("body", b""))
 
-        asyncio.run(self.app(scope, receive, send))
+        # In a thread of its own: a browser that is open keeps the loop of this one.
+        with ThreadPoolExecutor(1) as pool:
+            pool.submit(lambda: asyncio.run(self.app(scope, receive, send))).result()
         found = {name.decode().lower(): value.decode("latin-1") for name, value in started["headers"]}
         return Answer(started["status"], found, bytes(content))

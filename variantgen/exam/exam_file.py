@@ -26,9 +26,8 @@ from variantgen.families.folders import family_folders
 from variantgen.families.length_units import check_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
-from variantgen.families.rate_graphs import with_graph
 from variantgen.families.restrict import restrict
-from variantgen.families.sketches import with_sketch
+from variantgen.families.sketches import with_curves
 from variantgen.limits import LISTED, PROBLEMS
 from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
@@ -62,11 +61,11 @@ class Exam:
     """A checked exam file.
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet, ``reorder`` lets its
-    problems stand in another order where that saves a page.
-    ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
-    that are read from a scan; ``fair`` is the relative width of the band of work, None where there is none.
+    problems stand in another order where that saves a page. ``path`` is the file it was read from, ``text`` its
+    content, ``hash`` that of the text. ``formats`` are the outputs to be made, and ``options`` what the file says of
+    each of them. ``sort`` is the order of the sheets, ``notices`` are at their heads, ``marking`` says what answers are
+    worth, ``scan`` prints pages for answers that are scanned. ``fair`` is the relative width of the band of work, None
+    where there is none.
     """
 
     title: str
@@ -294,8 +293,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         with table.collecting(""):
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
-            family = with_sketch(with_graph(family) if graph else family, sketch)
-            families.append(family)
+            families.append(with_curves(family, sketch, graph))
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None

@@ -36,7 +36,8 @@ class LiteralDatum:
     """A number of a scene: its ``kind``, the ``name`` it is known by, what it measures.
 
     Kinds: ``place`` of a point, ``x`` or ``y`` of one in a guide, ``length`` and ``angle`` of the line of two
-    ``points``, all of which are measured on the solved position; ``radius`` of a body and ``rate`` with their SI value.
+    ``points``, ``corner`` of three, all of which are measured on the solved position; ``radius`` of a body and ``rate``
+    with their SI value.
     ``second`` says whether only accelerations depend on it, ``unless`` names a point that tells it, if it is seen.
     A rate that follows from parameters, as one by a law of time, has its ``source`` in place of a number.
     """
@@ -56,8 +57,7 @@ def literal_data(form: Form) -> Iterator[LiteralDatum]:
     for name, template in form.points.items():
         yield from _of_point(name, template)
     for template in form.conditions:
-        if _kind(template) == "distance":
-            yield from _length(template, "start", template.fields["end"], "length")
+        yield from _of_condition(template)
     for template in form.joints:
         radius = _literal(template, "radius")
         if radius is not None and "body" in template.fields:
@@ -114,6 +114,28 @@ def _of_point(name: str, template: ComponentTemplate) -> Iterator[LiteralDatum]:
         if _literal(template, angle_field) is not None and "towards" not in template.fields:
             ends = (template.fields[start], name)
             yield LiteralDatum("angle", "".join(ends), "angle", points=ends)
+
+
+def _of_condition(template: ComponentTemplate) -> Iterator[LiteralDatum]:
+    """The length of a link, the corner of two links that meet, the direction of a line through two points."""
+    fields = template.fields
+    match _kind(template):
+        case "distance":
+            yield from _length(template, "start", fields["end"], "length")
+        case "angle" if _literal(template, "size") is not None:
+            first, second = fields["first"], fields["second"]
+            shared = [name for name in first if name in second]
+            if len(shared) == 1:
+                ends = [name for name in (*first, *second) if name != shared[0]]
+                corner = ends[0], shared[0], ends[1]
+                yield LiteralDatum("corner", "".join(corner), "angle", points=corner)
+        case "line" if (angle := _literal(template, "angle")) is not None and not fields.get("towards"):
+            through, point = fields["through"], fields["point"]
+            level = [a for a, across in (("y", math.sin(angle)), ("x", math.cos(angle))) if abs(across) < _LEVEL]
+            for axis in level:
+                yield LiteralDatum(axis, point, "length", points=(point,), unless=through)
+            if not level:
+                yield LiteralDatum("angle", through + point, "angle", points=(through, point))
 
 
 def _length(template: ComponentTemplate, start: str, end: str, field: str) -> Iterator[LiteralDatum]:

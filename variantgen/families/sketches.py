@@ -9,6 +9,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.quantities.kinds import MAX
+from variantgen.families.rate_graphs import with_graph
 
 
 def check_sketch(form: Form, names: Sequence[str], key: str) -> None:
@@ -23,6 +24,11 @@ def check_sketch(form: Form, names: Sequence[str], key: str) -> None:
             problems.append(Problem("has no curve over a turn of the crank", key=place, value=name, remedy=remedy))
     if problems:
         raise InputError(problems)
+
+
+def with_curves(family: Family, sketch: Sequence[str], graph: bool) -> Family:
+    """The family with curves to be sketched and, if wished, a rate that a ``graph`` tells. Raises InputError."""
+    return with_sketch(with_graph(family) if graph else family, sketch)
 
 
 def with_sketch(family: Family, names: Sequence[str]) -> Family:

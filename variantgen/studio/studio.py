@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.builds import Builds
 from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
 from variantgen.studio.workspace import Workspace
@@ -41,6 +42,10 @@ class Studio:
     at_end: list[Callable[[], None]] = field(default_factory=list)
     _documents: dict[Path, Document] = field(default_factory=dict)
     _lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def __post_init__(self) -> None:
+        self.builds = Builds(self.workspace, self.events)
+        self.at_end.append(self.builds.close)
 
     def document(self, key: str) -> Document:
         """The exam of a key. Raises UnknownKeyError."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Mapping
+from datetime import date
 from typing import Any
 
 from variantgen.studio.documents.document import Document
 from variantgen.studio.studio import Studio
 from variantgen.studio.words import PageWords
-from variantgen.studio.workspace import ROSTER, is_own
+from variantgen.studio.workspace import BUILDS, MANIFEST, ROSTER, is_own
 
 USUAL_CLASS = 30  # numbered variants where there is no roster
 
@@ -32,6 +33,22 @@ def students(studio: Studio) -> int | None:
         return None
 
 
+def built_words(words: PageWords, day: date) -> str:
+    """A day in words, with the year where it is not this one."""
+    month = words.of("frame")["months"].split()[day.month - 1]
+    return f"{day.day}\N{NO-BREAK SPACE}{month}" + (f" {day.year}" if day.year != date.today().year else "")
+
+
+def _built(words: PageWords, studio: Studio, document: Document) -> str:
+    """Whether a build of an exam runs, or when the last one was made."""
+    frame = words.of("frame")
+    if studio.builds.state(document.key).get("phase") in ("begun", "drawing", "typesetting"):
+        return frame["in_progress"]
+    home = studio.workspace.folder / BUILDS
+    days = [] if home.is_symlink() else [path.stat().st_mtime for path in home.glob(f"{document.key}-*/{MANIFEST}")]
+    return built_words(words, date.fromtimestamp(max(days))) if days else frame["not_yet"]
+
+
 def summary(words: PageWords, studio: Studio, document: Document) -> dict[str, str]:
     """The words under each step."""
     problems = problems_of(document)
@@ -41,6 +58,6 @@ def summary(words: PageWords, studio: Studio, document: Document) -> dict[str, s
         "choose": words.counted(len(problems), "problem"),
         "compose": words.counted(points, "point"),
         "roster": words.of("frame")["no_roster"] if known is None else words.counted(known, "student"),
-        "build": "",
+        "build": _built(words, studio, document),
         "mark": "",
     }

@@ -22,12 +22,13 @@ from variantgen.tables import read_limited
 STATE = ".studio"
 ROSTER = "roster.csv"
 BUILDS = "builds"
+MANIFEST = "manifest.json"
 # Words that begin the addresses of other things than exams.
 _TAKEN = frozenset(
-    {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families"}
+    {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families", "builds"}
 )
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,39}")
-_NAME = re.compile(r"[^\W_][\w .()-]{0,59}", re.UNICODE)
+_NAME = re.compile(r"[^\W_][\w ()-]{0,59}", re.UNICODE)
 _PROBLEM = re.compile(r"^\s*\[\[\s*problem\s*\]\]", re.MULTILINE)
 
 
@@ -65,8 +66,8 @@ class Workspace:
         """Where an exam of a title can be put: a name that no file has yet. Raises InputError."""
         name = "-".join(title.split())[:60] or "exam"
         if not _NAME.fullmatch(name):
-            name = "".join(letter for letter in name if letter.isalnum() or letter in "-_ .") or "exam"
-            name = name.lstrip(".-_ ") or "exam"
+            name = "".join(letter for letter in name if letter.isalnum() or letter in "-_ ") or "exam"
+            name = name.lstrip("-_ ") or "exam"
         for number in range(1, 1000):
             path = self.folder / f"{name if number == 1 else f'{name}-{number}'}.toml"
             if not path.exists() and not path.is_symlink():

@@ -12,7 +12,8 @@ from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.units import Unit, unit, unit_of_turning
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Equation, Measured, SymbolProperty
+from variantgen.wording.formula import Equation, Measured, Symbol, SymbolProperty
+from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 
 _DIGITS = 6  # of a number of the file, which may stand there in another unit
@@ -31,7 +32,7 @@ def scene_data(
     case = _SceneData(variant, asked, language)
     found = list({(datum.kind, datum.name): datum for datum in literal_data(variant.form)}.values())
     seen = [datum for datum in found if set(datum.points) <= case.shown and datum.unless not in case.shown]
-    kinds = ("length", "radius", "angle", "place", "x", "y")
+    kinds = ("length", "radius", "angle", "corner", "place", "x", "y")
     position = [e for kind in kinds for datum in seen if datum.kind == kind for e in case.equations(datum)]
     slow = motion_order(asked) == 1
     rates = [datum for datum in found if datum.kind == "rate" and not (datum.second and slow)]
@@ -66,6 +67,10 @@ class _SceneData:
                 start, end = (self.at[point] for point in datum.points)
                 left = SymbolProperty("angle", self.language.symbol(datum.name, self.variant.form.symbols))
                 yield Equation(left, self._measured(float(np.angle(end - start)), own))
+            case "corner":
+                start, at, end = (self.at[point] for point in datum.points)
+                angle = abs(float(np.angle((end - at) / (start - at))))
+                yield Equation(Symbol(ANGLE + "".join(datum.points)), self._measured(angle, own))
             case "radius":
                 yield self._equation(f"r_{datum.name}", datum.si, own)
             case "length":

@@ -13,7 +13,13 @@ const undoWord = document.querySelector("#undo .lbl").textContent;
 // ---- the list
 async function list() {
   const data = await get(`/${exam}/outline?${asked}`);
+  const at = document.activeElement, row = outline.contains(at) ? at.closest("li") : null, typed = at.value;
   outline.innerHTML = data.html; outline.setAttribute("aria-busy", "false");
+  if (row) {  // whoever is in the list stays there
+    const same = all("li", outline).find(one => one.dataset.number === row.dataset.number)?.querySelector(at.className ? `.${at.className}` : at.tagName);
+    if (same?.matches("input") && typed !== at.defaultValue) same.value = typed;
+    same?.focus();
+  }
   count = data.count; $("line").textContent = data.line; $("empty").hidden = count > 0;
   current = Math.min(current, Math.max(1, count));
   mark(); showSource(data);
@@ -255,6 +261,7 @@ let kind = "sheet";
 const page_ = late(async () => {
   if (!count) { pages.replaceChildren(); return; }
   pages.setAttribute("aria-busy", "true");
+  if (!pages.firstChild) pages.append(el("p", { className: "small" }, words.setting));
   const who = student.selectedIndex + 1, wanted = kind;
   try {
     const data = await get(`/${exam}/sheet/${who}?kind=${kind}`);

@@ -1,0 +1,148 @@
+"""What was built: its files, a check of them, the sheet that somebody lost."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+from typing import Any
+
+from starlette.background import BackgroundTask
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.frame import language_of, part
+from variantgen.studio.requests import number_of, read_json
+from variantgen.studio.studio import Studio, UnknownKeyError
+from variantgen.studio.summary import built_words
+from variantgen.studio.words import page_words
+
+_SECONDS = 600  # that a check may take
+
+
+def routes(studio: Studio) -> list[Route]:
+    """The addresses of these; they raise InputError and UnknownKeyError for requests that do not fit."""
+    builds = studio.builds
+
+    def finished(request: Request) -> FinishedBuild:
+        found = builds.finished().get(request.path_params["build"])
+        if found is None:
+            raise UnknownKeyError(request.path_params["build"])
+        return found
+
+    async def archive(request: Request) -> Response:
+        words = page_words(language_of(request))
+        found = [_shown(one, words) for one in (await run_in_threadpool(builds.finished)).values()]
+        return HTMLResponse(part(request, "archive", "build", builds=found))
+
+    async def download(request: Request) -> Response:
+        found = finished(request)
+        number = number_of(request.path_params["number"], "file", 0, len(found.files) - 1)
+        name = found.files[number][0]
+        return FileResponse(found.folder / name, filename=f"{found.folder.name}-{Path(name).name}")
+
+    async def everything(request: Request) -> Response:
+        found = finished(request)
+        handle, name = tempfile.mkstemp(suffix=".zip")
+        os.close(handle)
+        await run_in_threadpool(_pack, found, Path(name))
+        return FileResponse(name, filename=f"{found.folder.name}.zip", background=BackgroundTask(Path(name).unlink))
+
+    async def verify(request: Request) -> Response:
+        await read_json(request)
+        code, said, _ = await run_command("verify", str(finished(request).folder), "--json")
+        try:
+            found = json.loads(said)
+        except ValueError:
+            raise InputError(
+                Problem("the build cannot be checked", value=said[-200:].decode("utf-8", "replace"))
+            ) from None
+        return JSONResponse({"right": code == 0, "faults": found["faults"][:20], "answers": found["answers"]})
+
+    async def search(request: Request) -> Response:
+        from variantgen.exam.manifest import read_manifest
+        from variantgen.finished.find import find
+
+        who = request.query_params.get("who", "").strip()[:200]
+        record = await run_in_threadpool(read_manifest, finished(request).folder)
+        sheet = record.sheets[find(record, who)]
+        student = {"name": sheet.student.name or sheet.student.id, "group": sheet.student.group, "code": sheet.code}
+        return JSONResponse({**student, "problems": len(sheet.problems)})
+
+    async def lost(request: Request) -> Response:
+        who = request.query_params.get("who", "")[:200]
+        handle, name = tempfile.mkstemp(suffix=".pdf")
+        os.close(handle)
+        path = Path(name)
+        code, _, said = await run_command("remake", str(finished(request).folder), "--student", who, "--out", name)
+        if code:
+            path.unlink(missing_ok=True)
+            raise InputError(Problem(_text(said)[-400:]))
+        return FileResponse(path, filename="sheet.pdf", background=BackgroundTask(path.unlink))
+
+    return [
+        Route("/{exam}/archive", archive),
+        Route("/builds/{build}/file/{number}", download),
+        Route("/builds/{build}/all.zip", everything),
+        Route("/builds/{build}/verify", verify, methods=["POST"]),
+        Route("/builds/{build}/search", search),
+        Route("/builds/{build}/sheet.pdf", lost),
+    ]
+
+
+async def run_command(*words: str) -> tuple[int, bytes, bytes]:
+    """A command of the program in a process of its own: its code, what it has said. Raises InputError if too slow."""
+    process = await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "variantgen", *words,
+        stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
+    )  # fmt: skip
+    try:
+        out, err = await asyncio.wait_for(process.communicate(), _SECONDS)
+    except TimeoutError:
+        process.kill()
+        raise InputError(Problem("it takes too long", remedy="run the command in a terminal")) from None
+    return process.returncode or 0, out, err
+
+
+def _text(said: bytes) -> str:
+    return said.decode("utf-8", "replace").strip()
+
+
+def _pack(build: FinishedBuild, path: Path) -> None:
+    """All files of a build in one."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as packed:
+        for name, _ in build.files:
+            packed.write(build.folder / name, f"{build.folder.name}/{name}")
+
+
+def _shown(build: FinishedBuild, words: Any) -> dict[str, Any]:
+    """A build in the list: its files by kind, first those of the whole class."""
+    files = [
+        {"number": number, "name": name, "size": _size(size, words.language), "inner": "/" in name}
+        for number, (name, size) in enumerate(build.files)
+    ]
+    return {
+        "key": build.key,
+        "day": built_words(words, build.day),
+        "name": build.folder.name,
+        "title": build.title,
+        "students": words.counted(build.students, "student"),
+        "seed": build.seed,
+        "size": _size(build.size, words.language),
+        "files": [file for file in files if not file["inner"]],
+        "more": sum(bool(file["inner"]) for file in files),
+    }
+
+
+def _size(size: int, language: str) -> str:
+    units = ("кБ", "МБ") if language == "ru" else ("kB", "MB")
+    text = f"{size / 1e6:.1f} {units[1]}" if size >= 1e6 else f"{max(1, round(size / 1e3))} {units[0]}"
+    return text.replace(".", ",") if language == "ru" else text
