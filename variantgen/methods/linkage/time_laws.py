@@ -34,7 +34,8 @@ def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
     """Whether the second derivative of the law behind an expression holds no time."""
     name = _law_of(form, source)
     used = form.derived[f"{name}_ddot"].names & set(form.parameters) if name else set()
-    return bool(name) and all(form.parameters[own].unit.dimension != _TIME for own in used)
+    units = [form.parameters[own].unit for own in used]
+    return bool(name) and not any(unit is not None and unit.dimension == _TIME for unit in units)
 
 
 def _law_of(form: Form, source: FamilyExpression) -> str:
