@@ -61,11 +61,11 @@ class Exam:
     """A checked exam file.
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet, ``reorder`` lets its
-    problems stand in another order where that saves a page.
-    ``path`` is the file it was read from, ``text`` its content, ``hash`` that of the text. ``formats`` are the outputs
-    to be made, and ``options`` what the file says of each of them. ``sort`` is the order of the sheets,
-    ``notices`` stand at the head of each, ``marking`` says what answers are worth. ``scan`` prints pages for answers
-    that are read from a scan; ``fair`` is the relative width of the band of work, None where there is none.
+    problems stand in another order where that saves a page. ``path`` is the file it was read from, ``text`` its
+    content, ``hash`` that of the text. ``formats`` are the outputs to be made, and ``options`` what the file says of
+    each of them. ``sort`` is the order of the sheets, ``notices`` are at their heads, ``marking`` says what answers are
+    worth, ``scan`` prints pages for answers that are scanned. ``fair`` is the relative width of the band of work, None
+    where there is none.
     """
 
     title: str
