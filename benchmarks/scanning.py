@@ -59,6 +59,10 @@ family = "spool"
 ask = ["v_O", "omega_spool", "v_A", "a_O", "epsilon_spool"]
 """
 _BASES = 12
+_LIMITS = """The reader was tuned on other seeds (1, 2, 11, 12, 2026). A column for review is one that is doubtful in an
+answer that a person looks at. Marks and scanners are simulated: two thirds of the answers are right; of the bubbles
+beside those that are meant 0.12 % are filled in and taken back; a page has three stray strokes on average. The table
+shows what rules and thresholds do, not the rate on real paper.""".replace("\n", " ")
 _ABOUT = (__doc__ or "").split("\n\n", 2)[2].split(" Prints")[0].replace("\n", " ").replace(":mod:", "")
 
 
@@ -237,6 +241,8 @@ def main() -> None:
             f"`python -m benchmarks.scanning --pages {arguments.pages} --seed {arguments.seed}`. {_ABOUT}",
             "",
             *table(counts, spent),
+            "",
+            _LIMITS,
         ]
     )
     print(text)

@@ -256,7 +256,12 @@ def test_anonymous(mark: Mark, tmp_path: Path, built: Path) -> None:
 
 @pytest.mark.parametrize(
     ("who", "asked", "said"),
-    [("nobody", "1.v_B", "no such student"), ("s1", "7.v_B", "no such problem"), ("s1", "1.v_Z", "asks this student")],
+    [
+        ("nobody", "1.v_B", "no such student"),
+        ("variantgen:1:00000000:CU6-ML5", "1.v_B", "of another exam"),
+        ("s1", "7.v_B", "no such problem"),
+        ("s1", "1.v_Z", "asks this student"),
+    ],
 )
 def test_what_cannot_be_matched_is_told(who: str, asked: str, said: str, mark: Mark, tmp_path: Path) -> None:
     code, marks, _, left = mark(long(tmp_path, [(who, asked, "3")]))
@@ -339,7 +344,7 @@ def test_namesakes_are_told_apart_by_their_ids(tmp_path: Path) -> None:
     assert main(["mark", str(out), str(table), "--out", str(tmp_path / "marks")]) == 0
     marks = rows(tmp_path / "marks" / "marks.csv")
     assert {row["id"]: row["answer"] for row in marks if row["answer"]} == {"007": "1", "008": "2"}
-    assert [row["why"] for row in rows(tmp_path / "marks" / "not_matched.csv")] == ["2 students have this name"]
+    assert [row["why"] for row in rows(tmp_path / "marks" / "not_matched.csv")] == ["2 students have this name or code"]
 
 
 def test_words_that_name_a_student_are_left_out(mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import struct
 import sys
 import zlib
@@ -15,12 +16,14 @@ import pypdfium2
 import pytest
 from PIL import Image, ImageDraw
 
-from benchmarks.filled_pages import scanned
+from benchmarks.filled_pages import Answered, fill, scanned
 from tests.marking.test_marks import acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
 from variantgen.marking.scan.numbers import number
+from variantgen.marking.scan.pages import read_page
+from variantgen.marking.scan.pictures import ScanImage
 
 Row = dict[str, str]
 DPI = 150
@@ -209,8 +212,8 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
     for text in (
         "page 2: : no code of a sheet is seen",
         f"page 3: {english.code(2)}, page 1: the black squares in the corners are not seen",
-        "1 page of problems without answers to read",
-        "1 blank page without answers to read",
+        "without answers to read, left out: pages of problems, 1",
+        "without answers to read, left out: blank pages, 1",
         f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: other answers, for",
         "no page for answers of 2 of 3 sheets",
     ):
@@ -262,6 +265,31 @@ def test_a_doubtful_reading_that_follows_confirms_itself(english: Built, tmp_pat
     _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png", force=True)
     assert marks[english.code(0), "1.a_B"]["verdict"] == "unreadable"
     assert [row["why"] for row in rows(tmp_path / "marks" / "review.csv")] == ["several"]
+
+
+@pytest.mark.parametrize("seed", [1, 3, 4, 7])
+def test_simulated_pages(seed: int, english: Built) -> None:
+    """Pens, pencils, crosses, scanners and phones: what is read without a doubt is what was meant."""
+    texts = ["-12.5", "0.0512", "703", "", "98.76"]
+    rng = np.random.default_rng([seed, 99])
+    done = fill(english.pages[0].resize((2480, 3508)), [Answered(text) for text in texts], rng)
+    grey = np.asarray(Image.open(io.BytesIO(done.jpeg)))
+    found = read_page(ScanImage("page", grey), lambda code: 5 if code.number == 1 else 0)
+    assert found.code is not None
+    assert found.code.sheet == english.code(0)
+    sure = [(own.text, text) for own, text in zip(found.answers, texts, strict=True) if not own.doubts]
+    assert len(sure) >= 3
+    assert all(read == text for read, text in sure)
+
+
+def test_an_exam_without_pages_for_answers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "exam.toml").write_text(EXAM.format(language="en").replace("scan = true", "scan = false"), "utf-8")
+    out = tmp_path / "out"
+    words = ["build", str(tmp_path / "exam.toml"), "--variants", "1", "--format", "xlsx", "--out", str(out)]
+    assert main(words) == 0
+    (tmp_path / "page.png").write_bytes(b"")
+    assert main(["mark", str(out), str(tmp_path / "page.png"), "--out", str(tmp_path / "marks")]) == 2
+    assert "built without pages for answers" in capsys.readouterr().err
 
 
 def test_a_missing_package_is_named(

@@ -31,14 +31,14 @@ def test_short_formulas_share_a_row_and_a_long_one_has_its_own() -> None:
     long = FormulaLine((("", X), ("=", WIDE), ("=", WIDE)))
     (data,) = typst_blocks([FormulaLines((SHORT, SHORT, long, SHORT))])
     assert [len(row) for row in data["rows"]] == [2, 1, 1]
-    assert data["rows"][0][0] == [["", "x_(A)"], ["=", '"5"']]
+    assert data["rows"][0][0] == [["", "x_(A)", 1.0], ["=", '"5"', 0.5]]
 
 
 def test_a_long_sum_may_be_broken_before_each_term() -> None:
     half = Product((Number("2"), WIDE))
     (data,) = typst_blocks([FormulaLines((FormulaLine((("", X), ("=", Sum(((-1, half), (1, Y), (-1, half)))))),))])
     ((pieces,),) = data["rows"]
-    assert [sign for sign, _ in pieces] == ["", "=", "+", "\N{MINUS SIGN}"]
+    assert [sign for sign, *_ in pieces] == ["", "=", "+", "\N{MINUS SIGN}"]
     assert pieces[1][1].startswith("-"), "the sign of the first term stays with it"
     assert not pieces[3][1].startswith("-")
 

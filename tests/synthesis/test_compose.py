@@ -53,7 +53,7 @@ def test_data_stay_few_and_the_last_dyad_is_asked(made: Path) -> None:
     [
         (["--groups", "RRR,XYZ"], "unknown dyad"),
         (["--links", "4"], "3, 5 or 7"),
-        (["--level", "impossible"], "unknown level"),
+        (["--structure", "RRR01", "--level", "hard"], "calculations"),
         (["--groups", "PRP,RPP", "--links", "5"], "no structure is like that"),
         (["--structure", "RRR"], "code of a structure"),
     ],
@@ -69,21 +69,22 @@ def test_what_cannot_be_made_is_told(
 def test_levels() -> None:
     assert level(parse_code("RRR01")) == level(parse_code("RPR01")) == "easy"
     assert level(parse_code("RRR01-RRP20")) == "medium"
-    assert level(parse_code("RRR01-RPR02")) == level(parse_code("RRR01-RRR02-RRR04")) == "hard"
+    assert level(parse_code("RRR01-RPR02")) == level(parse_code("RRR01-RRR23")) == "hard"
+    assert level(parse_code("RRR01-RRR02-RRR04")) == "hard"
 
 
 def test_an_exam_of_composed_problems_is_verified(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exam = tmp_path / "exam.toml"
     exam.write_text(
         'title = "Composed"\nlanguage = "en"\n[[problem]]\n'
-        'compose = { groups = ["RRR"], links = 3, level = "easy", structures = 2 }\n'
+        'compose = { groups = ["RRP"], links = 3, level = "easy", structures = 2 }\n'
     )
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "out")]) == 0
     assert main(["verify", str(tmp_path / "out")]) == 0
     assert "all right" in capsys.readouterr().err
-    exam.write_text(exam.read_text().replace('"easy"', '"hard"'))
+    exam.write_text(exam.read_text().replace("links = 3", "links = 4"))
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "no")]) == 2
-    assert "no structure is like that" in capsys.readouterr().err
+    assert "3, 5 or 7 moving links" in capsys.readouterr().err
 
 
 def test_it_has_the_structure_that_it_was_made_for(made: Path) -> None:

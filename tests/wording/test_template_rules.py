@@ -100,3 +100,11 @@ SHIPPED = sorted([*catalog_dir().glob("*/statement.*.j2"), *templates_dir().glob
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: f"{path.parent.name}-{path.suffixes[0][1:]}")
 def test_shipped_templates_are_allowed(path: Path) -> None:
     assert load_template(path).variables
+
+
+def test_a_template_that_is_changed_is_read_anew(tmp_path: Path) -> None:
+    path = template(tmp_path, "one")
+    first = load_template(path)
+    assert load_template(path) is first
+    template(tmp_path, "two")
+    assert load_template(path).fill({}) == "two"

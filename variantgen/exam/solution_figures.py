@@ -30,8 +30,10 @@ STATEMENT = "statement"
 CURVE = "curve"  # of a quantity that is to be sketched
 LEAST_INDEX = 7.0  # size of the indices of figures, pt
 _MOST = 3  # figures in a row
-# mm per unit: of the statement's figure usually, and beside others at least; of the others, so that an index has 7 pt.
-_STATEMENT_UNIT, _SMALLEST, _UNIT = 0.62, 0.5, 0.83
+# mm per unit: of the statement's figure usually, and beside others at least; of the others at least, so that an index
+# has 7 pt, and at most, so that no letter is much larger than the text.
+_STATEMENT_UNIT, _SMALLEST, _UNIT, _LARGEST = 0.62, 0.5, 0.83, 1.0
+_WIDE, _HIGH = 90.0, 72.0  # mm: half the width of the text, which figures fill if they become no higher than this
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
 _POINTS = 72 / 25.4  # in a millimetre
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
@@ -123,7 +125,7 @@ class SolutionFigures:
         return tuple(tuple(self._one(name, self._shared(row)) for name in row) for row in rows)
 
     def _one(self, name: str, shared: float) -> SolutionFigure:
-        unit = round(shared, 3) if name == STATEMENT else _unit(name)
+        unit = round(shared, 3) if name == STATEMENT else self._unit(name)
         return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
@@ -156,7 +158,7 @@ class SolutionFigures:
 
     def _shared(self, row: Sequence[str]) -> float:
         """The scale of the statement's figure in a row, mm per unit: the others have theirs."""
-        taken = sum(_unit(name) * self._width(name) for name in row if name != STATEMENT)
+        taken = sum(self._unit(name) * self._width(name) for name in row if name != STATEMENT)
         free = sum(self._width(name) for name in row if name == STATEMENT)
         room = _WIDTH - _GUTTER * (len(row) - 1) - taken
         return min(_STATEMENT_UNIT, room / free) if free else (_STATEMENT_UNIT if room >= 0 else 0.0)
@@ -169,10 +171,12 @@ class SolutionFigures:
         """The width of a figure in its units, as it is written out."""
         return round(self._drawn[name].width, 2)
 
-
-def _unit(name: str) -> float:
-    """Millimetres per unit of a figure: lengths are read from a plan, so that its scale is not free."""
-    return _PLAN_UNIT if name.endswith("_plan") else _UNIT
+    def _unit(self, name: str) -> float:
+        """Millimetres per unit of a figure: lengths are read from a plan, so that its scale is not free."""
+        if name.endswith("_plan"):
+            return _PLAN_UNIT
+        drawing = self._drawn[name]
+        return round(max(_UNIT, min(_LARGEST, _WIDE / drawing.width, _HIGH / drawing.height)), 3)
 
 
 def solution_figure_faults(

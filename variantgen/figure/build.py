@@ -12,7 +12,7 @@ from types import ModuleType
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.hints import DIRECTIONS
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
@@ -126,8 +126,9 @@ def _fitted(
         _draw_mechanism(board, on_paper, marks)
         if kept or _excess(sketch) <= 1:
             _draw_data(board, on_paper, marks)
-            if marks and has_axes(asked):
-                draw_axes(board, asked)
+            seen = [*asked, *map(split_name, form.figure.sketch)]
+            if marks and has_axes(seen):
+                draw_axes(board, seen)
         excess = _excess(sketch)
         if kept or excess <= 1:
             return board

@@ -22,7 +22,7 @@ from variantgen.exam.roster.columns import cell_of
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
-from variantgen.marking.attempts import NO_TEXTS, Report, lacks_texts, report_of
+from variantgen.marking.attempts import NO_TEXTS, AttemptReport, lacks_texts, report_of
 from variantgen.marking.heads import asked_by, kind_of, renamed
 
 _PROBLEM = re.compile(r"[0-9]{1,3}")
@@ -212,7 +212,7 @@ class _Tables:
                 if text := cell_of(cells, column):
                     self.corrections.append(HandedIn(self._where(sheet, number), who, problem, "", text))
 
-    def _attempts(self, sheet: Worksheet, head: int, report: Report) -> None:
+    def _attempts(self, sheet: Worksheet, head: int, report: AttemptReport) -> None:
         for number, cells in sheet.rows[head + 1 :]:
             where, who = self._where(sheet, number), report.student(cells)
             for item in report.attempted(cells):

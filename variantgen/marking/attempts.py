@@ -37,7 +37,7 @@ class Attempted:
 
 
 @dataclass(frozen=True)
-class Report:
+class AttemptReport:
     """The columns of a report: who a row is about, and how its answers are read."""
 
     who: Mapping[str, int]
@@ -63,7 +63,7 @@ class Report:
                 yield from (Attempted(where, place, part) for place, part in enumerate(parts(text)) if part)
 
 
-def report_of(heads: Sequence[str], kind: Kind) -> Report | None:
+def report_of(heads: Sequence[str], kind: Kind) -> AttemptReport | None:
     """The report that a row of heads belongs to; None for other tables, and for one of Moodle without texts."""
     answers = {column: found for column, head in enumerate(heads) if (found := reference_in(head)) and found.quantity}
     words = [_numbered(head, kind) for head in heads]
@@ -75,7 +75,7 @@ def report_of(heads: Sequence[str], kind: Kind) -> Report | None:
     kinds = [
         "id" if head.casefold() == "sis_id" else "" if answers and kind(head) == "id" else kind(head) for head in heads
     ]
-    return Report(
+    return AttemptReport(
         {name: kinds.index(name) for name in ("id", "name", "surname", "first") if name in kinds}, questions, answers
     )
 

@@ -16,7 +16,7 @@ Candidates = NDArray[np.complex128]
 
 
 def without_noise(vectors: Mapping[str, NDArray[np.complex128]]) -> dict[str, complex]:
-    """Vectors of points, those that are nothing but rounding as zero."""
+    """Vectors of points from arrays of shape (1,), those that are nothing but rounding as zero."""
     found = {name: complex(vector[0]) for name, vector in vectors.items()}
     least = SMALL * max(map(abs, found.values()), default=0.0)
     return {name: vector if abs(vector) > least else 0j for name, vector in found.items()}
@@ -29,7 +29,7 @@ def each(function: np.ufunc, first: Candidates, second: Candidates) -> Candidate
 
 
 def projecting(direction: complex, r: complex, other: Candidates) -> Candidates:
-    """The vectors of a direction whose projection on r is that of others; none where the direction is across r."""
+    """The vectors of a direction whose projection on r is that of others, shape (K,); none where it is across r."""
     cosine = (direction * np.conj(r)).real
     if abs(cosine) <= SMALL * abs(direction) * abs(r):
         return np.empty(0, dtype=np.complex128)
@@ -38,7 +38,7 @@ def projecting(direction: complex, r: complex, other: Candidates) -> Candidates:
 
 
 def few(found: Sequence[Candidates]) -> Candidates:
-    """The first of all that are different."""
+    """The first of all that are different, shape (K,)."""
     every = np.concatenate(found)
     size = abs(every[0]) or float(np.max(np.abs(every), initial=0.0, where=np.isfinite(every))) or 1.0
     every = every[np.isfinite(every) & (np.abs(every) < _LARGEST * size)]  # the first one is right

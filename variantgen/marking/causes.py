@@ -56,10 +56,10 @@ class Comparisons:
 def cause_of(value: float, answer: Answer, around: Comparisons) -> Cause:
     """The likeliest cause of a wrong value (in the unit of the answer)."""
     best, least = OTHER, math.inf
-    for cause, result in _results(answer, around):
+    for cause, result in _every(answer, around):
         distance = _distance(value, result, answer)
-        if distance < least - _TIED:
-            best, least = cause, distance
+        if distance <= 1.0 and distance < least - _TIED and not is_right(answer, result):
+            best, least = cause, distance  # a mistake that leads to what is right all the same is none
     if least <= 1.0:
         return best
     return Cause("rounding") if _distance(value, answer.value, answer) <= _NEAR else OTHER
@@ -79,14 +79,8 @@ def _distance(value: float, result: float, answer: Answer) -> float:
     return gap / width
 
 
-def _results(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
-    """What the answer would be by each mistake, where that is not right all the same."""
-    for cause, result in _every(answer, around):
-        if math.isfinite(result) and not is_right(answer, result):
-            yield cause, result
-
-
 def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
+    """What the answer would be by each mistake."""
     right = answer.value
     if answer.quantity.is_direction:
         yield Cause("sign"), -right

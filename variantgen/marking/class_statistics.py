@@ -21,6 +21,7 @@ from variantgen.marking.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 
 _EXCHANGES = 9999
+_EXCHANGED = 1_000_000  # students in all exchanges
 _FEWEST = 5  # students of a form with whom a comparison makes sense, or with one and the same mistake
 _ADVISED = 10  # students of a problem of whom advice makes sense
 _HARDLY = 0.05  # share of points
@@ -195,13 +196,16 @@ def _right_and_others(marks: Sequence[MarkedAnswer]) -> dict[str, tuple[int, int
 
 def _advice(problems: Sequence[ProblemFacts], marks: Sequence[MarkedAnswer]) -> Iterator[Advice]:
     """What to strike (hardly anybody has it, or the weaker have it rather), and what to teach again."""
+    answers: dict[tuple[int, str], list[MarkedAnswer]] = defaultdict(list)
+    for item in marks:
+        answers[item.problem, item.answer.quantity.name].append(item)
     for problem in problems:
         if problem.students < _ADVISED:
             continue
         if problem.discrimination is not None and problem.discrimination < 0:
             yield Advice("strike", problem.number, "")
         for answer in problem.answers:
-            own = [m for m in marks if m.problem == problem.number and m.answer.quantity.name == answer.quantity]
+            own = answers[problem.number, answer.quantity]
             wrong = [m.cause for m in own if m.verdict is Verdict.WRONG and m.cause is not None]
             if answer.asked >= _ADVISED and not answer.verdicts.get("right") and answer.share < _HARDLY:
                 yield Advice("strike", problem.number, answer.quantity)
@@ -237,8 +241,9 @@ def _equal(marks: Sequence[MarkedAnswer], kinds: Mapping[tuple[int, int], str]) 
     group = np.array([names.index(form_of[place]) for place in places])
     random = np.random.Generator(np.random.Philox(0))
     found = _between(value, group, len(names))
-    exceeded = sum(_between(random.permutation(value), group, len(names)) >= found - 1e-12 for _ in range(_EXCHANGES))
-    return (exceeded + 1) / (_EXCHANGES + 1)
+    exchanges = max(min(_EXCHANGES, _EXCHANGED // len(value)), _EXCHANGES // 10)  # many students tell enough by fewer
+    exceeded = sum(_between(random.permutation(value), group, len(names)) >= found - 1e-12 for _ in range(exchanges))
+    return (exceeded + 1) / (exchanges + 1)
 
 
 def _between(value: NDArray[np.float64], group: NDArray[np.intp], count: int) -> float:

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.families.quantities import Quantity
-from variantgen.marking.derived import Derived
+from variantgen.marking.derived import DerivedMotion
 from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -51,7 +51,7 @@ def confirms(variant: Variant, motion: Motion, wrong: Mapping[Quantity, float], 
     )
     if any(_same(found, number) for found in results):
         return True
-    derived = Derived(motion, wrong)
+    derived = DerivedMotion(motion, wrong)
     if np.any(np.abs(derived.values(asked) - number) <= _SAME * abs(number)):
         return True
     return asked.order == 2 and _by_solver(variant, motion, derived, asked, number)
@@ -160,7 +160,7 @@ def _shown(asked: Quantity, rate: float) -> float:
     return abs(rate) if asked.component == "abs" else rate
 
 
-def _by_solver(variant: Variant, motion: Motion, derived: Derived, asked: Quantity, number: float) -> bool:
+def _by_solver(variant: Variant, motion: Motion, derived: DerivedMotion, asked: Quantity, number: float) -> bool:
     """Whether the solver finds the number where rates are wrong as they follow from wrong answers, in every mixture."""
     carriers: list[tuple[str, str]] = [("omega", body) for body in derived.omega if derived.omega[body].size > 1]
     slid = {point: motion.v[point] - own[0] + own for point, own in derived.v_rel.items()}  # beside the right carrier

@@ -31,7 +31,7 @@ from variantgen.mechanism.rows import Placement
 _ROUNDS = 2
 
 
-class Derived:
+class DerivedMotion:
     """The candidates for velocities and accelerations of a motion of one variant with wrong answers (SI) in it."""
 
     def __init__(self, motion: Motion, wrong: Mapping[Quantity, float]) -> None:
@@ -66,7 +66,7 @@ class Derived:
             self._round()
 
     def values(self, asked: Quantity) -> NDArray[np.float64]:
-        """All that an asked quantity may be."""
+        """All that an asked quantity may be, shape (K,)."""
         if asked.kind in ("v_rel", "a_cor") and asked.target in self.v_rel and not asked.component:
             own = self.v_rel[asked.target]
             body = next(slide.body for slide in self._slides if slide.point == asked.target)

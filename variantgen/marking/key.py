@@ -80,13 +80,19 @@ class Key:
             if not each[-1]:
                 remedy = nearest(word, (key for key in self._students if not key.startswith("variantgen:")))
                 remedy = remedy if remedy.startswith("did") else "give the code of the sheet, the id or the whole name"
-                raise InputError(Problem("the exam has no such student", value=text, remedy=remedy))
+                message = "the exam has no such student"
+                if (
+                    word.casefold().startswith("variantgen:")
+                    and f":{self.record.exam_id}:".casefold() not in word.casefold()
+                ):
+                    message, remedy = "the sheet is of another exam", "mark it with the folder of that exam"
+                raise InputError(Problem(message, value=text, remedy=remedy))
         found = frozenset.intersection(*each)
         if not found:
             remedy = "correct the code, the id or the name"
             raise InputError(Problem("the words of this row name different students", remedy=remedy))
         if len(found) > 1:
-            raise InputError(Problem(f"{len(found)} students have this name", remedy="add the code or the id"))
+            raise InputError(Problem(f"{len(found)} students have this name or code", remedy="add the code or the id"))
         return next(iter(found))
 
     def quantity(self, place: int, problem: int, name: str | int) -> tuple[str, str]:

@@ -48,7 +48,7 @@ def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> 
     Students that cannot be matched have been told with their answers, or are here.
     """
     found: dict[tuple[int, int], Fraction] = {}
-    told: dict[tuple[int, int], str] = {}
+    seen: dict[tuple[int, int], str] = {}
     for item in typed:
         place = _student(key, item, left)
         number = read_number(item.text)
@@ -57,11 +57,11 @@ def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> 
         what = f"{item.problem}: {item.text}"[:80]
         if number is None or number.unit is not None or item.problem not in key.places[place]:
             left.append(NotMatched(item.where, what, "is no number of points"))
-        elif (place, item.problem) in told:
-            if told[place, item.problem] != item.text:
+        elif (place, item.problem) in seen:
+            if seen[place, item.problem] != item.text:
                 left.append(NotMatched(item.where, what, "another correction of the same problem was there before"))
         else:
-            told[place, item.problem] = item.text
+            seen[place, item.problem] = item.text
             found[place, item.problem] = Fraction(repr(number.values[0]))
     return found
 

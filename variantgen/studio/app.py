@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import importlib
 from collections.abc import AsyncIterator
 
 from starlette.applications import Starlette
@@ -22,6 +23,8 @@ from variantgen.studio.security import BodyError, Guard
 from variantgen.studio.studio import Studio, UnknownKeyError
 from variantgen.studio.words import ASSETS
 
+_FIRST_PAGE = 1.0  # seconds in which the first page has come
+
 
 def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
     """The application of a studio for a server on a port; the token opens it."""
@@ -29,11 +32,12 @@ def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
     @contextlib.asynccontextmanager
     async def life(_: Starlette) -> AsyncIterator[None]:
         studio.events.start()
-        watching = asyncio.create_task(studio.watch())
+        tasks = [asyncio.create_task(studio.watch()), asyncio.create_task(_warm(studio))]
         try:
             yield
         finally:
-            watching.cancel()
+            for task in tasks:
+                task.cancel()
             studio.close()
 
     routes = [route for page in PAGES for route in page.routes(studio)]
@@ -48,6 +52,13 @@ def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
         lifespan=life,
     )
     return Guard(app, token, port)
+
+
+async def _warm(studio: Studio) -> None:
+    """Load what figures need, a second of work, while the first page is looked at."""
+    await asyncio.sleep(_FIRST_PAGE)
+    await studio.draw(lambda: importlib.import_module("variantgen.studio.composition"))
+    await studio.draw(lambda: importlib.import_module("variantgen.figure.build"))
 
 
 def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an endpoint of Starlette

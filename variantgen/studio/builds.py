@@ -67,7 +67,10 @@ class Builds:
         return found.state if found else {}
 
     def next_name(self, exam: str) -> str:
-        """The folder of the next build: the name of the exam and the day, with a number where it is there."""
+        """The folder of the next build: the name of the exam and the day, with a number where it is there.
+
+        Raises InputError for a day with a thousand builds.
+        """
         for number in range(1, 1000):
             name = f"{exam}-{date.today().isoformat()}" + (f"-{number}" if number > 1 else "")
             if not (self._workspace.folder / BUILDS / name).exists():

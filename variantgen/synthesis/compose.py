@@ -16,20 +16,19 @@ from variantgen.families.files import FAMILY
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.mechanism.motion import Motion
-from variantgen.resources import languages
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crossed
 from variantgen.synthesis.draft import Draft, LayoutError
 from variantgen.synthesis.family_text import changes_speed, family_text
 from variantgen.synthesis.layout import lay_out
-from variantgen.synthesis.statement_text import statement_text, title
-from variantgen.synthesis.structures import Structure, code
+from variantgen.synthesis.statement_text import composed_languages, statement_text, title
+from variantgen.synthesis.structures import Structure, code, moving_links
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.screening import motion_screens, sensitivity
 from variantgen.variants.seeding import Stream
 
-_TRIES = 40  # layouts of a structure
+MOST_TRIES = 40  # layouts of a structure
 _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
 _GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
@@ -47,20 +46,29 @@ class Composed:
 
 
 def compose(
-    structure: Structure, seed: object, screening: MakeScreening, scratch: Path, faults: Callable[[Family], str]
+    structure: Structure,
+    seed: object,
+    screening: MakeScreening,
+    scratch: Path,
+    faults: Callable[[Family], str],
+    orders: Sequence[int] = (2,),
+    tries: int = MOST_TRIES,
 ) -> Composed:
     """A family of a structure that passes all screens; which one depends on the seed.
 
     ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing;
-    ``scratch`` is a folder to try layouts in. Raises InputError where none of them passes.
+    ``scratch`` is a folder to try layouts in, at most ``tries``. ``orders``: first accelerations are asked as well (2),
+    then velocities alone (1). Raises InputError where none passes.
     """
     chance, why = Chance("compose", code(structure), seed), "no layout"
-    for _ in range(_TRIES):
+    for _ in range(tries):
         try:
-            files, family = _accepted(lay_out(structure, chance), structure, screening, scratch)
-            why = faults(family)
-            if not why:
-                return Composed(structure, files, family)
+            draft = lay_out(structure, chance)
+            for order in orders:
+                files, family = _accepted(draft, structure, screening, scratch, order)
+                why = faults(family)
+                if not why:
+                    return Composed(structure, files, family)
         except (LayoutError, VariantgenError) as error:
             why = str(error)
     raise InputError(
@@ -79,7 +87,7 @@ def sketched(structure: Structure, seed: object, scratch: Path) -> Family:
     Raises InputError where the tries are used up. ``scratch`` is a folder to write it to.
     """
     chance = Chance("sketch", code(structure), seed)
-    for _ in range(_TRIES):
+    for _ in range(MOST_TRIES):
         with suppress(LayoutError, VariantgenError):
             return _varied(lay_out(structure, chance), structure, scratch)[0]
     raise InputError(Problem("no layout was found", key="structure", value=code(structure)))
@@ -101,19 +109,19 @@ def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, 
 
 
 def _statements(draft: Draft) -> dict[str, str]:
-    return {f"statement.{language}.j2": statement_text(draft, language) for language in languages()}
+    return {f"statement.{language}.j2": statement_text(draft, language) for language in composed_languages()}
 
 
 def _titles(structure: Structure) -> dict[str, str]:
-    return {language: title(language, code(structure)) for language in languages()}
+    return {language: title(language, moving_links(structure)) for language in composed_languages()}
 
 
 def _accepted(
-    draft: Draft, structure: Structure, screening: MakeScreening, scratch: Path
+    draft: Draft, structure: Structure, screening: MakeScreening, scratch: Path, order: int
 ) -> tuple[dict[str, str], Family]:
     """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
     _, draws, width = _varied(draft, structure, scratch)
-    asked = _asked(draft, draws)
+    asked = _asked(draft, draws, order)
     text = family_text(draft, _titles(structure), code(structure), asked, width)
     family = _family(text, scratch)
     if _Draws(family, _quantities(family, asked), _VALID_ASKED).fit(screening) < _FIT:
@@ -163,11 +171,11 @@ class _Draws:
         return int(np.count_nonzero(np.all(list(screens.of_survivors(variants, places).values()), axis=0)))
 
 
-def _asked(draft: Draft, draws: _Draws) -> list[str]:
+def _asked(draft: Draft, draws: _Draws, order: int) -> list[str]:
     """What is asked: of the last dyad most, of every dyad something, as long as most draws are good for all of it."""
     *earlier, last = draft.asked
     wanted = [*last, *(name for names in earlier[::-1] for name in names[:2])]
-    if changes_speed(draft) or len(draft.asked) < 3:
+    if order == 2 and (changes_speed(draft) or len(draft.asked) < 3):
         wanted += [_second(name) for name in last[:2]] + [_second(names[0]) for names in earlier]
     found: list[str] = []
     passed = np.ones(draws.motion.size, dtype=bool)

@@ -81,6 +81,7 @@ class Draft:
     asked: list[list[str]] = field(default_factory=list)
     pivots: list[str] = field(default_factory=list)
     relative: list[tuple[str, Facts]] = field(default_factory=list)
+    require: list[str] = field(default_factory=list)
     symbols: dict[str, str] = field(default_factory=dict)
     nouns: dict[str, str] = field(default_factory=dict)
 
@@ -110,6 +111,11 @@ class Draft:
         self.data[name] = Datum("deg", value, _ANGLE_STEP, 15)
         self.marks.append({"name": name, "at": at, "from": start, "to": end})
         return name
+
+    def keep_between(self, part: str, whole: str) -> None:
+        """Require of all variants that a point lies well between the ends of a bar, by printed lengths of both."""
+        if part in self.data and whole in self.data:
+            self.require += [f"{part} < 0.75 * {whole}", f"{part} > 0.25 * {whole}"]
 
     def bar(self, link: int, noun: str, start: str, end: str, free: tuple[str, ...] = ()) -> Link:
         """A link that is a straight bar between two points."""

@@ -51,6 +51,7 @@ def on_bar(draft: Draft, bar: Link, point: str) -> list[tuple[str, dict[str, str
         return [("halfway", {"point": point, "bar": bar.body})]
     part = draft.rng.choice((0.4, 0.5, 0.6)) * draft.distance(bar.start, bar.end)
     distance = draft.length(bar.start, point, part, 0.12)
+    draft.keep_between(distance, bar.start + bar.end)
     angle = draft.direction(bar.start, bar.end)
     draft.polar(point, bar.start, distance, angle, {"towards": bar.end})
     return [("instant_length", {"length": distance})]

@@ -45,6 +45,8 @@ def family_text(
     lines += ["", "[screens]", "transmission = 25", f"spacing = {_spacing(draft)}"]
     if draft.inside:
         lines.append(f"inside = {_value([list(item) for item in draft.inside])}")
+    if draft.require:
+        lines.append(f"require = {_value(draft.require)}")
     lines += ["", "[pose]", "mirror = true", "quarter_turns = [0, 2]", "", "[figure]"]
     lines.append(f"angles = [{', '.join(_inline(mark) for mark in draft.marks)}]")
     for key, values in draft.hints.items():

@@ -53,7 +53,10 @@ def _far_end(draft: Draft, start: str, through: str, used: str) -> str:
     size = draft.distance(start, through) * draft.rng.choice((1.35, 1.5, 1.6))
     angle = draft.direction(start, through)
     if "R" in used:
-        draft.polar(end, start, draft.length(start, end, size, 0.12), angle, {"towards": through})
+        whole = draft.length(start, end, size, 0.12)
+        draft.polar(end, start, whole, angle, {"towards": through})
+        for part in (start + through, through + start):
+            draft.keep_between(part, whole)
         return end
     draft.place(end, start, size, angle)
     draft.points[end] = (

@@ -7,11 +7,16 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from variantgen.resources import templates_dir
+from variantgen.resources import languages, templates_dir
 from variantgen.synthesis.draft import Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
 _ONE_BY_ONE = ("angle", "square", "halfway")
+
+
+def composed_languages() -> list[str]:
+    """The languages in which statements can be composed: those that have the sentences."""
+    return [name for name in languages() if (templates_dir() / "synthesis" / f"{name}.toml").is_file()]
 
 
 @cache
@@ -20,9 +25,9 @@ def sentences(language: str) -> Mapping[str, Any]:
     return tomllib.loads((templates_dir() / "synthesis" / f"{language}.toml").read_text("utf-8"))
 
 
-def title(language: str, structure: str) -> str:
-    """The title of a composed family."""
-    return str(sentences(language)["title"]).format(code=structure)
+def title(language: str, links: int) -> str:
+    """The title of a composed family with so many moving links."""
+    return str(sentences(language)["titles"][str(links)])
 
 
 def statement_text(draft: Draft, language: str) -> str:

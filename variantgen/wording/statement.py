@@ -205,14 +205,18 @@ def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
     return tuple(found)
 
 
-@lru_cache(maxsize=1000)
 def _text(case: _Case) -> Text:
-    """The filled template: few texts differ, as data are printed beside them. A scene has words of the program."""
-    variant, asked, language = case.variant, case.asked, case.language
+    """The filled template. A scene has words of the program."""
+    variant, language = case.variant, case.language
     if variant.family.folder is None:
         return (language.words("sheet")["scene"],)
-    path = template_path(variant, language)
-    template = load_template(path)
+    return _filled(case, load_template(template_path(variant, language)))
+
+
+@lru_cache(maxsize=1000)
+def _filled(case: _Case, template: StatementTemplate) -> Text:
+    """The text of a template: few texts differ, as data are printed beside them."""
+    variant, asked, language, path = case.variant, case.asked, case.language, template.path
     formulas: list[Formula] = []
 
     def mark(formula: Formula) -> str:

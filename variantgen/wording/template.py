@@ -69,13 +69,23 @@ class StatementTemplate:
             ) from None
 
 
-@cache
 def load_template(path: Path) -> StatementTemplate:
-    """Read a template. Raises InputError with line numbers for mistakes and for what is not allowed."""
+    """Read a template; as long as its file says the same, it is the same one.
+
+    Raises InputError with line numbers for mistakes and for what is not allowed.
+    """
+    try:
+        return _of_source(path, read_limited(path, _MAX_BYTES).decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
+
+
+@cache
+def _of_source(path: Path, source: str) -> StatementTemplate:
+    """The template that a text is."""
     environment = ImmutableSandboxedEnvironment(undefined=jinja2.StrictUndefined, autoescape=False, finalize=_printable)
     environment.globals.clear()
     try:
-        source = read_limited(path, _MAX_BYTES).decode("utf-8-sig")
         problems = _unseen(source, path)
         tree = environment.parse(source)
         problems += [
@@ -90,8 +100,6 @@ def load_template(path: Path) -> StatementTemplate:
         raise InputError(
             Problem(f"line {error.lineno}: {error.message}", file=str(path), remedy="correct the template")
         ) from None
-    except UnicodeDecodeError:
-        raise InputError(Problem("is not a text file in UTF-8", file=str(path), remedy="save it as UTF-8")) from None
     except (OSError, RecursionError, MemoryError, SyntaxError, ValueError) as error:
         raise InputError(Problem(f"cannot be read: {error}", file=str(path))) from None
 

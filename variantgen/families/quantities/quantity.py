@@ -105,7 +105,9 @@ class Quantity:
 
     @property
     def is_coordinate(self) -> bool:
-        """Whether it is a coordinate of a point or of a centre, counted from the origin of the axes."""
+        """Whether it is a coordinate of a point or centre, or its extreme, counted from the origin of the axes."""
+        if self.of_instant is not None:
+            return self.of_instant.is_coordinate and not self.is_angle
         return self.kind in ("x", "y") or (self.is_centre and self.component in ("x", "y"))
 
     @property

@@ -107,7 +107,7 @@ class _Class:
         if why := self._foreign(code):
             self.scans.not_matched.append(NotMatched(found.where, code.sheet, why))
         elif not code.number:
-            self._left_out["page of problems"] = self._left_out.get("page of problems", 0) + 1
+            self._left_out["pages of problems"] = self._left_out.get("pages of problems", 0) + 1
         elif found.why:
             self._lose(found, picture.grey, f"{code.sheet}, page {code.number}")
         else:
@@ -143,7 +143,7 @@ class _Class:
 
     def _without_code(self, found: ReadPage, grey: Grey | None) -> None:
         if grey is not None and float((grey < 0.6 * np.median(grey)).mean()) < _BLANK_SHARE:
-            self._left_out["blank page"] = self._left_out.get("blank page", 0) + 1
+            self._left_out["blank pages"] = self._left_out.get("blank pages", 0) + 1
         else:
             self._lose(found, grey, "")
 
@@ -188,8 +188,7 @@ class _Class:
     def end_of_file(self, path: Path) -> None:
         """Say what was left out of a file."""
         for what, count in self._left_out.items():
-            plural = "" if count == 1 else "s"
-            why = f"{count} {what}{plural} without answers to read: left out"
+            why = f"without answers to read, left out: {what}, {count}"
             self.scans.not_matched.append(NotMatched(path.name, "", why))
         self._left_out.clear()
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import ReadAnswers
@@ -29,6 +30,9 @@ class Joined:
 
 def join(finished: Finished, read: ReadAnswers, scans: Sequence[Path], policy: MarkingPolicy) -> Joined:
     """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError."""
+    if not finished.exam.scan:
+        remedy = "type the answers into a table; the next exam has them with  [answers] scan = true  in its file"
+        raise InputError(Problem("the exam was built without pages for answers", str(scans[0]), remedy=remedy))
     key = Key(finished.record, policy.tolerance)
     found = collect(scans, key)
     typed = typed_before(key, read.answers)

@@ -12,7 +12,7 @@ Pieces = list[tuple[str, Formula]]  # a formula as pieces that hold together, wi
 
 # Letters, by which widths are guessed: what a row of the page holds, and what a piece may have before
 # its sum is cut.
-_ROW, _PIECE = 100, 56
+_ROW, _PIECE = 100, 36
 _GAP = 6
 # What of the markup takes no room by itself, and what is one letter.
 _SILENT = re.compile(r'frac|sqrt|arrow|op|dot\.|thin|abs|display|["_^(){}\s]')

@@ -12,6 +12,7 @@ from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typst.markup import heading, markup
+from variantgen.outputs.typst.widths import formula_width
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
 from variantgen.wording.text import Text, with_steady_dashes
 
@@ -46,9 +47,9 @@ class TypstWriting:
         """The markup, which templates evaluate."""
         return heading(symbol, unit)
 
-    def piece(self, sign: str, formula: Formula) -> list[str]:
-        """The sign as text and the markup."""
-        return [sign, markup(formula)]
+    def piece(self, sign: str, formula: Formula) -> list[Any]:
+        """The sign as text, the markup and the width, nearly (em)."""
+        return [sign, markup(formula), round(formula_width(formula), 1)]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> dict[str, Any]:
         """Data for ``figure.typ``."""

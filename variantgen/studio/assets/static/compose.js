@@ -261,6 +261,7 @@ let kind = "sheet";
 const page_ = late(async () => {
   if (!count) { pages.replaceChildren(); return; }
   pages.setAttribute("aria-busy", "true");
+  if (!pages.firstChild) pages.append(el("p", { className: "small" }, words.setting));
   const who = student.selectedIndex + 1, wanted = kind;
   try {
     const data = await get(`/${exam}/sheet/${who}?kind=${kind}`);
