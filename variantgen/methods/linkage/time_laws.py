@@ -15,6 +15,8 @@ from variantgen.families.family import Form
 if TYPE_CHECKING:
     from variantgen.methods.linkage.problem import Task
 
+_TIME = (0, 1)
+
 
 def laws(form: Form) -> list[str]:
     """Names of the derived quantities that are laws of time."""
@@ -23,11 +25,22 @@ def laws(form: Form) -> list[str]:
 
 def law_behind(task: Task, source: FamilyExpression) -> Expression | None:
     """The law whose first or second derivative an expression of the family is."""
-    for name in laws(task.form):
-        if source.names & {f"{name}_dot", f"{name}_ddot"}:
-            found = task.expressed(task.form.derived[name])
-            return None if found is None else simplified(found)
-    return None
+    name = _law_of(task.form, source)
+    found = task.expressed(task.form.derived[name]) if name else None
+    return None if found is None else simplified(found)
+
+
+def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
+    """Whether the second derivative of the law behind an expression holds no time."""
+    name = _law_of(form, source)
+    used = form.derived[f"{name}_ddot"].names & set(form.parameters) if name else set()
+    units = [form.parameters[own].unit for own in used]
+    return bool(name) and not any(unit is not None and unit.dimension == _TIME for unit in units)
+
+
+def _law_of(form: Form, source: FamilyExpression) -> str:
+    """The name of the law whose derivative an expression is; empty without one."""
+    return next((name for name in laws(form) if source.names & {f"{name}_dot", f"{name}_ddot"}), "")
 
 
 def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:

@@ -19,7 +19,7 @@ from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.groups.route import Route
-from variantgen.methods.linkage.time_laws import law_behind
+from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Term
 from variantgen.methods.vectors.point_paths import on_path
@@ -137,7 +137,8 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
     facts: dict[str, Fact] = (
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
-    book.say(f"given.law_{name}", False, **facts)
+    uniform = "_uniform" if name == "s" and is_uniformly_accelerated(book.task.form, source) else ""
+    book.say(f"given.law_{name}{uniform}", False, **facts)
     book.derive(Name("parameter", name), measure, law)
 
 
