@@ -15,6 +15,7 @@ from variantgen.studio.summary import USUAL_CLASS
 from variantgen.studio.workspace import ROSTER, Workspace, is_own
 
 if TYPE_CHECKING:
+    from variantgen.builder.preview import DrawnClass
     from variantgen.exam.exam_file import Exam
     from variantgen.exam.roster import Student
     from variantgen.outputs.single.problem_page import Format
@@ -40,14 +41,18 @@ class Previews:
         self._lock = threading.Lock()
         self._open = ExitStack()
         self._engine: Typesetter | None = None
+        self._drawn: tuple[str, DrawnClass] | None = None  # the last class, for its other students
 
     def pages(self, exam: Exam, students: Sequence[Student], place: int, kind: str) -> tuple[str, int]:
         """The name and the number of the pages of a student, by the place in the class. Raises InputError."""
+        from variantgen.exam.manifest import made_with
+
         listed = repr([(student.id, student.name, student.group) for student in students])
-        name = hashlib.sha256(f"{exam.text}\n{exam.seed}\n{listed}\n{place}\n{kind}".encode()).hexdigest()[:20]
+        drawn_for = f"{exam.text}\n{exam.seed}\n{listed}\n{sorted(made_with(exam).items())}"
+        name = hashlib.sha256(f"{drawn_for}\n{place}\n{kind}".encode()).hexdigest()[:20]
         with self._lock:
             if name not in self._kept:
-                self._kept[name] = self._made(exam, students, place, kind, "svg")
+                self._kept[name] = self._made(exam, students, place, kind, "svg", drawn_for)
                 while len(self._kept) > _KEPT:
                     self._kept.popitem(last=False)
             self._kept.move_to_end(name)
@@ -60,8 +65,10 @@ class Previews:
             raise InputError(Problem("there is no such page", value=f"{name} {number}", remedy="load the page again"))
         return pages[number - 1]
 
-    def _made(self, exam: Exam, students: Sequence[Student], place: int, kind: str, form: Format) -> list[bytes]:
-        from variantgen.builder.preview import one_sheet
+    def _made(
+        self, exam: Exam, students: Sequence[Student], place: int, kind: str, form: Format, drawn_for: str
+    ) -> list[bytes]:
+        from variantgen.builder.preview import DrawnClass
         from variantgen.outputs.single.one_sheet import sheet_pages
         from variantgen.outputs.typst.typesetter import typesetter
 
@@ -69,7 +76,10 @@ class Previews:
             self._engine = self._open.enter_context(typesetter())
         if kind == "solution" and not exam.solutions.wanted:
             exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
-        return sheet_pages(exam, one_sheet(exam, students, place), self._engine, form, kind == "solution")
+        if self._drawn is None or self._drawn[0] != drawn_for:
+            self._drawn = None
+            self._drawn = drawn_for, DrawnClass(exam, students)
+        return sheet_pages(exam, self._drawn[1].sheet(place), self._engine, form, kind == "solution")
 
     def close(self) -> None:
         """Remove what the engine has on disk."""

@@ -7,6 +7,7 @@ import math
 from variantgen.synthesis.draft import Draft, Facts
 
 _MARKED = (45, 60, 75, 105, 120, 135)
+_OFF_AXES, _INCLINED = (30, 40, 50, 60, 120, 130, 140, 150), 0.7  # where no link is near to measure from
 _AXES = (0, 90, 180, 270)
 
 
@@ -16,7 +17,12 @@ def way(draft: Draft, at: str, new: str, far: str, words: float = 0.55) -> tuple
     ``far`` is another point of the link on which it hangs; ``words``: how often it is said without a number. The
     angle is marked only when :func:`marked` is called, so that a direction that leads nowhere leaves no datum.
     """
-    if draft.rng.random() < words or not far:
+    if not far and draft.rng.random() < _INCLINED:
+        size, turn = draft.rng.choice(_OFF_AXES), draft.rng.choice((1, -1))
+        name = draft.angle(size, at, "+x", new)
+        fields = {"angle": f"{'' if turn > 0 else '-'}{name}"}
+        return float(turn * size), fields, [("incline", {"angle": name, "link": at + new})]
+    if not far or draft.rng.random() < words:
         angle = draft.rng.choice(_AXES)
         key = "level" if angle % 180 == 0 else "upright"
         return float(angle), {"angle": f"{angle}*deg"} if angle else {}, [(key, {"link": at + new})]

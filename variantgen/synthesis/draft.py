@@ -107,7 +107,9 @@ class Draft:
 
     def angle(self, value: float, at: str, start: str, end: str) -> str:
         """A printed angle marked in the figure, the value in whole steps; returns its name."""
-        name = next(name for name in ANGLES if name not in self.data)
+        name = next((name for name in ANGLES if name not in self.data), "")
+        if not name:
+            raise LayoutError("too many angles")
         self.data[name] = Datum("deg", value, _ANGLE_STEP, 15)
         self.marks.append({"name": name, "at": at, "from": start, "to": end})
         return name

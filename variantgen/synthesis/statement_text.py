@@ -11,7 +11,7 @@ from variantgen.resources import languages, templates_dir
 from variantgen.synthesis.draft import Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
-_ONE_BY_ONE = ("angle", "square", "halfway")
+_ONE_BY_ONE = ("angle", "incline", "square", "halfway")
 
 
 def composed_languages() -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -54,7 +54,6 @@ class State:
     version: str
     data: dict[str, Any]
     broken: str = ""
-    found: list[Any] = field(default_factory=list)
 
 
 class Document:
@@ -101,14 +100,10 @@ class Document:
 
     def exam(self) -> Exam:
         """The checked exam. Raises InputError with every mistake."""
-        state = self.state()
-        if not state.found:
-            state.found.append(self._checked(state.text))
-        found = state.found[0]
+        found = self._checked(self.state().text)  # families may have changed, too; what is read of them is kept
         if isinstance(found, InputError):
             raise found
-        exam: Exam = found
-        return exam
+        return found
 
     def _checked(self, text: str) -> Exam | InputError:
         from variantgen.families.folders import family_folders
