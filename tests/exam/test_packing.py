@@ -21,6 +21,7 @@ from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item
 from variantgen.families.quantities import Quantity
+from variantgen.methods.hand.work import Work
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Surd
 
@@ -90,7 +91,16 @@ def test_numbers_to_the_last_bit(number: float, packed: Packed) -> None:
 
 def test_no_field_is_forgotten() -> None:
     """A new field needs a place in the packed form (and here)."""
-    assert [f.name for f in fields(Item)] == ["task", "variant", "answers"]
+    assert [f.name for f in fields(Item)] == ["task", "variant", "answers", "work"]
+    assert [f.name for f in fields(Work)] == [
+        "lines",
+        "operations",
+        "functions",
+        "systems",
+        "negatives",
+        "obtuse",
+        "coriolis",
+    ]
     assert [f.name for f in fields(Variant)] == ["family", "form", "printed", "sense", "turns", "attempt"]
     assert [f.name for f in fields(Answer)] == [
         "quantity",

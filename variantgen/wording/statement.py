@@ -17,13 +17,13 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
-from variantgen.families.quantities import Quantity, split_name
-from variantgen.families.rate_graphs import grid_of
+from variantgen.families.quantities import Quantity
 from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.formula.tree import ANGLE
+from variantgen.wording.graph_words import graph_instant, graph_sentences
 from variantgen.wording.language import NATURAL, Language
 from variantgen.wording.scene_data import scene_data
 from variantgen.wording.template import StatementTemplate, load_template
@@ -46,7 +46,7 @@ class Statement:
 def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -> Statement:
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
     case = _case(variant, asked, language)
-    return Statement((*_text(case), *_sketches(case)), tuple(_given(case, variant)), _asked(case))
+    return Statement((*_text(case), *graph_sentences(case.form, language)), tuple(_given(case, variant)), _asked(case))
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -122,16 +122,7 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
     if variant.family.folder is None:
         own = scene_data(variant, case.asked, case.language)
         places, rates = places + own[0], rates + own[1]
-    return places + _found(case, variant) + _instant(variant, case.language) + rates
-
-
-def _instant(variant: Variant, language: Language) -> list[Equation]:
-    """The time on the graph of a given rate at which the mechanism has its position."""
-    if not variant.form.figure.graph:
-        return []
-    found = grid_of(*(abs(variant.printed[name]) for name in variant.form.figure.graph))
-    assert found is not None, "families with such data are refused"
-    return [Equation(Symbol("t"), Measured(language.decimal(found[0]), language.unit(unit("s"))))]
+    return places + _found(case, variant) + graph_instant(variant, case.language) + rates
 
 
 def _found(case: _Case, variant: Variant) -> list[Equation]:
@@ -180,18 +171,6 @@ def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _C
 def _asked(case: _Case) -> tuple[Formula, ...]:
     """The symbols of what is asked."""
     return tuple(case.language.quantity(quantity, case.form.symbols) for quantity in case.asked)
-
-
-def _sketches(case: _Case) -> Text:
-    """What is said of the graph that gives a rate, and of the curves to be sketched, a sentence each."""
-    found: list[str | Formula] = []
-    if graph := case.form.figure.graph:
-        before, after = case.language.words("sheet")["by_graph"].split("{symbol}")
-        found += [" " + before, case.language.symbol(case.form.parameters[graph[0]].symbol, case.form.symbols), after]
-    for name in case.form.figure.sketch:
-        before, after = case.language.words("sheet")["sketch"].split("{symbol}")
-        found += [" " + before, case.language.quantity(split_name(name), case.form.symbols), after]
-    return tuple(found)
 
 
 def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
