@@ -30,7 +30,7 @@ DESCRIPTION = (
     "What is wrong is compared with plausible mistakes. Several files add up; what cannot be matched or read\n"
     "is listed, and nothing is guessed."
 )
-_SHOWN = 20
+_SHOWN, _LONGEST = 20, 120  # of what is told: items, characters of a text
 _BOOK = "marks.xlsx"
 
 
@@ -98,7 +98,9 @@ def run(arguments: argparse.Namespace) -> int:
             changed = changes.changes(finished.record, found, earlier)
             changes.write_changes(work, finished.record, changed, arguments.anonymous)
         if joined is not None:
-            review.write_review(work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost)
+            review.write_review(
+                work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost, arguments.anonymous
+            )
         written = sorted(path.name for path in work.iterdir())
     if arguments.json:
         say(_json(found, arguments.anonymous))
@@ -134,7 +136,7 @@ def _read(
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
-    joined = join(finished, read, scans, policy)
+    joined = join(finished, read, scans, policy, arguments.anonymous)
     return finished, joined.answers, joined
 
 
@@ -143,11 +145,16 @@ def _tell_left(left: Sequence[NotMatched]) -> None:
     for item in left[:_SHOWN]:
         tell(
             f"{item.where}: {item.why}"
-            + (f" (got {item.text})" if item.text else "")
+            + (f" (got {_short(item.text)})" if item.text else "")
             + (f"\n    {item.remedy}" if item.remedy else "")
         )
     if len(left) > _SHOWN:
         tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
+
+
+def _short(text: str) -> str:
+    """A text that is not too long to tell: files have the whole one."""
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
 
 
 def _tell_open(found: Marked) -> None:
