@@ -237,7 +237,7 @@ def _worth(finished: Finished, key: Key, policy: MarkingPolicy) -> dict[tuple[in
 
 
 def _check_steps(policy: MarkingPolicy, key: Key, worth: Mapping[tuple[int, int], Fraction]) -> None:
-    """Raise InputError where points are rounded to a step larger than what there is: every sum would be 0 or the most."""
+    """Raise InputError where points are rounded to a step larger than all there are."""
     most: dict[int, dict[int, Fraction]] = defaultdict(dict)
     for (place, number), one in worth.items():
         counted = sum(not policy.is_struck(number, a.quantity) for a in key.places[place][number].answers)
