@@ -49,9 +49,11 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
             return self._engine.query(selector, **named)
 
         def _note(self, template: Path, named: dict[str, Any]) -> None:
+            inputs = {**self._made, **named}["sys_inputs"].values()
+            data = {name: (self._root / name).read_bytes() for name in inputs if name.endswith(".json")}
             # Names in the order of the calls, whichever process makes them.
             with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
-                pickle.dump((template.relative_to(self._root), self._made, named), file, pickle.HIGHEST_PROTOCOL)
+                pickle.dump((template.relative_to(self._root), self._made, named, data), file, pickle.HIGHEST_PROTOCOL)
 
     typst.Compiler = Recorded
     if main(list(arguments)):
@@ -71,7 +73,9 @@ def replay(folder: Path) -> Clock:
     with typesetter() as engine:
         for path in sorted(folder.iterdir()):
             with path.open("rb") as file:
-                template, options, named = pickle.load(file)
+                template, options, named, data = pickle.load(file)
+            for name, content in data.items():
+                (engine.root / name).write_bytes(content)
             with clock.measuring(template.stem):
                 if "selector" in named:  # a query has an engine of its own, which is given the data
                     typst.Compiler(engine.root / template, root=engine.root, **options).query(**named)

@@ -34,6 +34,8 @@ HOOKS = (
     Hook("reading the exam", "variantgen.outputs.formats:read_exam", whole=True),
     Hook("reading the exam", "variantgen.outputs.typst.coverage:check_letters", whole=True),
     Hook(_DRAW, "variantgen.exam.allocation:ProblemSampler.variants"),
+    Hook("equally hard variants: samples", "variantgen.exam.fairness:sample_works", whole=True),
+    Hook("equally hard variants: work", "variantgen.exam.fairness:variant_work", whole=True),
     Hook("keeping variants distinct", "variantgen.exam.allocation:resolve_duplicates", whole=True),
     Hook("keeping variants distinct", "variantgen.variants.similarity:traits", whole=True),
     Hook("verifying", "variantgen.variants.screening:verification", whole=True),

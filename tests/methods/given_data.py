@@ -46,6 +46,11 @@ def steps(family_name: str, form_name: str, ask: str, **data: float) -> list[Ste
     return list(_worked(family_name, form_name, ask, **data)[0].steps)
 
 
+def worked_book(family_name: str, form_name: str, ask: str, **data: float) -> Book:
+    """The book in which the quantities were found."""
+    return _worked(family_name, form_name, ask, **data)[0]
+
+
 def worked_geometry(family_name: str, form_name: str, ask: str, **data: float) -> list[Sentence]:
     """The sentences about the position, also those of which the solution needs no line."""
     items = _worked(family_name, form_name, ask, **data)[0].geometry.items

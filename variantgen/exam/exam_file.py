@@ -13,7 +13,6 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.answer_page import read_answers_options
 from variantgen.exam.asked import check_forms, read_asked
-from variantgen.exam.composed import read_composed
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
@@ -261,6 +260,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         return None
     names = table.strings("families")
     if "compose" in table.data and not names and "family" not in table.data:
+        from variantgen.exam.composed import read_composed  # figures and methods, which no other exam needs here
+
         names = read_composed(table.table("compose"), folders)
     elif "family" in table.data:
         if names:
@@ -279,11 +280,10 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     points = table.take("points", int, 0)
     if not 0 <= points <= 1000:
         table.problem("expected a number of points from 0 to 1000", "points", points)
-    methods: tuple[str, ...] = ()
+    single = isinstance(table.data.get("method"), str)
+    methods = (table.take("method", str, ""),) if single else table.strings("method")
     with table.collecting("method"):
-        methods = check_methods(
-            (table.take("method", str, ""),) if isinstance(table.data.get("method"), str) else table.strings("method")
-        )
+        methods = check_methods(methods)
     units = _units(table) or units
     work = read_work(table)
     sketch, graph = table.strings("sketch"), table.take("graph", bool, False)

@@ -15,6 +15,8 @@ from variantgen.exam.student_order import base
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
 
+_DIRECTIONLESS = Decimal(10) ** 15  # degrees: so large a number has no digits left that tell a direction
+
 
 @dataclass(frozen=True)
 class Key:
@@ -121,6 +123,8 @@ def is_right(answer: Answer, value: float) -> bool:
     """Whether a value in the unit of the key is within the tolerance of an answer, its ends included."""
     typed = Decimal(repr(value))
     if answer.quantity.is_direction:  # whole turns do not change it
+        if abs(typed) >= _DIRECTIONLESS:
+            return False
         gap = (typed - Decimal(repr(answer.value))) % 360
         return min(abs(gap), 360 - abs(gap)) <= Decimal(repr(answer.tolerance))
     return any(low <= typed <= high for low, high in answer.exact_intervals)

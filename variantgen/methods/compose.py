@@ -14,6 +14,7 @@ from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.answers import answer
 from variantgen.methods.choice import WHOLE, Choice, choose
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.magnitudes import magnitudes
 from variantgen.methods.other_base_point import other_base_point
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
@@ -108,6 +109,7 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     task = book.task
     steps = used_steps(book.steps, found.values())
     check = tuple(third_axis(steps) or other_base_point(book, steps) or equal_projections(book))
+    check = check or tuple(magnitudes(book, steps))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)

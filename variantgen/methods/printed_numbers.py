@@ -11,7 +11,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import product
+from itertools import pairwise, product
 
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
 from variantgen.algebra.name import AXES, ON_LINE, OWN_AXES, Name
@@ -21,6 +21,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import (
+    Ascending,
     Balance,
     Derived,
     EquationLine,
@@ -189,6 +190,9 @@ class PrintedNumbers:
                     yield "an equation of the system", _relative(sum(products) - end.exact, largest)
             case Balance(one, other):
                 yield "a sum beside its equal", _relative(one.exact - other.exact, max(_largest(one), _largest(other)))
+            case Ascending(values):
+                rising = all(low.exact < high.exact for low, high in pairwise(values))
+                yield "the order of magnitudes", 0.0 if rising else math.inf
             case EquationLine(left, right):
                 gap = left.number(True) - right.number(True)
                 yield "an equation", _relative(gap, max(_largest(left), _largest(right)))

@@ -35,7 +35,7 @@ def too_long(draft: Draft) -> str:
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which variants of a draft two links cross that nothing joins; ``z`` has the places of its points."""
+    """On which of N variants of a draft two links cross that nothing joins; ``z`` has its points, shape (N,) each."""
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):

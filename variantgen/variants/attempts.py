@@ -111,7 +111,7 @@ class FormSampler:
         return self._made > _HOPELESS * self._most * (1 + found) or self._looked_at > _HOPELESS_JUDGED * (1 + found)
 
     def attempts(self, words: NDArray[np.uint64], owner: NDArray[np.int64], number: NDArray[np.int64]) -> Attempts:
-        """Attempts of random words, a row for each: one word for the pose, one for each parameter."""
+        """Attempts of random words, shape (N, 1 + parameters): a word for the pose, one for each parameter."""
         index = {
             name: index_below(words[:, i + 1], len(self.form.parameters[name].printed))
             for i, name in enumerate(self.names)

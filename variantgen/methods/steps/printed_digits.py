@@ -9,6 +9,7 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.step import (
+    Ascending,
     Balance,
     Derived,
     EquationLine,
@@ -78,6 +79,8 @@ def items_values(items: Iterable[Item]) -> list[Value]:
                 found += [share.angle for share in (*left, *right) if share.angle is not None]
             case Balance(left_value, right_value):
                 found += [left_value, right_value]
+            case Ascending(values):
+                found += values
             case LinearSystem(unknowns, rows, right_side):
                 found += [*unknowns, *(value for row in rows for value in row), *right_side]
             case EquationLine(first, second):

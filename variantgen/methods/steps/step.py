@@ -224,6 +224,13 @@ class Balance:
 
 
 @dataclass(frozen=True, slots=True)
+class Ascending:
+    """Numbers each of which is smaller than the next: what a bound of magnitudes says."""
+
+    values: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class EquationLine:
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
@@ -247,6 +254,7 @@ Item: TypeAlias = (
     | TermTable
     | Projection
     | Balance
+    | Ascending
     | LinearSystem
     | EquationLine
     | ProgramListing

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -87,6 +87,13 @@ def both_sides(first: FormulaLine, second: FormulaLine) -> FormulaLines:
         return FormulaLines((first, second))
     (_, start), *end = second.pieces
     return FormulaLines((FormulaLine((*first.pieces, ("=", start), *end)),))
+
+
+def ascending(lines: Sequence[FormulaLine]) -> FormulaLines:
+    """Numbers, each smaller than the next, between both ends with their results: ``7 - 2 < 3 * 2.5 = 7.5 < 7 + 2``."""
+    (first, *_), *between, (last, *_) = (line.pieces for line in lines)
+    inner = [piece for (_, start), *end in between for piece in (("<", start), *end)]
+    return FormulaLines((FormulaLine((first, *inner, ("<", last[1]))),))
 
 
 @dataclass(frozen=True, slots=True)

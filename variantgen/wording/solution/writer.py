@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.steps.step import (
+    Ascending,
     AxisOf,
     Balance,
     Body,
@@ -55,6 +56,7 @@ from variantgen.wording.solution.document import (
     VectorTable,
     VectorTableRow,
     append_block,
+    ascending,
     both_sides,
 )
 from variantgen.wording.solution.formulas import Formulas, without_sign
@@ -116,6 +118,8 @@ class Writer:
                 return self._projection(item)
             case Balance(left, right):
                 return both_sides(self._side(left, by_symbol=True), self._side(right))
+            case Ascending(values):
+                return ascending([self._side(value) for value in values])
             case LinearSystem():
                 return FormulaLines(tuple(self._equation(item, i) for i in range(len(item.rows))))
             case EquationLine(left, right, numeric):
@@ -228,12 +232,8 @@ class Writer:
         """Where vectors point, in a sentence; nothing where the figure shows all."""
         parts: list[str | Formula] = []
         for number, term in enumerate(terms):
-            parts += [
-                " " if number == 0 else "; ",
-                self.vector(term.name),
-                self.phrases.words["dash"],
-                *self.text(term.way),
-            ]
+            start = " " if number == 0 else "; "
+            parts += [start, self.vector(term.name), self.phrases.words["dash"], *self.text(term.way)]
         return Paragraph((self.phrases.words["directions"], *parts, ".") if parts else ())
 
     def _sum(self, terms: Sequence[tuple[int, Formula]]) -> Formula:
