@@ -266,7 +266,7 @@ def test_what_is_typed_of_a_lost_page_is_final(english: Built, tmp_path: Path) -
         text = (tmp_path / "anonymous" / name).read_text("utf-8")
         assert "young" not in text
         assert "data:image" not in text
-        assert "scan 1" in text
+        assert "file 1" in text
 
 
 CLEAR, OTHER, BLANK = (ScannedAnswer("a page", Confirmed(text)) for text in ("12", "15", ""))

@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
     from variantgen.marking.pages import write_pages
-    from variantgen.marking.records import FILES, not_matched, write_marks
+    from variantgen.marking.records import FILES, not_matched, without_words, write_marks
     from variantgen.marking.scan import review
     from variantgen.outputs.files.folder import check_free, whole_folder
 
@@ -85,6 +85,8 @@ def run(arguments: argparse.Namespace) -> int:
     changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
     found = mark(finished, read, policy)
+    if arguments.anonymous:
+        found = without_words(found)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
         write_pages(work, finished, found, arguments.anonymous, arguments.steps)
@@ -132,11 +134,12 @@ def _read(
     scans = [path for path in arguments.answers if is_picture(path)]
     check_readings_kept(arguments.out, tables)
     columns = read_columns(arguments.columns) if arguments.columns else None
-    read = read_answers(tables, FormWords.of(finished.exam), columns) if tables else ReadAnswers((), ())
+    names = {path: f"file {n}" for n, path in enumerate(arguments.answers, 1)} if arguments.anonymous else None
+    read = read_answers(tables, FormWords.of(finished.exam), columns, names) if tables else ReadAnswers((), ())
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
-    joined = join(finished, read, scans, policy, arguments.anonymous)
+    joined = join(finished, read, scans, policy, names)
     return finished, joined.answers, joined
 
 

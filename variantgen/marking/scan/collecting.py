@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -65,15 +65,15 @@ class Scans:
         ]
 
 
-def collect(paths: Sequence[Path], key: Key, anonymous: bool = False) -> Scans:
-    """Read the pages of some files; ``anonymous`` has them told by number, for names of files may name students.
+def collect(paths: Sequence[Path], key: Key, names: Mapping[Path, str] | None = None) -> Scans:
+    """Read the pages of some files; ``names`` are words for them where their own may name students.
 
     Raises InputError for a file that cannot be opened, and ToolMissingError where a package is missing.
     """
     check_packages()
     class_ = _Class(key)
-    for number, path in enumerate(paths, start=1):
-        name = f"scan {number}" if anonymous else path.name
+    for path in paths:
+        name = path.name if names is None else names[path]
         for picture in pictures(path):
             class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)))
         class_.end_of_file(name)

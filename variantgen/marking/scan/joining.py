@@ -30,14 +30,21 @@ class Joined:
 
 
 def join(
-    finished: Finished, read: ReadAnswers, scans: Sequence[Path], policy: MarkingPolicy, anonymous: bool = False
+    finished: Finished,
+    read: ReadAnswers,
+    scans: Sequence[Path],
+    policy: MarkingPolicy,
+    names: Mapping[Path, str] | None = None,
 ) -> Joined:
-    """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError."""
+    """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError.
+
+    ``names`` are words for the files where their own may name students.
+    """
     if not finished.exam.scan:
         remedy = "type the answers into a table; the next exam has them with  [answers] scan = true  in its file"
         raise InputError(Problem("the exam was built without pages for answers", str(scans[0]), remedy=remedy))
     key = Key(finished.record, policy.tolerance)
-    found = collect(scans, key, anonymous)
+    found = collect(scans, key, names)
     typed = typed_before(key, read.answers)
     _confirm_what_follows(finished, read, found, typed, policy)
     own = Scans({asked: answer for asked, answer in found.answers.items() if not _is_typed(asked, found, typed)})
