@@ -29,6 +29,7 @@ STYLES = {
 }
 _SHARES = (0.36, 0.28, 0.12, 0.12, 0.06, 0.06)
 SCANNERS = ("scanner", "copier", "phone")
+_HIDDEN = {"scanner": 0.005, "copier": 0.005, "phone": 0.04}  # shares of pages with something on a corner
 _SEGMENTS = {  # digits as strokes on a field of 2 x 4, as they are written into boxes
     "0": [(0, 0), (2, 0), (2, 4), (0, 4), (0, 0)],
     "1": [(0, 1), (1.4, 0), (1.4, 4)],
@@ -53,12 +54,16 @@ class Answered:
 
 @dataclass(frozen=True)
 class Filled:
-    """A page as it comes from the scanner: JPEG, what was meant, by whom and how it was scanned."""
+    """A page as it comes from the scanner: JPEG, what was meant, by whom and how it was scanned.
+
+    ``hidden`` is the corner that something lay on: its place in ``page.CORNERS``, None where all are seen.
+    """
 
     jpeg: bytes
     texts: tuple[str, ...]
     style: str
     scanner: str
+    hidden: int | None = None
 
 
 class Hand:
@@ -155,7 +160,26 @@ def fill(base: Image.Image, answers: Sequence[Answered], rng: np.random.Generato
     soft = hand.ink.filter(ImageFilter.BoxBlur(0.5))
     paper = ImageChops.multiply(base, ImageChops.invert(soft))
     scanner = str(rng.choice(SCANNERS, p=[0.55, 0.2, 0.25]))
-    return Filled(scanned(paper, scanner, rng), tuple(answer.text for answer in answers), style, scanner)
+    (chance,) = rng.spawn(1)  # numbers of its own: pages with all corners stay as they are
+    hidden = int(chance.integers(4)) if chance.random() < _HIDDEN[scanner] else None
+    if hidden is not None:
+        paper = with_hidden_corner(paper, hidden, chance)
+    return Filled(scanned(paper, scanner, rng), tuple(answer.text for answer in answers), style, scanner, hidden)
+
+
+def with_hidden_corner(paper: Image.Image, corner: int, rng: np.random.Generator) -> Image.Image:
+    """A page of 300 dpi with a thumb, another sheet or a fold over one of its corners."""
+    done = paper.copy()
+    u, v = page.CORNERS[corner]
+    x, y = page.WIDTH * (u > page.WIDTH / 2), page.HEIGHT * (v > page.HEIGHT / 2)
+    a, b = rng.uniform(19.0, 26.0, 2)
+    box = tuple(round(w * _MM) for w in (x - a, y - b, x + a, y + b))
+    draw, grey = ImageDraw.Draw(done), int(rng.choice([40, 120, 200, 250]))
+    if rng.random() < 0.5:
+        draw.ellipse(box, fill=grey)
+    else:
+        draw.rectangle(box, fill=grey)
+    return done
 
 
 def _answer(hand: Hand, corner: Place, text: str) -> None:

@@ -206,3 +206,10 @@ def test_the_pulley_alone_is_drawn_with_what_its_threads_do(form: str) -> None:
     labels = {to_plain(label.formula) for label in drawing.labels}
     assert {"v_D", "v_C", "v_G", "ω"} <= labels
     assert not labels & {"A", "v_A", "v_B", "v_M"}
+
+
+@pytest.mark.parametrize("form", ["central", "offset"])
+def test_an_angle_of_a_rod_is_not_sought_in_the_figure_of_the_wheel(form: str) -> None:
+    _, text, _ = solved("wheel_with_rod", form, "1")
+    geometry, *_ = text.sections
+    assert geometry.views == ("velocity_centre:AB",), "the angle is at B, which the wheel does not have"

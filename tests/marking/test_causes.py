@@ -6,7 +6,10 @@ from dataclasses import replace
 from math import pi
 
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
+from variantgen.exam.marking_policy import CAUSES
 from variantgen.exam.sheets import Answer
 from variantgen.families.load import load_family
 from variantgen.families.quantities import split_name
@@ -14,6 +17,7 @@ from variantgen.families.units import unit
 from variantgen.marking.causes import Cause, Comparisons, cause_of
 from variantgen.marking.consequences import confirms
 from variantgen.marking.key import is_right
+from variantgen.marking.marks import Verdict, verdict_of
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 
@@ -31,6 +35,25 @@ DIRECTION = answer("v_B.angle", -30.0, 0.5, "deg")
 def test_whole_turns_do_not_change_a_direction(value: float) -> None:
     assert is_right(DIRECTION, value)
     assert not is_right(DIRECTION, value + 1.1)
+
+
+@given(
+    st.one_of(
+        st.floats().map(repr),
+        st.integers().map(str),
+        st.from_regex(r"-?[0-9]{1,3}([., ][0-9]{3}){0,2}(e-?[0-9]{1,3})? ?(m/s|deg|km|1/s)?", fullmatch=True),
+    ),
+    st.sampled_from([SPEED, RATE, DIRECTION, answer("omega_AB.sense", 1.0, 0.0, "1")]),
+)
+@example("5e-324", SPEED)
+@example("1e40", DIRECTION)
+@example("9" * 32, DIRECTION)
+@example("1e100 km", DIRECTION)
+def test_whatever_is_typed_has_a_verdict(text: str, asked: Answer) -> None:
+    _, value, verdict, cause = verdict_of(asked, text)
+    assert (verdict is Verdict.WRONG) == (cause is not None)
+    if value is not None and not is_right(asked, value):
+        assert cause_of(value, asked, Comparisons()).name in CAUSES
 
 
 @pytest.mark.parametrize(

@@ -301,6 +301,12 @@ def test_files_that_are_no_tables(
         ('struck = ["1.v_Z"]', "asks for no such quantity"),
         ("shares = { sign = 2 }", "expected a number from 0 to 1"),
         ("tolerence = 2", "did you mean tolerance"),
+        ("tolerance = nan", "expected a number above 0, at most 10"),
+        ("tolerance = 0", "expected a number above 0, at most 10"),
+        ("shares = { sign = nan }", "expected a number from 0 to 1"),
+        ("points = { 1 = inf }", "expected a number from 0 to 1000"),
+        ("rounding = { problem = 1000 }", "the step is larger than the points of every problem"),
+        ("rounding = { total = 9.5 }", "the step is larger than the points of the exam"),
     ],
 )
 def test_wrong_policies(
@@ -311,6 +317,13 @@ def test_wrong_policies(
     answers = long(tmp_path, [("s1", "1.v_B", "3")])
     assert mark(answers, options=["--policy", str(policy)])[0] == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_dash_leaves_room_for_the_answer_of_another_file(built: Path, mark: Mark, tmp_path: Path) -> None:
+    right, first = key(built), order(built)[0]
+    dash = long(tmp_path, [(first, "1.v_B", "-")], "dash.csv")
+    _, marks, _, left = mark(dash, long(tmp_path, [(first, "1.v_B", f"{right[first, '1.v_B']:.4g}")]))
+    assert (left, [row["quantity"] for row in marks if row["verdict"] == "right"]) == ([], ["v_B"])
 
 
 def test_a_row_with_unquoted_commas_is_not_read(built: Path, mark: Mark, tmp_path: Path) -> None:

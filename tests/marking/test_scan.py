@@ -16,11 +16,13 @@ import pypdfium2
 import pytest
 from PIL import Image, ImageDraw
 
-from benchmarks.filled_pages import Answered, fill, scanned
+from benchmarks.filled_pages import Answered, fill, scanned, with_hidden_corner
 from tests.marking.test_marks import acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
+from variantgen.marking.scan.columns import columns
+from variantgen.marking.scan.darkness import Darkness
 from variantgen.marking.scan.numbers import number
 from variantgen.marking.scan.pages import read_page
 from variantgen.marking.scan.pictures import ScanImage
@@ -211,7 +213,7 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
     told = "\n".join(left(out))
     for text in (
         "page 2: : no code of a sheet is seen",
-        f"page 3: {english.code(2)}, page 1: the black squares in the corners are not seen",
+        f"page 3: {english.code(2)}, page 1: not all four black squares in the corners are seen",
         "without answers to read, left out: pages of problems, 1",
         "without answers to read, left out: blank pages, 1",
         f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: other answers, for",
@@ -244,6 +246,41 @@ def test_two_marks_in_a_column_never_confirm_themselves(english: Built, tmp_path
     _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png")
     names = [name for name, _ in english.key[0]]
     assert [marks[english.code(0), name]["verdict"] for name in names] == ["unreadable"] + ["right"] * 4
+
+
+def test_a_strong_mark_is_a_rival_of_a_stronger_one() -> None:
+    """Beside the darkest bubble of a page one as dark as the usual mark is a mark, however dark the other one is."""
+    shades = np.zeros((1, len(page.BUBBLES)))
+    for column in range(1, page.DIGITS + 1):
+        own = [k for k, one in enumerate(page.BUBBLES) if one.column == column]
+        shades[0, own[3]] = 0.3
+    first = [k for k, one in enumerate(page.BUBBLES) if one.column == 1]
+    shades[0, first[3]], shades[0, first[7]] = 0.7, 0.2
+    strokes = np.zeros((1, len(page.BUBBLES), 4))
+    measured = Darkness(shades, strokes, np.ones((1, page.DIGITS + 1)), noise=0.002, outlines=np.full(1, 30.0))
+    read = columns(measured)[0]
+    assert (read[1].doubt, read[1].open) == ("several", True)
+    assert [column.doubt for column in read[2:-1]] == [""] * 4
+
+
+@pytest.mark.parametrize("corner", range(4))
+def test_a_page_with_three_corner_marks_is_not_read(corner: int, english: Built) -> None:
+    done = filled(english.pages[0], ["12", "3.4", "5", "6", "7"])
+    assert read_page(ScanImage("page", np.asarray(done)), lambda _: 5).answers
+    covered = with_hidden_corner(done.resize((2480, 3508)), corner, np.random.default_rng(corner))
+    found = read_page(ScanImage("page", np.asarray(covered)), lambda _: 5)
+    assert found.why == "not all four black squares in the corners are seen"
+    assert not found.answers
+
+
+def test_what_is_transparent_is_paper(english: Built, tmp_path: Path) -> None:
+    right = [written(value) for _, value in english.key[0]]
+    drawn = filled(english.pages[0], right)
+    ink = Image.new("LA", drawn.size, 0)
+    ink.putalpha(drawn.point(lambda level: 255 - level))
+    ink.save(tmp_path / "page.png")
+    _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png")
+    assert [marks[english.code(0), name]["verdict"] for name, _ in english.key[0]] == ["right"] * 5
 
 
 def test_a_doubtful_reading_that_follows_confirms_itself(english: Built, tmp_path: Path) -> None:

@@ -99,7 +99,7 @@ def read_policy(table: Table, asked: Mapping[int, frozenset[str]]) -> MarkingPol
     grades = table.table("grades")
     scale = sorted(((name, _within(grades, name, 100)) for name in grades.data), key=lambda item: -item[1])
     policy = MarkingPolicy(
-        _within(table, "tolerance", 10, Decimal(1)),
+        _within(table, "tolerance", 10, Decimal(1), zero=False),
         points,
         {name: _within(shares, name, 1) for name in shares.data if name in CAUSES},
         _within(table, "follow_through", 1, Decimal(1)),
@@ -114,11 +114,12 @@ def read_policy(table: Table, asked: Mapping[int, frozenset[str]]) -> MarkingPol
     return policy
 
 
-def _within(table: Table, name: str, most: int, usual: Decimal = Decimal(0)) -> Decimal:
-    """A number from 0 to ``most``."""
+def _within(table: Table, name: str, most: int, usual: Decimal = Decimal(0), zero: bool = True) -> Decimal:
+    """A number from 0 to ``most``; 0 itself only if ``zero`` is among them."""
     found = table.number(name, usual)
-    if not 0 <= found <= most:
-        table.problem(f"expected a number from 0 to {most}", name, found)
+    if not found.is_finite() or not 0 <= found <= most or not (found or zero):
+        expected = f"expected a number from 0 to {most}" if zero else f"expected a number above 0, at most {most}"
+        table.problem(expected, name, found)
         return usual
     return found
 

@@ -15,6 +15,8 @@ from variantgen.exam.student_order import base
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
 
+_DIRECTIONLESS = Decimal(10) ** 15  # degrees: so large a number has no digits left that tell a direction
+
 
 @dataclass(frozen=True)
 class Key:
@@ -70,13 +72,21 @@ class Key:
                     found.setdefault(word, set()).add(place)
         return {word: frozenset(places) for word, places in found.items()}
 
+    def _named(self, word: str) -> frozenset[int]:
+        ways = (word, word.casefold(), base(word), _sorted(word))
+        return next((self._students[way] for way in ways if way in self._students), frozenset())
+
+    def without_unknown_name(self, who: tuple[str, ...]) -> tuple[str, ...]:
+        """The id alone, of an id and a name of which only the id is known: platforms spell names in their own way."""
+        known = [bool(self._named(" ".join(text.split()))) for text in who]
+        return who[:1] if known == [True, False] else who
+
     def student(self, who: tuple[str, ...]) -> int:
         """The place of the one student whom all these words name wholly. Raises InputError."""
         each = []
         for text in who:
             word = " ".join(text.split())
-            ways = (word, word.casefold(), base(word), _sorted(word))
-            each.append(next((self._students[way] for way in ways if way in self._students), frozenset[int]()))
+            each.append(self._named(word))
             if not each[-1]:
                 remedy = nearest(word, (key for key in self._students if not key.startswith("variantgen:")))
                 remedy = remedy if remedy.startswith("did") else "give the code of the sheet, the id or the whole name"
@@ -121,6 +131,8 @@ def is_right(answer: Answer, value: float) -> bool:
     """Whether a value in the unit of the key is within the tolerance of an answer, its ends included."""
     typed = Decimal(repr(value))
     if answer.quantity.is_direction:  # whole turns do not change it
+        if abs(typed) >= _DIRECTIONLESS:
+            return False
         gap = (typed - Decimal(repr(answer.value))) % 360
         return min(abs(gap), 360 - abs(gap)) <= Decimal(repr(answer.tolerance))
     return any(low <= typed <= high for low, high in answer.exact_intervals)

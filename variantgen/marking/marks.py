@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 
+from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy, rounded
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
@@ -92,6 +93,7 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
             left.append(NotMatched(found.where, what, *_unreadable(item.text)))
     marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
+    _check_steps(policy, key, worth)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
     totals = _totals(key, marks, policy, corrections(key, read.corrections, left))
     return Marked(tuple(marks), tuple(totals), tuple(left))
@@ -117,13 +119,14 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
                 item = typed.get((place, number, answer.quantity.name))
                 marks.append(
                     MarkedAnswer(
-                        place, number, problem.problem_type, answer, *_verdict(answer, item.text if item else "")
+                        place, number, problem.problem_type, answer, *verdict_of(answer, item.text if item else "")
                     )
                 )
     return marks
 
 
-def _verdict(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cause | None]:
+def verdict_of(answer: Answer, text: str) -> tuple[str, float | None, Verdict, Cause | None]:
+    """The text, its value in the unit of the key, the verdict, and the cause as far as the text alone tells it."""
     if answer.quantity.component == "sense" and text.strip() in SIGNS:
         value = SIGNS[text.strip()]
         return text, value, *((Verdict.RIGHT, None) if is_right(answer, value) else (Verdict.WRONG, Cause("sign")))
@@ -231,6 +234,25 @@ def _worth(finished: Finished, key: Key, policy: MarkingPolicy) -> dict[tuple[in
             points = Fraction(policy.points.get(number, usual.get(number) or most[number]))
             found[place, number] = points / len(counted) if counted else Fraction(0)
     return found
+
+
+def _check_steps(policy: MarkingPolicy, key: Key, worth: Mapping[tuple[int, int], Fraction]) -> None:
+    """Raise InputError where points are rounded to a step larger than all there are."""
+    most: dict[int, dict[int, Fraction]] = defaultdict(dict)
+    for (place, number), one in worth.items():
+        counted = sum(not policy.is_struck(number, a.quantity) for a in key.places[place][number].answers)
+        most[place][number] = one * counted
+    single = max((points for own in most.values() for points in own.values()), default=Fraction(0))
+    whole = max((sum(own.values(), Fraction(0)) for own in most.values()), default=Fraction(0))
+    if problems := [
+        Problem(f"the step is larger than the points of {what}", key=f"rounding.{name}", value=str(step))
+        for name, step, points, what in (
+            ("problem", policy.problem_step, single, "every problem"),
+            ("total", policy.total_step, whole, "the exam"),
+        )
+        if points and step > points
+    ]:
+        raise InputError(problems)
 
 
 def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> MarkedAnswer:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from variantgen.errors import InputError
+from variantgen.families.quantities import split_name
 from variantgen.marking.answer_tables import HandedIn, NotMatched
 from variantgen.marking.key import Key
 from variantgen.marking.typed_number import read_number
@@ -21,23 +22,26 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
     found: Typed = {}
     students: dict[tuple[str, ...], int | None] = {}
     for item in answers:
-        if is_blank(item.text) and item.text not in SIGNS:
+        if is_blank(item.text) and item.text.strip() not in SIGNS:
             continue
-        if item.who not in students:
-            students[item.who] = _student(key, item, left)
-        place = students[item.who]
+        who = item.who or ("", item.where)  # rows that name nobody are told one by one
+        if who not in students:
+            students[who] = _student(key, item, left)
+        place = students[who]
         if place is None:
             continue
         name, why = key.quantity(place, item.problem, item.quantity)
         if not name:
             left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}", why))
             continue
+        if is_blank(item.text) and split_name(name).component != "sense":
+            continue  # a dash alone: it leaves room for the answer of another file
         known = found.get((place, item.problem, name))
         if known is None:
             found[place, item.problem, name] = item
         elif item.text != known.text:
-            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
-            text = f"{item.problem}.{name}: {item.text}"
+            why = f"the same student has another answer in {known.where}, which stands"
+            text = f"{item.problem}.{name}: {known.text}, then {item.text}"
             left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
     return found
 

@@ -17,6 +17,7 @@ from variantgen.wording.language import load_language
 
 LONGEST = 60  # characters of a text that may be a number
 _LARGEST_POWER = 12
+_LARGEST = 1e100  # no quantity is larger, nor smaller than its inverse: with more, conversions would overflow
 _DIGITS = 13
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans(
@@ -34,7 +35,8 @@ _ALIKE = str.maketrans(
     }
 )
 _SPACE = re.compile(r"[\s\u00a0\u2009\u202f]+")
-_GROUPED = re.compile(r"(?<=\d)[ '’](?=\d{3}(?!\d))")  # thousands parted by a space or an apostrophe
+# Thousands parted by spaces or apostrophes, in a whole part alone: of two numbers in a cell none is made one.
+_GROUPED = re.compile(r"(?<![\d.,/^])[1-9]\d{0,2}(?:[ '’]\d{3})+(?![\d/])")
 _RAISED = re.compile(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+")
 _DIGITS_ALONE = re.compile(r"[-+]?[\d.,]+")
 _PLAIN = re.compile(r"\d+(?:\.\d*)?|\.\d+")
@@ -88,7 +90,7 @@ def _is_digit_before(text: str, spelled: str) -> bool:
 
 def _values(text: str) -> tuple[float, ...]:
     """The readings of an expression without a unit."""
-    text = _GROUPED.sub("", text)
+    text = _GROUPED.sub(lambda found: re.sub(r"\D", "", found[0]), text)
     found = [value for reading in _decimal_points(text) if (value := _Reader(reading).value()) is not None]
     return tuple(dict.fromkeys(found))
 
@@ -123,14 +125,14 @@ class _Reader:
             place = found.end()
 
     def value(self) -> float | None:
-        """The value, or None for what is no number, or no finite one."""
+        """The value, or None for what is no number, or one beyond all quantities."""
         if not self._tokens:
             return None
         try:
             found = self._signed()
         except (ArithmeticError, ValueError, IndexError):
             return None
-        return found if not self._tokens and math.isfinite(found) else None
+        return found if not self._tokens and (not found or 1 / _LARGEST <= abs(found) <= _LARGEST) else None
 
     def _peek(self) -> str | float:
         return self._tokens[0] if self._tokens else ""

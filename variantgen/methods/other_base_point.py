@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from variantgen.algebra.expression import Expression, Ratio, Value, hypotenuse
+from variantgen.algebra.expression import Applied, Expression, Ratio, Value, hypotenuse
 from variantgen.algebra.name import Name
 from variantgen.methods.centres.known_centre import resting_contacts
 from variantgen.methods.geometry.geometry import Geometry
@@ -170,9 +170,15 @@ def _about(
 
 
 def _on_axis(book: Book, term: Term, size: Expression, axis: Value) -> tuple[int, Expression] | None:
-    """The projection of a vector with its arithmetic; None for one across the axis."""
+    """The projection of a vector with its arithmetic, also that of an angle without a name: nothing derives it before.
+
+    None for a vector across the axis.
+    """
     share = share_of(term, axis)
     if share is None:
         return None
-    factor = renamed(book, share).factor
-    return share.sign, size if factor is None else size * factor
+    share = renamed(book, share)
+    if share.angle is None:
+        return share.sign, size
+    spelled = share.angle.expression if share.angle.name is None else None
+    return share.sign, size * Applied(share.function, spelled or share.angle)

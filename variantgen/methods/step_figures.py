@@ -34,7 +34,7 @@ def step_figures(
 ) -> tuple[list[Step], dict[str, StepGeometry]]:
     """The steps with the names of their figures (``velocity_centre:AB``), and what each figure marks, by that name.
 
-    What is named in steps without a figure is marked in the next one.
+    What is named in steps without a figure is marked in the next one that has its points.
     """
     shown = {
         (view, fact.name)
@@ -48,7 +48,7 @@ def step_figures(
     views: list[tuple[str, ...]] = []
     for number, step in enumerate(steps):
         here, own = _geometry(task, step), names[number]
-        goal = own or next((later for later in names[number:] if later), [])
+        goal = own or _seen_in(task, here, [later for later in names[number:] if later], vectors)
         if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
             # The perpendicular is dropped in another part of the mechanism.
             own = goal = [f"position:{number}", *own]
@@ -76,11 +76,42 @@ def _shows(task: Task, view: str, foot: MarkedFoot) -> bool:
     kind, _, body = view.partition(":")
     if kind == "coordinate_axes":
         return True
-    if kind != "velocity_centre":
-        return False
+    return kind == "velocity_centre" and {foot.apex, *foot.line} <= _points_with_cranks(task, body)
+
+
+def _points_with_cranks(task: Task, body: str) -> set[str]:
+    """The points of a body and of the links by which it hangs on pivots."""
     bodies = task.scene.bodies
     cranks = [m for m in bodies.values() if set(m) & set(bodies[body]) - task.fixed and task.fixed & set(m)]
-    return {foot.apex, *foot.line} <= {*bodies[body], *(point for members in cranks for point in members)}
+    return {*bodies[body], *(point for members in cranks for point in members)}
+
+
+def _seen_in(task: Task, here: StepGeometry, later: Sequence[list[str]], vectors: Sequence[PointVectors]) -> list[str]:
+    """The figures of the first later step of which one has what a step finds, else those of the first."""
+    found = [corner for corner in here.corners if corner.value.name is None or corner.value.name.kind != "parameter"]
+    ends = {end for segment in here.segments for end in segment} | {corner.vertex for corner in found}
+    for names in later:
+        for name in names:
+            points = _points_of(task, name, vectors)
+            sides = all(not corner.ends or points & set(corner.ends) for corner in found)
+            if sides and ends & set(task.now.z) <= points:
+                return [name, *(other for other in names if other != name)]
+    return later[0] if later else []
+
+
+def _points_of(task: Task, view: str, vectors: Sequence[PointVectors]) -> set[str]:
+    """The points that a figure may show: of its body, or of those of the vectors of its equation; else all."""
+    kind, _, which = view.partition(":")
+    bodies = task.scene.bodies
+    if which in bodies:
+        return _points_with_cranks(task, which)
+    order = next((order for order, equation in _EQUATION.items() if kind == equation), 0)
+    if not order:
+        return set(task.now.z)
+    ends = {
+        end for term in vectors[order - 1].equations[int(which) - 1].terms for end in (term.name.of, term.name.about)
+    }
+    return {point for members in bodies.values() if ends & set(members) for point in members}
 
 
 def _names(

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 _MARKED, _EMPTY, _TRACE = 0.5, 0.2, 0.09  # shares of the darkness of the usual mark
 _ERASED = 0.35  # what is fainter may be what a rubber has left: the key cannot make a mark of it
-_RIVAL = 0.5  # of the darkest bubble of a column: what is as dark beside it may be meant as well
+_RIVAL = 0.5  # of the darkest bubble of a column: what is as dark beside it may be meant as well, as is every mark
 _LEAST = 0.028  # darkness that the eye sees at all
 _USUAL, _FEWEST = 0.3, 3  # the usual mark where a page has fewer of them than that
 _WEAK = 0.7
@@ -108,9 +108,10 @@ def _column(dark: Array, out: NDArray[np.bool_], usual: float, noise: float) -> 
     traces = tuple(values[k] for k in order if dark[k] > trace)
     if top < empty:
         return Column(None, others=traces)
+    rival = max(min(_RIVAL * top, _MARKED * usual), empty)
     if top < _MARKED * usual:
-        return Column(best, "faint", (None, *traces[1:]), open=top < _ERASED * usual)
-    if second >= max(_RIVAL * top, empty):
+        return Column(best, "faint", (None, *traces[1:]), open=top < _ERASED * usual or second >= rival)
+    if second >= rival:
         return Column(best, "several", tuple(values[k] for k in order if dark[k] > empty), open=True)
     if second >= empty:
         return Column(best, "several", traces[1:])

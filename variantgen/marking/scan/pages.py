@@ -60,7 +60,7 @@ def read_page(picture: ScanImage, blocks: Callable[[PageCode], int]) -> ReadPage
         return ReadPage(picture.where, own)
     where = placed(grey, code)
     if where is None:
-        return ReadPage(picture.where, own, "the black squares in the corners are not seen")
+        return ReadPage(picture.where, own, "not all four black squares in the corners are seen")
     measured = darkness(grey, where, count)
     if float(np.median(measured.outlines)) < _FAINTEST:
         return ReadPage(picture.where, own, "the bubbles are not where they should be: is the page bent or covered?")

@@ -167,6 +167,11 @@ def _levels(image: Image) -> tuple[Grey | None, str]:
     if max(image.size) < _LEAST_SIDE:
         return None, f"the page has fewer than {_LEAST_SIDE} pixels along its long side"
     image.draft("L", (1240, 1754))  # JPEG files are decoded at once in a smaller size
+    if image.mode in ("LA", "PA", "RGBA") or "transparency" in image.info:  # paper is white where nothing was drawn
+        from PIL import Image as Images
+
+        shown = image.convert("RGBA")
+        image = Images.alpha_composite(Images.new("RGBA", shown.size, "white"), shown)
     grey = image.convert("L")
     step = max(grey.size) / _LONG_SIDE
     if step > 1.25:

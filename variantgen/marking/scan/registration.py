@@ -1,7 +1,8 @@
 """Where the page for answers lies in a picture: its code, its four corner marks, the map from millimetres to pixels.
 
 The QR code says which page it is, and about where and how large it is. From there the black squares in the corners are
-looked for; four of them give the perspective, three will do for a flat page.
+looked for; the four of them give the perspective. With three a map can be had too, but where a page is seen at a slant
+it is off by more than a bubble at the fourth corner, and nothing says so.
 """
 
 from __future__ import annotations
@@ -38,7 +39,6 @@ class Placed:
     """How a page lies in a picture: ``matrix`` maps (x, y, 1) in mm to pixels, an array of shape (3, 3)."""
 
     matrix: Points
-    marks: int
 
     def pixels(self, x: Points, y: Points) -> tuple[Points, Points]:
         """Pixels of places in mm, arrays of any shape."""
@@ -62,7 +62,7 @@ def _corners(position: object) -> Points:
 
 
 def placed(grey: Grey, code: Code) -> Placed | None:
-    """How the page of a code lies in a picture; None where too few of its corner marks are seen."""
+    """How the page of a code lies in a picture; None where a corner mark is not seen."""
     x, y = page.CODE
     side = page.CODE_WIDTH
     known = [np.array([x, y]), np.array([x + side, y]), np.array([x + side, y + side]), np.array([x, y + side])]
@@ -72,15 +72,12 @@ def placed(grey: Grey, code: Code) -> Placed | None:
         corner = np.array(page.CORNERS[number])
         guess, scale = _guess(known, seen, marks, corner)
         found = _mark(grey, guess, scale, radius)
-        if found is not None:
-            marks[number] = found
-    if len(marks) < 3:
-        return None
+        if found is None:
+            return None
+        marks[number] = found
     places = np.array([page.CORNERS[number] for number in marks])
     pixels = np.array(list(marks.values()))
-    if len(marks) == 3:
-        return Placed(_affine(places, pixels), 3)
-    return Placed(_perspective(places, pixels), 4)
+    return Placed(_perspective(places, pixels))
 
 
 def _guess(known: list[Points], seen: list[Points], marks: dict[int, Points], corner: Points) -> tuple[Points, float]:
