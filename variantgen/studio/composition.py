@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from variantgen.families.family import Family, Form
     from variantgen.variants.variant import Variant
 
+_LARGEST = 1000  # share that is shown
 _LISTED = 4  # symbols of what is asked, in the list
 
 
@@ -204,9 +205,8 @@ def _tolerance(found: Any) -> str:
 
 def percent(value: Any) -> str:
     """A share as percent; '' for what is none."""
-    if not isinstance(value, int | Decimal) or not (Decimal(value).is_finite() and abs(value) < 1000):
-        return ""
-    return _number(Decimal(value) * 100)
+    share = Decimal(value) if isinstance(value, int | Decimal) else Decimal("nan")
+    return _number(share * 100) if share.is_finite() and abs(share) < _LARGEST else ""
 
 
 def model(family: Family, name: str) -> Variant:
