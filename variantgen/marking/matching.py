@@ -24,9 +24,10 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
     for item in answers:
         if is_blank(item.text) and item.text.strip() not in SIGNS:
             continue
-        if item.who not in students:
-            students[item.who] = _student(key, item, left)
-        place = students[item.who]
+        who = item.who or ("", item.where)  # rows that name nobody are told one by one
+        if who not in students:
+            students[who] = _student(key, item, left)
+        place = students[who]
         if place is None:
             continue
         name, why = key.quantity(place, item.problem, item.quantity)
@@ -39,8 +40,8 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
         if known is None:
             found[place, item.problem, name] = item
         elif item.text != known.text:
-            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
-            text = f"{item.problem}.{name}: {item.text}"
+            why = f"the same student has another answer in {known.where}, which stands"
+            text = f"{item.problem}.{name}: {known.text}, then {item.text}"
             left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
     return found
 

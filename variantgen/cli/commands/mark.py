@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,7 +14,7 @@ from variantgen.cli.options import add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from variantgen.exam.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
@@ -71,7 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
     from variantgen.marking.pages import write_pages
-    from variantgen.marking.records import FILES, not_matched, write_marks
+    from variantgen.marking.records import FILES, not_matched, without_words, write_marks
     from variantgen.marking.scan import review
     from variantgen.outputs.files.folder import check_free, whole_folder
 
@@ -85,6 +86,8 @@ def run(arguments: argparse.Namespace) -> int:
     changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
     found = mark(finished, read, policy)
+    if arguments.anonymous:
+        found = without_words(found)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
         write_pages(work, finished, found, arguments.anonymous, arguments.steps)
@@ -130,12 +133,27 @@ def _read(
     scans = [path for path in arguments.answers if is_picture(path)]
     check_readings_kept(arguments.out, tables)
     columns = read_columns(arguments.columns) if arguments.columns else None
-    read = read_answers(tables, FormWords.of(finished.exam), columns) if tables else ReadAnswers((), ())
+    names = {path: f"file {n}" for n, path in enumerate(arguments.answers, 1)} if arguments.anonymous else None
+    read = read_answers(tables, FormWords.of(finished.exam), columns, names) if tables else ReadAnswers((), ())
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
     joined = join(finished, read, scans, policy)
-    return finished, joined.answers, joined
+    return finished, _renamed(joined.answers, scans, names) if names else joined.answers, joined
+
+
+def _renamed(read: ReadAnswers, scans: Sequence[Path], names: Mapping[Path, str]) -> ReadAnswers:
+    """The answers with other words for the files of scans, whose names may be those of students."""
+
+    def of(where: str) -> str:
+        own = next((path for path in scans if where.startswith(path.name)), None)
+        return where if own is None else names[own] + where.removeprefix(own.name)
+
+    return replace(
+        read,
+        answers=tuple(replace(item, where=of(item.where)) for item in read.answers),
+        not_matched=tuple(replace(item, where=of(item.where)) for item in read.not_matched),
+    )
 
 
 def _tell_left(left: Sequence[NotMatched]) -> None:
