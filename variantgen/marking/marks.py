@@ -202,18 +202,21 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
     for (place, number), own in problems.items():
         answers = [marks[i].answer for i in own]
         wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
-        copied = sum(marks[i].cause is not None and marks[i].cause.name == "neighbour" for i in own)
+        copied = sum(_is_copied(marks[i]) for i in own)
         if len(wrong) < 2 or copied >= _COPIED:
             continue
         group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
         rules = known.setdefault(group, FollowThrough(group[1]))
         for k, earlier in rules.granted(finished.variant(place, number), answers, wrong).items():
             names = ", ".join(answers[other].quantity.name for other in earlier)
-            cause = marks[own[k]].cause
-            if cause is None or cause.name != "neighbour":  # a suspicion stays
-                cause = Cause("from", names)
+            cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
             found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
     return found
+
+
+def _is_copied(item: MarkedAnswer) -> bool:
+    """Whether an answer is that of a neighbour's sheet."""
+    return item.cause is not None and item.cause.name == "neighbour"
 
 
 def _is_wrong(item: MarkedAnswer) -> bool:
