@@ -16,7 +16,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import OPEN, NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
@@ -40,7 +40,10 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class MarkedAnswer:
-    """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it."""
+    """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it.
+
+    It is ``waiting`` while a person has to look at the scan that it is on.
+    """
 
     place: int
     problem: int
@@ -52,6 +55,7 @@ class MarkedAnswer:
     cause: Cause | None = None
     points: Fraction = Fraction(0)
     of: Fraction = Fraction(0)
+    waiting: bool = False
 
 
 @dataclass(frozen=True)
@@ -90,7 +94,7 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
         if item.verdict is Verdict.UNREADABLE:
             found = typed[item.place, item.problem, item.answer.quantity.name]
             what = f"{item.problem}.{item.answer.quantity.name}: {item.text}"[:80]
-            left.append(NotMatched(found.where, what, *_unreadable(item.text)))
+            left.append(NotMatched(found.where, what, *_unreadable(item)))
     marks = _following(finished, _with_causes(finished, key, marks))
     worth = _worth(finished, key, policy)
     _check_steps(policy, key, worth)
@@ -99,13 +103,13 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
     return Marked(tuple(marks), tuple(totals), tuple(left))
 
 
-def _unreadable(text: str) -> tuple[str, str]:
-    """Why a text is no number, and what to do."""
-    if text.startswith(OPEN):
+def _unreadable(item: MarkedAnswer) -> tuple[str, str]:
+    """Why an answer is no number, and what to do."""
+    if item.waiting:
         return "waits for review", ""
-    if text.startswith("="):
+    if item.text.startswith("="):
         return "is a formula that was never computed", "open the file in the spreadsheet and save it"
-    if _DATE.match(text):
+    if _DATE.match(item.text):
         return "is a date: the spreadsheet took a number for one", "type it with the decimal mark of the spreadsheet"
     return "is no number that can be read", ""
 
@@ -117,11 +121,9 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
         for number, problem in problems.items():
             for answer in key.answers(place, number):
                 item = typed.get((place, number, answer.quantity.name))
-                marks.append(
-                    MarkedAnswer(
-                        place, number, problem.problem_type, answer, *verdict_of(answer, item.text if item else "")
-                    )
-                )
+                verdict = verdict_of(answer, item.text if item else "")
+                waiting = item is not None and item.waiting
+                marks.append(MarkedAnswer(place, number, problem.problem_type, answer, *verdict, waiting=waiting))
     return marks
 
 
@@ -292,7 +294,7 @@ def _totals(
         every = sum(had.values(), Fraction(0))
         points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
-        waiting = sum(item.text.startswith(OPEN) for item in own[place])
+        waiting = sum(item.waiting for item in own[place])
         grade = policy.grade(points, most)
         found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting))
     return found
